@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef ABB_IRB120_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef ABB_IRB120_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -551,9 +554,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide t24 = T24 - d6 * T21;
     const wide v1 = X1 * X1 + t24 * t24;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
-    const wide v2 = X1 * factor1;
-    const wide s1 = t24 * factor1;
+    const wide v2 = 1.0 / v1;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1;
@@ -597,12 +598,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s23_pm = c3_m * S2_pm + s3_m * C2_pm;
     const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp;
     const wide s23_mm = c3_m * S2_pp + s3_m * C2_mm;
-    const wide v15 = T21 * s1 - T11 * v2;
+    const wide v15 = w1 * (v2 * (T21 * t24 - T11 * X1));
     const wide c4_pp = T31 * s23_pp + c23_pp * v15;
     const wide c4_pm = T31 * s23_pm + c23_pm * v15;
     const wide c4_mp = T31 * s23_mp - c23_mp * v15;
     const wide c4_mm = T31 * s23_mm - c23_mm * v15;
-    const wide v16 = T21 * v2 + T11 * s1;
+    const wide v16 = w1 * (v2 * (T11 * t24 + X1 * T21));
     const wide v17 = v16 * v16;
     const wide v18 = factor2 * c4_pp;
     const wide v19 = factor2 * c4_pm;
@@ -624,10 +625,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q4_mmm = angle1____ - v27;
 
     /* theta6 */
-    const wide v28 = s1 * T12 + v2 * T22;
-    const wide v29 = s1 * T22 - v2 * T12;
-    const wide v30 = v2 * T23 + s1 * T13;
-    const wide v31 = s1 * T23 - v2 * T13;
+    const wide v28 = w1 * (v2 * (X1 * T22 + t24 * T12));
+    const wide v29 = w1 * (v2 * (t24 * T22 - X1 * T12));
+    const wide v30 = w1 * (v2 * (X1 * T23 + t24 * T13));
+    const wide v31 = w1 * (v2 * (t24 * T23 - X1 * T13));
     const wide v32 = v16 * (s23_pp * T33 + c23_pp * v31) - c4_pp * v30;
     const wide v33 = v16 * (s23_pm * T33 + c23_pm * v31) - c4_pm * v30;
     const wide v34 = c4_mp * v30 - v16 * (s23_mp * T33 - c23_mp * v31);
@@ -792,9 +793,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double t24 = T24 - d6 * T21;
     const double v1 = X1 * X1 + t24 * t24;
     const double w1 = sqrt(v1);
-    const double factor1 = 1.0 / w1;
-    const double v2 = X1 * factor1;
-    const double s1 = t24 * factor1;
+    const double v2 = 1.0 / v1;
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1;
@@ -818,9 +817,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta4 */
     const four c23 = c3 * C2 - s3 * S2;
     const four s23 = c3 * S2 + s3 * C2;
-    const double v9 = T21 * s1 - T11 * v2;
+    const double v9 = w1 * (v2 * (T21 * t24 - T11 * X1));
     const four c4 = T31 * s23 + e1 * (c23 * v9);
-    const double v10 = T21 * v2 + T11 * s1;
+    const double v10 = w1 * (v2 * (T11 * t24 + X1 * T21));
     const double v11 = v10 * v10;
     const four v12 = factor2 * c4;
     const four v13 = v11 + factor2 * (c4 * v12);
@@ -828,10 +827,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v14 = copysign_four(all_four(half_turn), -(e1 * v10)) * h1;
 
     /* theta6 */
-    const double v15 = s1 * T12 + v2 * T22;
-    const double v16 = s1 * T22 - v2 * T12;
-    const double v17 = v2 * T23 + s1 * T13;
-    const double v18 = s1 * T23 - v2 * T13;
+    const double v15 = w1 * (v2 * (X1 * T22 + t24 * T12));
+    const double v16 = w1 * (v2 * (t24 * T22 - X1 * T12));
+    const double v17 = w1 * (v2 * (X1 * T23 + t24 * T13));
+    const double v18 = w1 * (v2 * (t24 * T23 - X1 * T13));
     const four v19 = e1 * (v10 * (s23 * T33 + e1 * (c23 * v18)) - c4 * v17);
 
     /* joint values */

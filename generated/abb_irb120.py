@@ -529,9 +529,7 @@ def _regular(pose, q, status):
     t24 = T24 - d6 * T21
     v1 = X1 * X1 + t24 * t24
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = X1 * factor1
-    s1 = t24 * factor1
+    v2 = 1.0 / v1
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d6 * T31 - d1
@@ -575,12 +573,12 @@ def _regular(pose, q, status):
     s23_pm = c3_m * S2_pm + s3_m * C2_pm
     s23_mp = c3_p * S2_pm + s3_p * C2_mp
     s23_mm = c3_m * S2_pp + s3_m * C2_mm
-    v15 = T21 * s1 - T11 * v2
+    v15 = w1 * (v2 * (T21 * t24 - T11 * X1))
     c4_pp = T31 * s23_pp + c23_pp * v15
     c4_pm = T31 * s23_pm + c23_pm * v15
     c4_mp = T31 * s23_mp - c23_mp * v15
     c4_mm = T31 * s23_mm - c23_mm * v15
-    v16 = T21 * v2 + T11 * s1
+    v16 = w1 * (v2 * (T11 * t24 + X1 * T21))
     v17 = v16 * v16
     v18 = factor2 * c4_pp
     v19 = factor2 * c4_pm
@@ -602,10 +600,10 @@ def _regular(pose, q, status):
     q4_mmm = angle1____ - v27
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v28 = s1 * T12 + v2 * T22
-    v29 = s1 * T22 - v2 * T12
-    v30 = v2 * T23 + s1 * T13
-    v31 = s1 * T23 - v2 * T13
+    v28 = w1 * (v2 * (X1 * T22 + t24 * T12))
+    v29 = w1 * (v2 * (t24 * T22 - X1 * T12))
+    v30 = w1 * (v2 * (X1 * T23 + t24 * T13))
+    v31 = w1 * (v2 * (t24 * T23 - X1 * T13))
     v32 = v16 * (s23_pp * T33 + c23_pp * v31) - c4_pp * v30
     v33 = v16 * (s23_pm * T33 + c23_pm * v31) - c4_pm * v30
     v34 = c4_mp * v30 - v16 * (s23_mp * T33 - c23_mp * v31)
@@ -933,9 +931,7 @@ def _in_tiles(T, q, status):
             t24 = T24 - d6 * T21
             v1 = X1 * X1 + t24 * t24
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = X1 * factor1
-            s1 = t24 * factor1
+            v2 = 1.0 / v1
             Z1_3 = T34 - d6 * T31 - d1
             N3 = v1 + Z1_3 * Z1_3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
@@ -970,12 +966,12 @@ def _in_tiles(T, q, status):
             s23_pm = c3_m * S2_pm + s3_m * C2_pm
             s23_mp = c3_p * S2_pm + s3_p * C2_mp
             s23_mm = c3_m * S2_pp + s3_m * C2_mm
-            v15 = T21 * s1 - T11 * v2
+            v15 = w1 * (v2 * (T21 * t24 - T11 * X1))
             c4_pp = T31 * s23_pp + c23_pp * v15
             c4_pm = T31 * s23_pm + c23_pm * v15
             c4_mp = T31 * s23_mp - c23_mp * v15
             c4_mm = T31 * s23_mm - c23_mm * v15
-            v16 = T21 * v2 + T11 * s1
+            v16 = w1 * (v2 * (T11 * t24 + X1 * T21))
             v17 = v16 * v16
             v18 = factor2 * c4_pp
             v19 = factor2 * c4_pm
@@ -987,10 +983,10 @@ def _in_tiles(T, q, status):
             v25 = v17 + factor2 * (c4_mm * v21)
             v26 = math.copysign(half_turn, -v16) * h1
             v27 = math.copysign(half_turn, v16) * h1
-            v28 = s1 * T12 + v2 * T22
-            v29 = s1 * T22 - v2 * T12
-            v30 = v2 * T23 + s1 * T13
-            v31 = s1 * T23 - v2 * T13
+            v28 = w1 * (v2 * (X1 * T22 + t24 * T12))
+            v29 = w1 * (v2 * (t24 * T22 - X1 * T12))
+            v30 = w1 * (v2 * (X1 * T23 + t24 * T13))
+            v31 = w1 * (v2 * (t24 * T23 - X1 * T13))
             v32 = v16 * (s23_pp * T33 + c23_pp * v31) - c4_pp * v30
             v33 = v16 * (s23_pm * T33 + c23_pm * v31) - c4_pm * v30
             v34 = c4_mp * v30 - v16 * (s23_mp * T33 - c23_mp * v31)

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef ABB_IRB1600_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef ABB_IRB1600_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -544,170 +547,171 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1 = d6 * T23 - T24;
     const wide v1 = wx * wx + Y1 * Y1;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
-    const wide v2 = wx * factor1;
+    const wide v2 = 1.0 / v1;
+    const wide factor1 = w1 * v2;
+    const wide v3 = wx * factor1;
     const wide s1 = Y1 * factor1;
     const wide angle1 = atan2_wide(Y1, -wx);
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v3 = a1 + w1;
-    const wide v4 = a1 - w1;
-    const wide v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3;
-    const wide N3_m = v5 + v4 * v4;
+    const wide v4 = a1 + w1;
+    const wide v5 = a1 - w1;
+    const wide v6 = Z1_3 * Z1_3;
+    const wide N3_p = v6 + v4 * v4;
+    const wide N3_m = v6 + v5 * v5;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v6 = k1 * (N3_p - k2);
-    const wide v7 = k1 * (N3_m - k2);
+    const wide v7 = k1 * (N3_p - k2);
+    const wide v8 = k1 * (N3_m - k2);
 
     /* theta2 */
-    const wide v8 = m4 + m3 * N3_p;
-    const wide v9 = m4 + m3 * N3_m;
-    const wide v10 = Z1_3 * v8;
+    const wide v9 = m4 + m3 * N3_p;
+    const wide v10 = m4 + m3 * N3_m;
     const wide v11 = Z1_3 * v9;
-    const wide v12 = m3 * Z1_3;
-    const wide v13 = m3 * -Z1_3;
-    const wide v14 = v3 * v8;
+    const wide v12 = Z1_3 * v10;
+    const wide v13 = m3 * Z1_3;
+    const wide v14 = m3 * -Z1_3;
     const wide v15 = v4 * v9;
+    const wide v16 = v5 * v10;
     const wide factor2_p = 1.0 / N3_p;
     const wide factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v16 = m6 - m5 * N3_p;
-    const wide v17 = m6 - m5 * N3_m;
-    const wide v18 = T23 * s1 - T13 * v2;
-    const wide v19 = T33 * Z1_3;
-    const wide v20 = v19 - v3 * v18;
-    const wide v21 = v19 - v18 * -v4;
-    const wide v22 = Z1_3 * v16;
-    const wide v23 = Z1_3 * -v17;
-    const wide v24 = T33 * v16;
+    const wide v17 = m6 - m5 * N3_p;
+    const wide v18 = m6 - m5 * N3_m;
+    const wide v19 = T23 * s1 - T13 * v3;
+    const wide v20 = T33 * Z1_3;
+    const wide v21 = v20 - v4 * v19;
+    const wide v22 = v20 - v19 * -v5;
+    const wide v23 = Z1_3 * v17;
+    const wide v24 = Z1_3 * -v18;
     const wide v25 = T33 * v17;
-    const wide v26 = v18 * v22 + v3 * v24;
-    const wide v27 = v18 * v23 + v4 * v25;
-    const wide X4_pp = v26 + w3_p * (m5 * v20);
-    const wide X4_pm = v26 + w3_p * (m5 * -v20);
-    const wide X4_mp = v27 + w3_m * (m5 * v21);
-    const wide X4_mm = v27 + w3_m * (m5 * -v21);
-    const wide v28 = T23 * v2 + T13 * s1;
-    const wide v29 = v28 * v28;
-    const wide v30 = factor2_p * X4_pp;
-    const wide v31 = factor2_p * X4_pm;
-    const wide v32 = factor2_m * X4_mp;
-    const wide v33 = factor2_m * X4_mm;
-    const wide v34 = v29 + factor2_p * (X4_pp * v30);
-    const wide v35 = v29 + factor2_p * (X4_pm * v31);
-    const wide v36 = v29 + factor2_m * (X4_mp * v32);
-    const wide v37 = v29 + factor2_m * (X4_mm * v33);
+    const wide v26 = T33 * v18;
+    const wide v27 = v19 * v23 + v4 * v25;
+    const wide v28 = v19 * v24 + v5 * v26;
+    const wide X4_pp = v27 + w3_p * (m5 * v21);
+    const wide X4_pm = v27 + w3_p * (m5 * -v21);
+    const wide X4_mp = v28 + w3_m * (m5 * v22);
+    const wide X4_mm = v28 + w3_m * (m5 * -v22);
+    const wide v29 = w1 * (v2 * (T13 * Y1 + wx * T23));
+    const wide v30 = v29 * v29;
+    const wide v31 = factor2_p * X4_pp;
+    const wide v32 = factor2_p * X4_pm;
+    const wide v33 = factor2_m * X4_mp;
+    const wide v34 = factor2_m * X4_mm;
+    const wide v35 = v30 + factor2_p * (X4_pp * v31);
+    const wide v36 = v30 + factor2_p * (X4_pm * v32);
+    const wide v37 = v30 + factor2_m * (X4_mp * v33);
+    const wide v38 = v30 + factor2_m * (X4_mm * v34);
 
     /* theta5 */
-    const wide v38 = v18 * (v3 * -v16) + Z1_3 * v24;
-    const wide v39 = v18 * (v4 * v17) + Z1_3 * v25;
+    const wide v39 = v19 * (v4 * -v17) + Z1_3 * v25;
+    const wide v40 = v19 * (v5 * v18) + Z1_3 * v26;
 
     /* theta6 */
-    const wide v40 = s1 * T12 + v2 * T22;
-    const wide v41 = s1 * T22 - v2 * T12;
-    const wide v42 = Z1_3 * T32;
-    const wide v43 = v42 - v3 * v41;
-    const wide v44 = v42 - -v4 * v41;
-    const wide v45 = v22 * v41 + v3 * (v16 * T32);
-    const wide v46 = v23 * v41 + v4 * (v17 * T32);
-    const wide v47 = s1 * T11 + v2 * T21;
-    const wide v48 = s1 * T21 - v2 * T11;
-    const wide v49 = Z1_3 * T31;
-    const wide v50 = v49 - v3 * v48;
-    const wide v51 = v49 - -v4 * v48;
-    const wide v52 = v22 * v48 + v3 * (v16 * T31);
-    const wide v53 = v23 * v48 + v4 * (v17 * T31);
-    const wide v54 = v28 * (v52 + w3_p * (m5 * v50)) - X4_pp * v47;
-    const wide v55 = v28 * (v52 + w3_p * (m5 * -v50)) - X4_pm * v47;
-    const wide v56 = X4_mp * v47 - v28 * (v53 + w3_m * (m5 * v51));
-    const wide v57 = X4_mm * v47 - v28 * (v53 + w3_m * (m5 * -v51));
-    const wide angle1_ = atan2_wide(v54, v28 * (v45 + w3_p * (m5 * v43)) - X4_pp * v40);
-    const wide angle1__ = atan2_wide(v55, v28 * (v45 + w3_p * (m5 * -v43)) - X4_pm * v40);
-    const wide angle1___ = atan2_wide(v56, X4_mp * v40 - v28 * (v46 + w3_m * (m5 * v44)));
-    const wide angle1____ = atan2_wide(v57, X4_mm * v40 - v28 * (v46 + w3_m * (m5 * -v44)));
-    const wide q6_ppm = angle1_ - copysign_wide(all_wide(half_turn), v54) * h1;
-    const wide q6_pmm = angle1__ - copysign_wide(all_wide(half_turn), v55) * h1;
-    const wide q6_mpm = angle1___ - copysign_wide(all_wide(half_turn), v56) * h1;
-    const wide q6_mmm = angle1____ - copysign_wide(all_wide(half_turn), v57) * h1;
+    const wide v41 = w1 * (v2 * (wx * T22 + Y1 * T12));
+    const wide v42 = s1 * T22 - v3 * T12;
+    const wide v43 = Z1_3 * T32;
+    const wide v44 = v43 - v4 * v42;
+    const wide v45 = v43 - -v5 * v42;
+    const wide v46 = v23 * v42 + v4 * (v17 * T32);
+    const wide v47 = v24 * v42 + v5 * (v18 * T32);
+    const wide v48 = w1 * (v2 * (wx * T21 + Y1 * T11));
+    const wide v49 = s1 * T21 - v3 * T11;
+    const wide v50 = Z1_3 * T31;
+    const wide v51 = v50 - v4 * v49;
+    const wide v52 = v50 - -v5 * v49;
+    const wide v53 = v23 * v49 + v4 * (v17 * T31);
+    const wide v54 = v24 * v49 + v5 * (v18 * T31);
+    const wide v55 = v29 * (v53 + w3_p * (m5 * v51)) - X4_pp * v48;
+    const wide v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48;
+    const wide v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52));
+    const wide v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52));
+    const wide angle1_ = atan2_wide(v55, v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41);
+    const wide angle1__ = atan2_wide(v56, v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41);
+    const wide angle1___ = atan2_wide(v57, X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45)));
+    const wide angle1____ = atan2_wide(v58, X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45)));
+    const wide q6_ppm = angle1_ - copysign_wide(all_wide(half_turn), v55) * h1;
+    const wide q6_pmm = angle1__ - copysign_wide(all_wide(half_turn), v56) * h1;
+    const wide q6_mpm = angle1___ - copysign_wide(all_wide(half_turn), v57) * h1;
+    const wide q6_mmm = angle1____ - copysign_wide(all_wide(half_turn), v58) * h1;
 
     /* joint values */
-    const wide v58 = w3_p * (m3 * v3);
-    const wide angle1_____ = atan2_wide(v58 - v10, -(v14 + w3_p * v12));
-    const wide v59 = angle1_____ - offset2;
-    const wide angle1______ = atan2_wide(-(v10 + v58), -(v14 + w3_p * v13));
-    const wide v60 = angle1______ - offset2;
-    const wide angle1_______ = atan2_wide(w3_m * (m3 * v4) - v11, -(v15 + w3_m * v12));
-    const wide v61 = angle1_______ - offset2;
-    const wide angle1________ = atan2_wide(w3_m * (m3 * -v4) - v11, -(v15 + w3_m * v13));
-    const wide v62 = angle1________ - offset2;
-    const wide q2_ppp = v59 - pick_wide(half_turn < v59, all_wide(m8), all_wide(0.0));
-    const wide q2_pmp = v60 - pick_wide(half_turn < v60, all_wide(m8), all_wide(0.0));
-    const wide q2_mpp = v61 - pick_wide(half_turn < v61, all_wide(m8), all_wide(0.0));
-    const wide q2_mmp = v62 - pick_wide(half_turn < v62, all_wide(m8), all_wide(0.0));
-    const wide angle1_________ = atan2_wide(v6, -(k1 * w3_p));
-    const wide angle1__________ = atan2_wide(v7, -(k1 * w3_m));
-    const wide v63 = angle1_________ - offset3;
-    const wide v64 = h1 * copysign_wide(all_wide(half_turn), v6) - angle1_________ - offset3;
-    const wide v65 = angle1__________ - offset3;
-    const wide v66 = h1 * copysign_wide(all_wide(half_turn), v7) - angle1__________ - offset3;
-    const wide q3_ppp = v63 + pick_wide(v63 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q3_pmp = v64 + pick_wide(v64 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q3_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q3_mmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide angle1___________ = atan2_wide(-v28, -v30);
-    const wide angle1____________ = atan2_wide(-v28, -v31);
-    const wide angle1_____________ = atan2_wide(v28, -v32);
-    const wide angle1______________ = atan2_wide(v28, -v33);
-    const wide v67 = h1 * copysign_wide(all_wide(half_turn), -v28);
-    const wide v68 = h1 * copysign_wide(all_wide(half_turn), v28);
-    const wide v69 = angle1___________ - offset4;
-    const wide v70 = angle1___________ - v67 - offset4;
-    const wide v71 = angle1____________ - offset4;
-    const wide v72 = angle1____________ - v67 - offset4;
-    const wide v73 = angle1_____________ - offset4;
-    const wide v74 = angle1_____________ - v68 - offset4;
-    const wide v75 = angle1______________ - offset4;
-    const wide v76 = angle1______________ - v68 - offset4;
-    const wide q4_ppp = v69 + pick_wide(v69 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_ppm = v70 + pick_wide(v70 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_pmp = v71 + pick_wide(v71 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_pmm = v72 + pick_wide(v72 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mpp = v73 + pick_wide(v73 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mpm = v74 + pick_wide(v74 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mmp = v75 + pick_wide(v75 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mmm = v76 + pick_wide(v76 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide v77 = w3_p * (m5 * (Z1_3 * v18 + T33 * v3));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v34), factor2_p * (v38 - v77));
-    const wide angle1________________ = atan2_wide(sqrt_wide(v35), factor2_p * (v38 + v77));
-    const wide v78 = w3_m * (m5 * (-Z1_3 * v18 + T33 * v4));
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v36), factor2_m * (v39 - v78));
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v37), factor2_m * (v39 + v78));
-    const wide v79 = angle1_______________ - offset5;
-    const wide v80 = offset5 + angle1_______________;
-    const wide v81 = angle1________________ - offset5;
-    const wide v82 = offset5 + angle1________________;
-    const wide v83 = angle1_________________ - offset5;
-    const wide v84 = offset5 + angle1_________________;
-    const wide v85 = angle1__________________ - offset5;
-    const wide v86 = offset5 + angle1__________________;
-    const wide q5_ppp = v79 + pick_wide(v79 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v80 <= -half_turn, all_wide(m8), all_wide(0.0)) - v80;
-    const wide q5_pmp = v81 + pick_wide(v81 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v82 <= -half_turn, all_wide(m8), all_wide(0.0)) - v82;
-    const wide q5_mpp = v83 + pick_wide(v83 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v84 <= -half_turn, all_wide(m8), all_wide(0.0)) - v84;
-    const wide q5_mmp = v85 + pick_wide(v85 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v86 <= -half_turn, all_wide(m8), all_wide(0.0)) - v86;
+    const wide v59 = w3_p * (m3 * v4);
+    const wide angle1_____ = atan2_wide(v59 - v11, -(v15 + w3_p * v13));
+    const wide v60 = angle1_____ - offset2;
+    const wide angle1______ = atan2_wide(-(v11 + v59), -(v15 + w3_p * v14));
+    const wide v61 = angle1______ - offset2;
+    const wide angle1_______ = atan2_wide(w3_m * (m3 * v5) - v12, -(v16 + w3_m * v13));
+    const wide v62 = angle1_______ - offset2;
+    const wide angle1________ = atan2_wide(w3_m * (m3 * -v5) - v12, -(v16 + w3_m * v14));
+    const wide v63 = angle1________ - offset2;
+    const wide q2_ppp = v60 - pick_wide(half_turn < v60, all_wide(m8), all_wide(0.0));
+    const wide q2_pmp = v61 - pick_wide(half_turn < v61, all_wide(m8), all_wide(0.0));
+    const wide q2_mpp = v62 - pick_wide(half_turn < v62, all_wide(m8), all_wide(0.0));
+    const wide q2_mmp = v63 - pick_wide(half_turn < v63, all_wide(m8), all_wide(0.0));
+    const wide angle1_________ = atan2_wide(v7, -(k1 * w3_p));
+    const wide angle1__________ = atan2_wide(v8, -(k1 * w3_m));
+    const wide v64 = angle1_________ - offset3;
+    const wide v65 = h1 * copysign_wide(all_wide(half_turn), v7) - angle1_________ - offset3;
+    const wide v66 = angle1__________ - offset3;
+    const wide v67 = h1 * copysign_wide(all_wide(half_turn), v8) - angle1__________ - offset3;
+    const wide q3_ppp = v64 + pick_wide(v64 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q3_pmp = v65 + pick_wide(v65 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q3_mpp = v66 + pick_wide(v66 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q3_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide angle1___________ = atan2_wide(-v29, -v31);
+    const wide angle1____________ = atan2_wide(-v29, -v32);
+    const wide angle1_____________ = atan2_wide(v29, -v33);
+    const wide angle1______________ = atan2_wide(v29, -v34);
+    const wide v68 = h1 * copysign_wide(all_wide(half_turn), -v29);
+    const wide v69 = h1 * copysign_wide(all_wide(half_turn), v29);
+    const wide v70 = angle1___________ - offset4;
+    const wide v71 = angle1___________ - v68 - offset4;
+    const wide v72 = angle1____________ - offset4;
+    const wide v73 = angle1____________ - v68 - offset4;
+    const wide v74 = angle1_____________ - offset4;
+    const wide v75 = angle1_____________ - v69 - offset4;
+    const wide v76 = angle1______________ - offset4;
+    const wide v77 = angle1______________ - v69 - offset4;
+    const wide q4_ppp = v70 + pick_wide(v70 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_ppm = v71 + pick_wide(v71 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_pmp = v72 + pick_wide(v72 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_pmm = v73 + pick_wide(v73 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mpp = v74 + pick_wide(v74 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mpm = v75 + pick_wide(v75 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mmp = v76 + pick_wide(v76 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q4_mmm = v77 + pick_wide(v77 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v35), factor2_p * (v39 - v78));
+    const wide angle1________________ = atan2_wide(sqrt_wide(v36), factor2_p * (v39 + v78));
+    const wide v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5));
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v37), factor2_m * (v40 - v79));
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v38), factor2_m * (v40 + v79));
+    const wide v80 = angle1_______________ - offset5;
+    const wide v81 = offset5 + angle1_______________;
+    const wide v82 = angle1________________ - offset5;
+    const wide v83 = offset5 + angle1________________;
+    const wide v84 = angle1_________________ - offset5;
+    const wide v85 = offset5 + angle1_________________;
+    const wide v86 = angle1__________________ - offset5;
+    const wide v87 = offset5 + angle1__________________;
+    const wide q5_ppp = v80 + pick_wide(v80 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v81 <= -half_turn, all_wide(m8), all_wide(0.0)) - v81;
+    const wide q5_pmp = v82 + pick_wide(v82 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v83 <= -half_turn, all_wide(m8), all_wide(0.0)) - v83;
+    const wide q5_mpp = v84 + pick_wide(v84 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v85 <= -half_turn, all_wide(m8), all_wide(0.0)) - v85;
+    const wide q5_mmp = v86 + pick_wide(v86 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v87 <= -half_turn, all_wide(m8), all_wide(0.0)) - v87;
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
     const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
         longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
         free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v37 <= m7) | ((v36 <= m7) |
-        ((v35 <= m7) | ((v1 <= m1) | (v34 <= m7))))))));
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v38 <= m7) | ((v37 <= m7) |
+        ((v36 <= m7) | ((v1 <= m1) | (v35 <= m7))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -787,88 +791,89 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = wx * wx + Y1 * Y1;
     const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double factor1 = 1.0 / w1;
-    const double v2 = wx * factor1;
+    const double v2 = 1.0 / v1;
+    const double factor1 = w1 * v2;
+    const double v3 = wx * factor1;
     const double s1 = Y1 * factor1;
-    const double v3 = copysign(half_turn, Y1);
+    const double v4 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
-    const four v4 = a1 + e1 * w1;
-    const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4;
+    const four v5 = a1 + e1 * w1;
+    const double v6 = Z1_3 * Z1_3;
+    const four N3 = v6 + v5 * v5;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v6 = k1 * (N3 - k2);
+    const four v7 = k1 * (N3 - k2);
 
     /* theta2 */
-    const four v7 = m4 + m3 * N3;
-    const four v8 = Z1_3 * v7;
-    const four v9 = m3 * (e2 * Z1_3);
-    const four v10 = v4 * v7;
+    const four v8 = m4 + m3 * N3;
+    const four v9 = Z1_3 * v8;
+    const four v10 = m3 * (e2 * Z1_3);
+    const four v11 = v5 * v8;
     const four factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four v11 = m6 - m5 * N3;
-    const double v12 = T23 * s1 - T13 * v2;
-    const four v13 = e1 * v4;
-    const double v14 = T33 * Z1_3;
-    const four v15 = v14 - v12 * v13;
-    const four v16 = Z1_3 * (e1 * v11);
-    const four v17 = T33 * v11;
-    const four v18 = v12 * v16 + v4 * v17;
-    const four X4 = v18 + w3 * (m5 * (e2 * v15));
-    const double v19 = T23 * v2 + T13 * s1;
-    const double v20 = v19 * v19;
-    const four v21 = factor2 * X4;
-    const four v22 = v20 + factor2 * (X4 * v21);
-    const four_mask doubt3 = v22 <= m7;
+    const four v12 = m6 - m5 * N3;
+    const double v13 = T23 * s1 - T13 * v3;
+    const four v14 = e1 * v5;
+    const double v15 = T33 * Z1_3;
+    const four v16 = v15 - v13 * v14;
+    const four v17 = Z1_3 * (e1 * v12);
+    const four v18 = T33 * v12;
+    const four v19 = v13 * v17 + v5 * v18;
+    const four X4 = v19 + w3 * (m5 * (e2 * v16));
+    const double v20 = w1 * (v2 * (T13 * Y1 + wx * T23));
+    const double v21 = v20 * v20;
+    const four v22 = factor2 * X4;
+    const four v23 = v21 + factor2 * (X4 * v22);
+    const four_mask doubt3 = v23 <= m7;
 
     /* theta5 */
-    const four v23 = v12 * (e1 * Z1_3) + T33 * v4;
-    const four v24 = v12 * (v4 * (e1 * -v11)) + Z1_3 * v17;
+    const four v24 = v13 * (e1 * Z1_3) + T33 * v5;
+    const four v25 = v13 * (v5 * (e1 * -v12)) + Z1_3 * v18;
 
     /* theta6 */
-    const double v25 = s1 * T12 + v2 * T22;
-    const double v26 = s1 * T22 - v2 * T12;
-    const double v27 = Z1_3 * T32;
-    const four v28 = v27 - v13 * v26;
-    const four v29 = v16 * v26 + v4 * (v11 * T32);
-    const double v30 = s1 * T11 + v2 * T21;
-    const double v31 = s1 * T21 - v2 * T11;
-    const double v32 = Z1_3 * T31;
-    const four v33 = v32 - v13 * v31;
-    const four v34 = v16 * v31 + v4 * (v11 * T31);
-    const four v35 = e1 * (v19 * (v34 + w3 * (m5 * (e2 * v33))) - X4 * v30);
+    const double v26 = w1 * (v2 * (wx * T22 + Y1 * T12));
+    const double v27 = s1 * T22 - v3 * T12;
+    const double v28 = Z1_3 * T32;
+    const four v29 = v28 - v14 * v27;
+    const four v30 = v17 * v27 + v5 * (v12 * T32);
+    const double v31 = w1 * (v2 * (wx * T21 + Y1 * T11));
+    const double v32 = s1 * T21 - v3 * T11;
+    const double v33 = Z1_3 * T31;
+    const four v34 = v33 - v14 * v32;
+    const four v35 = v17 * v32 + v5 * (v12 * T31);
+    const four v36 = e1 * (v20 * (v35 + w3 * (m5 * (e2 * v34))) - X4 * v31);
 
     /* joint values */
-    const four v37 = copysign_four(all_four(half_turn), v6);
-    const four v38 = m2 * (1.0 - e2);
-    const four v40 = h1 * copysign_four(all_four(half_turn), -(e1 * v19));
+    const four v38 = copysign_four(all_four(half_turn), v7);
+    const four v39 = m2 * (1.0 - e2);
+    const four v41 = h1 * copysign_four(all_four(half_turn), -(e1 * v20));
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1_ = atan2_four(v35, e1 * (v19 * (v29 + w3 * (m5 * (e2 * v28))) - X4 * v25));
-    const four angle1__ = atan2_four(w3 * (m3 * (e2 * v4)) - v8, -(v10 + w3 * v9));
-    const four angle1____ = atan2_four(-(e1 * v19), -v21);
-    const four angle1_____ = atan2_four(sqrt_four(v22), factor2 * (v24 - w3 * (m5 * (e2 * v23))));
-    const four packed5 = atan2_four(__builtin_shufflevector(v6, all_four(Y1), 0, 5, 2, 3),
+    const four angle1_ = atan2_four(v36, e1 * (v20 * (v30 + w3 * (m5 * (e2 * v29))) - X4 * v26));
+    const four angle1__ = atan2_four(w3 * (m3 * (e2 * v5)) - v9, -(v11 + w3 * v10));
+    const four angle1____ = atan2_four(-(e1 * v20), -v22);
+    const four angle1_____ = atan2_four(sqrt_four(v23), factor2 * (v25 - w3 * (m5 * (e2 * v24))));
+    const four packed5 = atan2_four(__builtin_shufflevector(v7, all_four(Y1), 0, 5, 2, 3),
         __builtin_shufflevector(-(k1 * w3), all_four(-wx), 0, 5, 2, 3));
     const four angle1___ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q6_m = angle1_ - copysign_four(all_four(half_turn), v35) * h1;
-    const four v36 = angle1__ - offset2;
-    const four q2_p = v36 - pick_four(half_turn < v36, all_four(m8), all_four(0.0));
-    const four v39 = e2 * angle1___ + v37 * v38 - offset3;
-    const four q3_p = v39 + pick_four(v39 <= -half_turn, all_four(m8), all_four(0.0));
-    const four v41 = angle1____ - offset4;
-    const four v42 = angle1____ - v40 - offset4;
-    const four q4_p = v41 + pick_four(v41 <= -half_turn, all_four(m8), all_four(0.0));
-    const four q4_m = v42 + pick_four(v42 <= -half_turn, all_four(m8), all_four(0.0));
-    const four v43 = angle1_____ - offset5;
-    const four v44 = offset5 + angle1_____;
-    const four q5_p = v43 + pick_four(v43 <= -half_turn, all_four(m8), all_four(0.0));
-    const four q5_m = pick_four(-v44 <= -half_turn, all_four(m8), all_four(0.0)) - v44;
-    const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
+    const four q6_m = angle1_ - copysign_four(all_four(half_turn), v36) * h1;
+    const four v37 = angle1__ - offset2;
+    const four q2_p = v37 - pick_four(half_turn < v37, all_four(m8), all_four(0.0));
+    const four v40 = e2 * angle1___ + v38 * v39 - offset3;
+    const four q3_p = v40 + pick_four(v40 <= -half_turn, all_four(m8), all_four(0.0));
+    const four v42 = angle1____ - offset4;
+    const four v43 = angle1____ - v41 - offset4;
+    const four q4_p = v42 + pick_four(v42 <= -half_turn, all_four(m8), all_four(0.0));
+    const four q4_m = v43 + pick_four(v43 <= -half_turn, all_four(m8), all_four(0.0));
+    const four v44 = angle1_____ - offset5;
+    const four v45 = offset5 + angle1_____;
+    const four q5_p = v44 + pick_four(v44 <= -half_turn, all_four(m8), all_four(0.0));
+    const four q5_m = pick_four(-v45 <= -half_turn, all_four(m8), all_four(0.0)) - v45;
+    const four q1_p = angle1 + v4 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;

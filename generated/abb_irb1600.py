@@ -521,170 +521,171 @@ def _regular(pose, q, status):
     Y1 = d6 * T23 - T24
     v1 = wx * wx + Y1 * Y1
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = wx * factor1
+    v2 = 1.0 / v1
+    factor1 = w1 * v2
+    v3 = wx * factor1
     s1 = Y1 * factor1
     angle1 = _atan2(Y1, -wx)
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
-    v3 = a1 + w1
-    v4 = a1 - w1
-    v5 = Z1_3 * Z1_3
-    N3_p = v5 + v3 * v3
-    N3_m = v5 + v4 * v4
+    v4 = a1 + w1
+    v5 = a1 - w1
+    v6 = Z1_3 * Z1_3
+    N3_p = v6 + v4 * v4
+    N3_m = v6 + v5 * v5
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v6 = k1 * (N3_p - k2)
-    v7 = k1 * (N3_m - k2)
+    v7 = k1 * (N3_p - k2)
+    v8 = k1 * (N3_m - k2)
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v8 = m4 + m3 * N3_p
-    v9 = m4 + m3 * N3_m
-    v10 = Z1_3 * v8
+    v9 = m4 + m3 * N3_p
+    v10 = m4 + m3 * N3_m
     v11 = Z1_3 * v9
-    v12 = m3 * Z1_3
-    v13 = m3 * -Z1_3
-    v14 = v3 * v8
+    v12 = Z1_3 * v10
+    v13 = m3 * Z1_3
+    v14 = m3 * -Z1_3
     v15 = v4 * v9
+    v16 = v5 * v10
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # theta4, type 2: U4[3, 3]
-    v16 = m6 - m5 * N3_p
-    v17 = m6 - m5 * N3_m
-    v18 = T23 * s1 - T13 * v2
-    v19 = T33 * Z1_3
-    v20 = v19 - v3 * v18
-    v21 = v19 - v18 * -v4
-    v22 = Z1_3 * v16
-    v23 = Z1_3 * -v17
-    v24 = T33 * v16
+    v17 = m6 - m5 * N3_p
+    v18 = m6 - m5 * N3_m
+    v19 = T23 * s1 - T13 * v3
+    v20 = T33 * Z1_3
+    v21 = v20 - v4 * v19
+    v22 = v20 - v19 * -v5
+    v23 = Z1_3 * v17
+    v24 = Z1_3 * -v18
     v25 = T33 * v17
-    v26 = v18 * v22 + v3 * v24
-    v27 = v18 * v23 + v4 * v25
-    X4_pp = v26 + w3_p * (m5 * v20)
-    X4_pm = v26 + w3_p * (m5 * -v20)
-    X4_mp = v27 + w3_m * (m5 * v21)
-    X4_mm = v27 + w3_m * (m5 * -v21)
-    v28 = T23 * v2 + T13 * s1
-    v29 = v28 * v28
-    v30 = factor2_p * X4_pp
-    v31 = factor2_p * X4_pm
-    v32 = factor2_m * X4_mp
-    v33 = factor2_m * X4_mm
-    v34 = v29 + factor2_p * (X4_pp * v30)
-    v35 = v29 + factor2_p * (X4_pm * v31)
-    v36 = v29 + factor2_m * (X4_mp * v32)
-    v37 = v29 + factor2_m * (X4_mm * v33)
+    v26 = T33 * v18
+    v27 = v19 * v23 + v4 * v25
+    v28 = v19 * v24 + v5 * v26
+    X4_pp = v27 + w3_p * (m5 * v21)
+    X4_pm = v27 + w3_p * (m5 * -v21)
+    X4_mp = v28 + w3_m * (m5 * v22)
+    X4_mm = v28 + w3_m * (m5 * -v22)
+    v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
+    v30 = v29 * v29
+    v31 = factor2_p * X4_pp
+    v32 = factor2_p * X4_pm
+    v33 = factor2_m * X4_mp
+    v34 = factor2_m * X4_mm
+    v35 = v30 + factor2_p * (X4_pp * v31)
+    v36 = v30 + factor2_p * (X4_pm * v32)
+    v37 = v30 + factor2_m * (X4_mp * v33)
+    v38 = v30 + factor2_m * (X4_mm * v34)
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    v38 = v18 * (v3 * -v16) + Z1_3 * v24
-    v39 = v18 * (v4 * v17) + Z1_3 * v25
+    v39 = v19 * (v4 * -v17) + Z1_3 * v25
+    v40 = v19 * (v5 * v18) + Z1_3 * v26
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v40 = s1 * T12 + v2 * T22
-    v41 = s1 * T22 - v2 * T12
-    v42 = Z1_3 * T32
-    v43 = v42 - v3 * v41
-    v44 = v42 - -v4 * v41
-    v45 = v22 * v41 + v3 * (v16 * T32)
-    v46 = v23 * v41 + v4 * (v17 * T32)
-    v47 = s1 * T11 + v2 * T21
-    v48 = s1 * T21 - v2 * T11
-    v49 = Z1_3 * T31
-    v50 = v49 - v3 * v48
-    v51 = v49 - -v4 * v48
-    v52 = v22 * v48 + v3 * (v16 * T31)
-    v53 = v23 * v48 + v4 * (v17 * T31)
-    v54 = v28 * (v52 + w3_p * (m5 * v50)) - X4_pp * v47
-    v55 = v28 * (v52 + w3_p * (m5 * -v50)) - X4_pm * v47
-    v56 = X4_mp * v47 - v28 * (v53 + w3_m * (m5 * v51))
-    v57 = X4_mm * v47 - v28 * (v53 + w3_m * (m5 * -v51))
-    angle1_ = _atan2(v54, v28 * (v45 + w3_p * (m5 * v43)) - X4_pp * v40)
-    angle1__ = _atan2(v55, v28 * (v45 + w3_p * (m5 * -v43)) - X4_pm * v40)
-    angle1___ = _atan2(v56, X4_mp * v40 - v28 * (v46 + w3_m * (m5 * v44)))
-    angle1____ = _atan2(v57, X4_mm * v40 - v28 * (v46 + w3_m * (m5 * -v44)))
-    q6_ppm = angle1_ - math.copysign(half_turn, v54) * h1
-    q6_pmm = angle1__ - math.copysign(half_turn, v55) * h1
-    q6_mpm = angle1___ - math.copysign(half_turn, v56) * h1
-    q6_mmm = angle1____ - math.copysign(half_turn, v57) * h1
+    v41 = w1 * (v2 * (wx * T22 + Y1 * T12))
+    v42 = s1 * T22 - v3 * T12
+    v43 = Z1_3 * T32
+    v44 = v43 - v4 * v42
+    v45 = v43 - -v5 * v42
+    v46 = v23 * v42 + v4 * (v17 * T32)
+    v47 = v24 * v42 + v5 * (v18 * T32)
+    v48 = w1 * (v2 * (wx * T21 + Y1 * T11))
+    v49 = s1 * T21 - v3 * T11
+    v50 = Z1_3 * T31
+    v51 = v50 - v4 * v49
+    v52 = v50 - -v5 * v49
+    v53 = v23 * v49 + v4 * (v17 * T31)
+    v54 = v24 * v49 + v5 * (v18 * T31)
+    v55 = v29 * (v53 + w3_p * (m5 * v51)) - X4_pp * v48
+    v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48
+    v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52))
+    v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52))
+    angle1_ = _atan2(v55, v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41)
+    angle1__ = _atan2(v56, v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41)
+    angle1___ = _atan2(v57, X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45)))
+    angle1____ = _atan2(v58, X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45)))
+    q6_ppm = angle1_ - math.copysign(half_turn, v55) * h1
+    q6_pmm = angle1__ - math.copysign(half_turn, v56) * h1
+    q6_mpm = angle1___ - math.copysign(half_turn, v57) * h1
+    q6_mmm = angle1____ - math.copysign(half_turn, v58) * h1
 
     # joint values
-    v58 = w3_p * (m3 * v3)
-    angle1_____ = _atan2(v58 - v10, -(v14 + w3_p * v12))
-    v59 = angle1_____ - offset2
-    angle1______ = _atan2(-(v10 + v58), -(v14 + w3_p * v13))
-    v60 = angle1______ - offset2
-    angle1_______ = _atan2(w3_m * (m3 * v4) - v11, -(v15 + w3_m * v12))
-    v61 = angle1_______ - offset2
-    angle1________ = _atan2(w3_m * (m3 * -v4) - v11, -(v15 + w3_m * v13))
-    v62 = angle1________ - offset2
-    q2_ppp = v59 - (m8 if half_turn < v59 else 0.0)
-    q2_pmp = v60 - (m8 if half_turn < v60 else 0.0)
-    q2_mpp = v61 - (m8 if half_turn < v61 else 0.0)
-    q2_mmp = v62 - (m8 if half_turn < v62 else 0.0)
-    angle1_________ = _atan2(v6, -(k1 * w3_p))
-    angle1__________ = _atan2(v7, -(k1 * w3_m))
-    v63 = angle1_________ - offset3
-    v64 = h1 * math.copysign(half_turn, v6) - angle1_________ - offset3
-    v65 = angle1__________ - offset3
-    v66 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
-    q3_ppp = v63 + (m8 if v63 <= -half_turn else 0.0)
-    q3_pmp = v64 + (m8 if v64 <= -half_turn else 0.0)
-    q3_mpp = v65 + (m8 if v65 <= -half_turn else 0.0)
-    q3_mmp = v66 + (m8 if v66 <= -half_turn else 0.0)
-    angle1___________ = _atan2(-v28, -v30)
-    angle1____________ = _atan2(-v28, -v31)
-    angle1_____________ = _atan2(v28, -v32)
-    angle1______________ = _atan2(v28, -v33)
-    v67 = h1 * math.copysign(half_turn, -v28)
-    v68 = h1 * math.copysign(half_turn, v28)
-    v69 = angle1___________ - offset4
-    v70 = angle1___________ - v67 - offset4
-    v71 = angle1____________ - offset4
-    v72 = angle1____________ - v67 - offset4
-    v73 = angle1_____________ - offset4
-    v74 = angle1_____________ - v68 - offset4
-    v75 = angle1______________ - offset4
-    v76 = angle1______________ - v68 - offset4
-    q4_ppp = v69 + (m8 if v69 <= -half_turn else 0.0)
-    q4_ppm = v70 + (m8 if v70 <= -half_turn else 0.0)
-    q4_pmp = v71 + (m8 if v71 <= -half_turn else 0.0)
-    q4_pmm = v72 + (m8 if v72 <= -half_turn else 0.0)
-    q4_mpp = v73 + (m8 if v73 <= -half_turn else 0.0)
-    q4_mpm = v74 + (m8 if v74 <= -half_turn else 0.0)
-    q4_mmp = v75 + (m8 if v75 <= -half_turn else 0.0)
-    q4_mmm = v76 + (m8 if v76 <= -half_turn else 0.0)
-    v77 = w3_p * (m5 * (Z1_3 * v18 + T33 * v3))
-    angle1_______________ = _atan2(math.sqrt(v34), factor2_p * (v38 - v77))
-    angle1________________ = _atan2(math.sqrt(v35), factor2_p * (v38 + v77))
-    v78 = w3_m * (m5 * (-Z1_3 * v18 + T33 * v4))
-    angle1_________________ = _atan2(math.sqrt(v36), factor2_m * (v39 - v78))
-    angle1__________________ = _atan2(math.sqrt(v37), factor2_m * (v39 + v78))
-    v79 = angle1_______________ - offset5
-    v80 = offset5 + angle1_______________
-    v81 = angle1________________ - offset5
-    v82 = offset5 + angle1________________
-    v83 = angle1_________________ - offset5
-    v84 = offset5 + angle1_________________
-    v85 = angle1__________________ - offset5
-    v86 = offset5 + angle1__________________
-    q5_ppp = v79 + (m8 if v79 <= -half_turn else 0.0)
-    q5_ppm = (m8 if -v80 <= -half_turn else 0.0) - v80
-    q5_pmp = v81 + (m8 if v81 <= -half_turn else 0.0)
-    q5_pmm = (m8 if -v82 <= -half_turn else 0.0) - v82
-    q5_mpp = v83 + (m8 if v83 <= -half_turn else 0.0)
-    q5_mpm = (m8 if -v84 <= -half_turn else 0.0) - v84
-    q5_mmp = v85 + (m8 if v85 <= -half_turn else 0.0)
-    q5_mmm = (m8 if -v86 <= -half_turn else 0.0) - v86
+    v59 = w3_p * (m3 * v4)
+    angle1_____ = _atan2(v59 - v11, -(v15 + w3_p * v13))
+    v60 = angle1_____ - offset2
+    angle1______ = _atan2(-(v11 + v59), -(v15 + w3_p * v14))
+    v61 = angle1______ - offset2
+    angle1_______ = _atan2(w3_m * (m3 * v5) - v12, -(v16 + w3_m * v13))
+    v62 = angle1_______ - offset2
+    angle1________ = _atan2(w3_m * (m3 * -v5) - v12, -(v16 + w3_m * v14))
+    v63 = angle1________ - offset2
+    q2_ppp = v60 - (m8 if half_turn < v60 else 0.0)
+    q2_pmp = v61 - (m8 if half_turn < v61 else 0.0)
+    q2_mpp = v62 - (m8 if half_turn < v62 else 0.0)
+    q2_mmp = v63 - (m8 if half_turn < v63 else 0.0)
+    angle1_________ = _atan2(v7, -(k1 * w3_p))
+    angle1__________ = _atan2(v8, -(k1 * w3_m))
+    v64 = angle1_________ - offset3
+    v65 = h1 * math.copysign(half_turn, v7) - angle1_________ - offset3
+    v66 = angle1__________ - offset3
+    v67 = h1 * math.copysign(half_turn, v8) - angle1__________ - offset3
+    q3_ppp = v64 + (m8 if v64 <= -half_turn else 0.0)
+    q3_pmp = v65 + (m8 if v65 <= -half_turn else 0.0)
+    q3_mpp = v66 + (m8 if v66 <= -half_turn else 0.0)
+    q3_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
+    angle1___________ = _atan2(-v29, -v31)
+    angle1____________ = _atan2(-v29, -v32)
+    angle1_____________ = _atan2(v29, -v33)
+    angle1______________ = _atan2(v29, -v34)
+    v68 = h1 * math.copysign(half_turn, -v29)
+    v69 = h1 * math.copysign(half_turn, v29)
+    v70 = angle1___________ - offset4
+    v71 = angle1___________ - v68 - offset4
+    v72 = angle1____________ - offset4
+    v73 = angle1____________ - v68 - offset4
+    v74 = angle1_____________ - offset4
+    v75 = angle1_____________ - v69 - offset4
+    v76 = angle1______________ - offset4
+    v77 = angle1______________ - v69 - offset4
+    q4_ppp = v70 + (m8 if v70 <= -half_turn else 0.0)
+    q4_ppm = v71 + (m8 if v71 <= -half_turn else 0.0)
+    q4_pmp = v72 + (m8 if v72 <= -half_turn else 0.0)
+    q4_pmm = v73 + (m8 if v73 <= -half_turn else 0.0)
+    q4_mpp = v74 + (m8 if v74 <= -half_turn else 0.0)
+    q4_mpm = v75 + (m8 if v75 <= -half_turn else 0.0)
+    q4_mmp = v76 + (m8 if v76 <= -half_turn else 0.0)
+    q4_mmm = v77 + (m8 if v77 <= -half_turn else 0.0)
+    v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
+    angle1_______________ = _atan2(math.sqrt(v35), factor2_p * (v39 - v78))
+    angle1________________ = _atan2(math.sqrt(v36), factor2_p * (v39 + v78))
+    v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
+    angle1_________________ = _atan2(math.sqrt(v37), factor2_m * (v40 - v79))
+    angle1__________________ = _atan2(math.sqrt(v38), factor2_m * (v40 + v79))
+    v80 = angle1_______________ - offset5
+    v81 = offset5 + angle1_______________
+    v82 = angle1________________ - offset5
+    v83 = offset5 + angle1________________
+    v84 = angle1_________________ - offset5
+    v85 = offset5 + angle1_________________
+    v86 = angle1__________________ - offset5
+    v87 = offset5 + angle1__________________
+    q5_ppp = v80 + (m8 if v80 <= -half_turn else 0.0)
+    q5_ppm = (m8 if -v81 <= -half_turn else 0.0) - v81
+    q5_pmp = v82 + (m8 if v82 <= -half_turn else 0.0)
+    q5_pmm = (m8 if -v83 <= -half_turn else 0.0) - v83
+    q5_mpp = v84 + (m8 if v84 <= -half_turn else 0.0)
+    q5_mpm = (m8 if -v85 <= -half_turn else 0.0) - v85
+    q5_mmp = v86 + (m8 if v86 <= -half_turn else 0.0)
+    q5_mmm = (m8 if -v87 <= -half_turn else 0.0) - v87
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
     doubt1 = (
         N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
         (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or (v37 <= m7 or (v36 <= m7 or (v35 <= m7 or (v1 <= m1 or v34 <= m7)))))))
+        < longest3_apart) or (v38 <= m7 or (v37 <= m7 or (v36 <= m7 or (v1 <= m1 or v35 <= m7)))))))
     )
     # a joint is free, or branches meet
     if doubt1:
@@ -933,151 +934,152 @@ def _in_tiles(T, q, status):
             Y1 = d6 * T23 - T24
             v1 = wx * wx + Y1 * Y1
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = wx * factor1
+            v2 = 1.0 / v1
+            factor1 = w1 * v2
+            v3 = wx * factor1
             s1 = Y1 * factor1
             Z1_3 = T34 - d6 * T33 - d1
-            v3 = a1 + w1
-            v4 = a1 - w1
-            v5 = Z1_3 * Z1_3
-            N3_p = v5 + v3 * v3
-            N3_m = v5 + v4 * v4
+            v4 = a1 + w1
+            v5 = a1 - w1
+            v6 = Z1_3 * Z1_3
+            N3_p = v6 + v4 * v4
+            N3_m = v6 + v5 * v5
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v6 = k1 * (N3_p - k2)
-            v7 = k1 * (N3_m - k2)
-            v8 = m4 + m3 * N3_p
-            v9 = m4 + m3 * N3_m
-            v10 = Z1_3 * v8
+            v7 = k1 * (N3_p - k2)
+            v8 = k1 * (N3_m - k2)
+            v9 = m4 + m3 * N3_p
+            v10 = m4 + m3 * N3_m
             v11 = Z1_3 * v9
-            v12 = m3 * Z1_3
-            v13 = m3 * -Z1_3
-            v14 = v3 * v8
+            v12 = Z1_3 * v10
+            v13 = m3 * Z1_3
+            v14 = m3 * -Z1_3
             v15 = v4 * v9
+            v16 = v5 * v10
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v16 = m6 - m5 * N3_p
-            v17 = m6 - m5 * N3_m
-            v18 = T23 * s1 - T13 * v2
-            v19 = T33 * Z1_3
-            v20 = v19 - v3 * v18
-            v21 = v19 - v18 * -v4
-            v22 = Z1_3 * v16
-            v23 = Z1_3 * -v17
-            v24 = T33 * v16
+            v17 = m6 - m5 * N3_p
+            v18 = m6 - m5 * N3_m
+            v19 = T23 * s1 - T13 * v3
+            v20 = T33 * Z1_3
+            v21 = v20 - v4 * v19
+            v22 = v20 - v19 * -v5
+            v23 = Z1_3 * v17
+            v24 = Z1_3 * -v18
             v25 = T33 * v17
-            v26 = v18 * v22 + v3 * v24
-            v27 = v18 * v23 + v4 * v25
-            X4_pp = v26 + w3_p * (m5 * v20)
-            X4_pm = v26 + w3_p * (m5 * -v20)
-            X4_mp = v27 + w3_m * (m5 * v21)
-            X4_mm = v27 + w3_m * (m5 * -v21)
-            v28 = T23 * v2 + T13 * s1
-            v29 = v28 * v28
-            v30 = factor2_p * X4_pp
-            v31 = factor2_p * X4_pm
-            v32 = factor2_m * X4_mp
-            v33 = factor2_m * X4_mm
-            v34 = v29 + factor2_p * (X4_pp * v30)
-            v35 = v29 + factor2_p * (X4_pm * v31)
-            v36 = v29 + factor2_m * (X4_mp * v32)
-            v37 = v29 + factor2_m * (X4_mm * v33)
-            v38 = v18 * (v3 * -v16) + Z1_3 * v24
-            v39 = v18 * (v4 * v17) + Z1_3 * v25
-            v40 = s1 * T12 + v2 * T22
-            v41 = s1 * T22 - v2 * T12
-            v42 = Z1_3 * T32
-            v43 = v42 - v3 * v41
-            v44 = v42 - -v4 * v41
-            v45 = v22 * v41 + v3 * (v16 * T32)
-            v46 = v23 * v41 + v4 * (v17 * T32)
-            v47 = s1 * T11 + v2 * T21
-            v48 = s1 * T21 - v2 * T11
-            v49 = Z1_3 * T31
-            v50 = v49 - v3 * v48
-            v51 = v49 - -v4 * v48
-            v52 = v22 * v48 + v3 * (v16 * T31)
-            v53 = v23 * v48 + v4 * (v17 * T31)
-            v54 = v28 * (v52 + w3_p * (m5 * v50)) - X4_pp * v47
-            v55 = v28 * (v52 + w3_p * (m5 * -v50)) - X4_pm * v47
-            v56 = X4_mp * v47 - v28 * (v53 + w3_m * (m5 * v51))
-            v57 = X4_mm * v47 - v28 * (v53 + w3_m * (m5 * -v51))
-            v58 = w3_p * (m3 * v3)
-            v67 = h1 * math.copysign(half_turn, -v28)
-            v68 = h1 * math.copysign(half_turn, v28)
-            v77 = w3_p * (m5 * (Z1_3 * v18 + T33 * v3))
-            v78 = w3_m * (m5 * (-Z1_3 * v18 + T33 * v4))
+            v26 = T33 * v18
+            v27 = v19 * v23 + v4 * v25
+            v28 = v19 * v24 + v5 * v26
+            X4_pp = v27 + w3_p * (m5 * v21)
+            X4_pm = v27 + w3_p * (m5 * -v21)
+            X4_mp = v28 + w3_m * (m5 * v22)
+            X4_mm = v28 + w3_m * (m5 * -v22)
+            v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
+            v30 = v29 * v29
+            v31 = factor2_p * X4_pp
+            v32 = factor2_p * X4_pm
+            v33 = factor2_m * X4_mp
+            v34 = factor2_m * X4_mm
+            v35 = v30 + factor2_p * (X4_pp * v31)
+            v36 = v30 + factor2_p * (X4_pm * v32)
+            v37 = v30 + factor2_m * (X4_mp * v33)
+            v38 = v30 + factor2_m * (X4_mm * v34)
+            v39 = v19 * (v4 * -v17) + Z1_3 * v25
+            v40 = v19 * (v5 * v18) + Z1_3 * v26
+            v41 = w1 * (v2 * (wx * T22 + Y1 * T12))
+            v42 = s1 * T22 - v3 * T12
+            v43 = Z1_3 * T32
+            v44 = v43 - v4 * v42
+            v45 = v43 - -v5 * v42
+            v46 = v23 * v42 + v4 * (v17 * T32)
+            v47 = v24 * v42 + v5 * (v18 * T32)
+            v48 = w1 * (v2 * (wx * T21 + Y1 * T11))
+            v49 = s1 * T21 - v3 * T11
+            v50 = Z1_3 * T31
+            v51 = v50 - v4 * v49
+            v52 = v50 - -v5 * v49
+            v53 = v23 * v49 + v4 * (v17 * T31)
+            v54 = v24 * v49 + v5 * (v18 * T31)
+            v55 = v29 * (v53 + w3_p * (m5 * v51)) - X4_pp * v48
+            v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48
+            v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52))
+            v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52))
+            v59 = w3_p * (m3 * v4)
+            v68 = h1 * math.copysign(half_turn, -v29)
+            v69 = h1 * math.copysign(half_turn, v29)
+            v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
+            v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
             doubt1 = (
                 N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
                 free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart) or (v37 <= m7 or (v36 <= m7 or
-                (v35 <= m7 or (v1 <= m1 or v34 <= m7)))))))
+                (shortest3_apart < N3_p and N3_p < longest3_apart) or (v38 <= m7 or (v37 <= m7 or
+                (v36 <= m7 or (v1 <= m1 or v35 <= m7)))))))
             )
             work[544 + k] = Y1
             work[576 + k] = w3_p
             work[608 + k] = w3_m
-            work[640 + k] = v6
-            work[672 + k] = v7
-            work[704 + k] = v54
-            work[736 + k] = v55
-            work[768 + k] = v56
-            work[800 + k] = v57
-            work[832 + k] = v67
-            work[864 + k] = v68
+            work[640 + k] = v7
+            work[672 + k] = v8
+            work[704 + k] = v55
+            work[736 + k] = v56
+            work[768 + k] = v57
+            work[800 + k] = v58
+            work[832 + k] = v68
+            work[864 + k] = v69
             work[896 + k] = doubt1
             work[928 + k] = Y1
-            work[960 + k] = v54
-            work[992 + k] = v55
-            work[1024 + k] = v56
-            work[1056 + k] = v57
-            work[1088 + k] = v58 - v10
-            work[1120 + k] = -(v10 + v58)
-            work[1152 + k] = w3_m * (m3 * v4) - v11
-            work[1184 + k] = w3_m * (m3 * -v4) - v11
-            work[1216 + k] = v6
-            work[1248 + k] = v7
-            work[1280 + k] = -v28
-            work[1312 + k] = -v28
-            work[1344 + k] = v28
-            work[1376 + k] = v28
-            work[1408 + k] = math.sqrt(v34)
-            work[1440 + k] = math.sqrt(v35)
-            work[1472 + k] = math.sqrt(v36)
-            work[1504 + k] = math.sqrt(v37)
+            work[960 + k] = v55
+            work[992 + k] = v56
+            work[1024 + k] = v57
+            work[1056 + k] = v58
+            work[1088 + k] = v59 - v11
+            work[1120 + k] = -(v11 + v59)
+            work[1152 + k] = w3_m * (m3 * v5) - v12
+            work[1184 + k] = w3_m * (m3 * -v5) - v12
+            work[1216 + k] = v7
+            work[1248 + k] = v8
+            work[1280 + k] = -v29
+            work[1312 + k] = -v29
+            work[1344 + k] = v29
+            work[1376 + k] = v29
+            work[1408 + k] = math.sqrt(v35)
+            work[1440 + k] = math.sqrt(v36)
+            work[1472 + k] = math.sqrt(v37)
+            work[1504 + k] = math.sqrt(v38)
             work[1536 + k] = -wx
-            work[1568 + k] = v28 * (v45 + w3_p * (m5 * v43)) - X4_pp * v40
-            work[1600 + k] = v28 * (v45 + w3_p * (m5 * -v43)) - X4_pm * v40
-            work[1632 + k] = X4_mp * v40 - v28 * (v46 + w3_m * (m5 * v44))
-            work[1664 + k] = X4_mm * v40 - v28 * (v46 + w3_m * (m5 * -v44))
-            work[1696 + k] = -(v14 + w3_p * v12)
-            work[1728 + k] = -(v14 + w3_p * v13)
-            work[1760 + k] = -(v15 + w3_m * v12)
-            work[1792 + k] = -(v15 + w3_m * v13)
+            work[1568 + k] = v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41
+            work[1600 + k] = v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41
+            work[1632 + k] = X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45))
+            work[1664 + k] = X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45))
+            work[1696 + k] = -(v15 + w3_p * v13)
+            work[1728 + k] = -(v15 + w3_p * v14)
+            work[1760 + k] = -(v16 + w3_m * v13)
+            work[1792 + k] = -(v16 + w3_m * v14)
             work[1824 + k] = -(k1 * w3_p)
             work[1856 + k] = -(k1 * w3_m)
-            work[1888 + k] = -v30
-            work[1920 + k] = -v31
-            work[1952 + k] = -v32
-            work[1984 + k] = -v33
-            work[2016 + k] = factor2_p * (v38 - v77)
-            work[2048 + k] = factor2_p * (v38 + v77)
-            work[2080 + k] = factor2_m * (v39 - v78)
-            work[2112 + k] = factor2_m * (v39 + v78)
+            work[1888 + k] = -v31
+            work[1920 + k] = -v32
+            work[1952 + k] = -v33
+            work[1984 + k] = -v34
+            work[2016 + k] = factor2_p * (v39 - v78)
+            work[2048 + k] = factor2_p * (v39 + v78)
+            work[2080 + k] = factor2_m * (v40 - v79)
+            work[2112 + k] = factor2_m * (v40 + v79)
         for k in range(928, 1536):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             Y1 = work[544 + k]
             w3_p = work[576 + k]
             w3_m = work[608 + k]
-            v6 = work[640 + k]
-            v7 = work[672 + k]
-            v54 = work[704 + k]
-            v55 = work[736 + k]
-            v56 = work[768 + k]
-            v57 = work[800 + k]
-            v67 = work[832 + k]
-            v68 = work[864 + k]
+            v7 = work[640 + k]
+            v8 = work[672 + k]
+            v55 = work[704 + k]
+            v56 = work[736 + k]
+            v57 = work[768 + k]
+            v58 = work[800 + k]
+            v68 = work[832 + k]
+            v69 = work[864 + k]
             doubt1 = work[896 + k] != 0.0
             angle1 = work[928 + k]
             angle1_ = work[960 + k]
@@ -1098,58 +1100,58 @@ def _in_tiles(T, q, status):
             angle1________________ = work[1440 + k]
             angle1_________________ = work[1472 + k]
             angle1__________________ = work[1504 + k]
-            q6_ppm = angle1_ - math.copysign(half_turn, v54) * h1
-            q6_pmm = angle1__ - math.copysign(half_turn, v55) * h1
-            q6_mpm = angle1___ - math.copysign(half_turn, v56) * h1
-            q6_mmm = angle1____ - math.copysign(half_turn, v57) * h1
-            v59 = angle1_____ - offset2
-            v60 = angle1______ - offset2
-            v61 = angle1_______ - offset2
-            v62 = angle1________ - offset2
-            q2_ppp = v59 - (m8 if half_turn < v59 else 0.0)
-            q2_pmp = v60 - (m8 if half_turn < v60 else 0.0)
-            q2_mpp = v61 - (m8 if half_turn < v61 else 0.0)
-            q2_mmp = v62 - (m8 if half_turn < v62 else 0.0)
-            v63 = angle1_________ - offset3
-            v64 = h1 * math.copysign(half_turn, v6) - angle1_________ - offset3
-            v65 = angle1__________ - offset3
-            v66 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
-            q3_ppp = v63 + (m8 if v63 <= -half_turn else 0.0)
-            q3_pmp = v64 + (m8 if v64 <= -half_turn else 0.0)
-            q3_mpp = v65 + (m8 if v65 <= -half_turn else 0.0)
-            q3_mmp = v66 + (m8 if v66 <= -half_turn else 0.0)
-            v69 = angle1___________ - offset4
-            v70 = angle1___________ - v67 - offset4
-            v71 = angle1____________ - offset4
-            v72 = angle1____________ - v67 - offset4
-            v73 = angle1_____________ - offset4
-            v74 = angle1_____________ - v68 - offset4
-            v75 = angle1______________ - offset4
-            v76 = angle1______________ - v68 - offset4
-            q4_ppp = v69 + (m8 if v69 <= -half_turn else 0.0)
-            q4_ppm = v70 + (m8 if v70 <= -half_turn else 0.0)
-            q4_pmp = v71 + (m8 if v71 <= -half_turn else 0.0)
-            q4_pmm = v72 + (m8 if v72 <= -half_turn else 0.0)
-            q4_mpp = v73 + (m8 if v73 <= -half_turn else 0.0)
-            q4_mpm = v74 + (m8 if v74 <= -half_turn else 0.0)
-            q4_mmp = v75 + (m8 if v75 <= -half_turn else 0.0)
-            q4_mmm = v76 + (m8 if v76 <= -half_turn else 0.0)
-            v79 = angle1_______________ - offset5
-            v80 = offset5 + angle1_______________
-            v81 = angle1________________ - offset5
-            v82 = offset5 + angle1________________
-            v83 = angle1_________________ - offset5
-            v84 = offset5 + angle1_________________
-            v85 = angle1__________________ - offset5
-            v86 = offset5 + angle1__________________
-            q5_ppp = v79 + (m8 if v79 <= -half_turn else 0.0)
-            q5_ppm = (m8 if -v80 <= -half_turn else 0.0) - v80
-            q5_pmp = v81 + (m8 if v81 <= -half_turn else 0.0)
-            q5_pmm = (m8 if -v82 <= -half_turn else 0.0) - v82
-            q5_mpp = v83 + (m8 if v83 <= -half_turn else 0.0)
-            q5_mpm = (m8 if -v84 <= -half_turn else 0.0) - v84
-            q5_mmp = v85 + (m8 if v85 <= -half_turn else 0.0)
-            q5_mmm = (m8 if -v86 <= -half_turn else 0.0) - v86
+            q6_ppm = angle1_ - math.copysign(half_turn, v55) * h1
+            q6_pmm = angle1__ - math.copysign(half_turn, v56) * h1
+            q6_mpm = angle1___ - math.copysign(half_turn, v57) * h1
+            q6_mmm = angle1____ - math.copysign(half_turn, v58) * h1
+            v60 = angle1_____ - offset2
+            v61 = angle1______ - offset2
+            v62 = angle1_______ - offset2
+            v63 = angle1________ - offset2
+            q2_ppp = v60 - (m8 if half_turn < v60 else 0.0)
+            q2_pmp = v61 - (m8 if half_turn < v61 else 0.0)
+            q2_mpp = v62 - (m8 if half_turn < v62 else 0.0)
+            q2_mmp = v63 - (m8 if half_turn < v63 else 0.0)
+            v64 = angle1_________ - offset3
+            v65 = h1 * math.copysign(half_turn, v7) - angle1_________ - offset3
+            v66 = angle1__________ - offset3
+            v67 = h1 * math.copysign(half_turn, v8) - angle1__________ - offset3
+            q3_ppp = v64 + (m8 if v64 <= -half_turn else 0.0)
+            q3_pmp = v65 + (m8 if v65 <= -half_turn else 0.0)
+            q3_mpp = v66 + (m8 if v66 <= -half_turn else 0.0)
+            q3_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
+            v70 = angle1___________ - offset4
+            v71 = angle1___________ - v68 - offset4
+            v72 = angle1____________ - offset4
+            v73 = angle1____________ - v68 - offset4
+            v74 = angle1_____________ - offset4
+            v75 = angle1_____________ - v69 - offset4
+            v76 = angle1______________ - offset4
+            v77 = angle1______________ - v69 - offset4
+            q4_ppp = v70 + (m8 if v70 <= -half_turn else 0.0)
+            q4_ppm = v71 + (m8 if v71 <= -half_turn else 0.0)
+            q4_pmp = v72 + (m8 if v72 <= -half_turn else 0.0)
+            q4_pmm = v73 + (m8 if v73 <= -half_turn else 0.0)
+            q4_mpp = v74 + (m8 if v74 <= -half_turn else 0.0)
+            q4_mpm = v75 + (m8 if v75 <= -half_turn else 0.0)
+            q4_mmp = v76 + (m8 if v76 <= -half_turn else 0.0)
+            q4_mmm = v77 + (m8 if v77 <= -half_turn else 0.0)
+            v80 = angle1_______________ - offset5
+            v81 = offset5 + angle1_______________
+            v82 = angle1________________ - offset5
+            v83 = offset5 + angle1________________
+            v84 = angle1_________________ - offset5
+            v85 = offset5 + angle1_________________
+            v86 = angle1__________________ - offset5
+            v87 = offset5 + angle1__________________
+            q5_ppp = v80 + (m8 if v80 <= -half_turn else 0.0)
+            q5_ppm = (m8 if -v81 <= -half_turn else 0.0) - v81
+            q5_pmp = v82 + (m8 if v82 <= -half_turn else 0.0)
+            q5_pmm = (m8 if -v83 <= -half_turn else 0.0) - v83
+            q5_mpp = v84 + (m8 if v84 <= -half_turn else 0.0)
+            q5_mpm = (m8 if -v85 <= -half_turn else 0.0) - v85
+            q5_mmp = v86 + (m8 if v86 <= -half_turn else 0.0)
+            q5_mmm = (m8 if -v87 <= -half_turn else 0.0) - v87
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
             _2144 = q1_ppp

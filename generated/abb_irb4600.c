@@ -16,6 +16,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef ABB_IRB4600_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -33,21 +36,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -79,7 +82,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -123,7 +126,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -149,8 +152,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef ABB_IRB4600_LIBM
 #define atan2_wide atan2
 #else
@@ -160,7 +163,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -546,9 +549,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1 = d6 * T23 - T24;
     const wide v1 = t14 * t14 + Y1 * Y1;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
-    const wide v2 = t14 * factor1;
-    const wide s1 = Y1 * factor1;
+    const wide v2 = 1.0 / v1;
     const wide angle1 = atan2_wide(Y1, -t14);
 
     /* theta3 */
@@ -607,12 +608,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s23_pm = w3_p * (factor2_p * -v25) - v27;
     const wide s23_mp = w3_m * (factor2_m * v26) - v28;
     const wide s23_mm = w3_m * (factor2_m * -v26) - v28;
-    const wide v29 = T23 * s1 - T13 * v2;
+    const wide v29 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const wide X4_pp = T33 * c23_pp + s23_pp * v29;
     const wide X4_pm = T33 * c23_pm + s23_pm * v29;
     const wide X4_mp = T33 * c23_mp - s23_mp * v29;
     const wide X4_mm = T33 * c23_mm - s23_mm * v29;
-    const wide v30 = T23 * v2 + T13 * s1;
+    const wide v30 = w1 * (v2 * (T13 * Y1 + t14 * T23));
     const wide v31 = v30 * v30;
     const wide v32 = v31 + X4_pp * X4_pp;
     const wide v33 = v31 + X4_pm * X4_pm;
@@ -636,10 +637,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle1______________ = atan2_wide(sqrt_wide(v35), -(c23_mm * v29 + T33 * s23_mm));
 
     /* theta6 */
-    const wide v38 = s1 * T12 + v2 * T22;
-    const wide v39 = s1 * T22 - v2 * T12;
-    const wide v40 = s1 * T11 + v2 * T21;
-    const wide v41 = s1 * T21 - v2 * T11;
+    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12));
+    const wide v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const wide v40 = w1 * (v2 * (t14 * T21 + Y1 * T11));
+    const wide v41 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const wide v42 = X4_pp * v40 - v30 * (c23_pp * T31 + s23_pp * v41);
     const wide v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41);
     const wide v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40;
@@ -779,9 +780,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = t14 * t14 + Y1 * Y1;
     const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double factor1 = 1.0 / w1;
-    const double v2 = t14 * factor1;
-    const double s1 = Y1 * factor1;
+    const double v2 = 1.0 / v1;
     const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
@@ -809,19 +808,19 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v15 = v14 - m5 * v4;
     const four v16 = Z1_3 * v12 + v4 * v11;
     const four s23 = w3 * (factor2 * (e2 * v15)) - v16;
-    const double v17 = T23 * s1 - T13 * v2;
+    const double v17 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const four X4 = T33 * c23 + e1 * (s23 * v17);
-    const double v18 = T23 * v2 + T13 * s1;
+    const double v18 = w1 * (v2 * (T13 * Y1 + t14 * T23));
     const double v19 = v18 * v18;
     const four v20 = v19 + X4 * X4;
     const four_mask doubt3 = v20 <= m9;
     const four v21 = copysign_four(all_four(half_turn), -(e1 * v18)) * h1;
 
     /* theta6 */
-    const double v22 = s1 * T12 + v2 * T22;
-    const double v23 = s1 * T22 - v2 * T12;
-    const double v24 = s1 * T11 + v2 * T21;
-    const double v25 = s1 * T21 - v2 * T11;
+    const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12));
+    const double v23 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const double v24 = w1 * (v2 * (t14 * T21 + Y1 * T11));
+    const double v25 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const four v26 = e1 * (X4 * v24 - v18 * (c23 * T31 + e1 * (s23 * v25)));
 
     /* joint values */

@@ -510,9 +510,7 @@ def _regular(pose, q, status):
     Y1 = d6 * T23 - T24
     v1 = t14 * t14 + Y1 * Y1
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = t14 * factor1
-    s1 = Y1 * factor1
+    v2 = 1.0 / v1
     angle1 = _atan2(Y1, -t14)
 
     # theta3, type 6: U1[3, 4] and U1[1, 4]
@@ -571,12 +569,12 @@ def _regular(pose, q, status):
     s23_pm = w3_p * (factor2_p * -v25) - v27
     s23_mp = w3_m * (factor2_m * v26) - v28
     s23_mm = w3_m * (factor2_m * -v26) - v28
-    v29 = T23 * s1 - T13 * v2
+    v29 = w1 * (v2 * (T23 * Y1 - T13 * t14))
     X4_pp = T33 * c23_pp + s23_pp * v29
     X4_pm = T33 * c23_pm + s23_pm * v29
     X4_mp = T33 * c23_mp - s23_mp * v29
     X4_mm = T33 * c23_mm - s23_mm * v29
-    v30 = T23 * v2 + T13 * s1
+    v30 = w1 * (v2 * (T13 * Y1 + t14 * T23))
     v31 = v30 * v30
     v32 = v31 + X4_pp * X4_pp
     v33 = v31 + X4_pm * X4_pm
@@ -600,10 +598,10 @@ def _regular(pose, q, status):
     angle1______________ = _atan2(math.sqrt(v35), -(c23_mm * v29 + T33 * s23_mm))
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
-    v38 = s1 * T12 + v2 * T22
-    v39 = s1 * T22 - v2 * T12
-    v40 = s1 * T11 + v2 * T21
-    v41 = s1 * T21 - v2 * T11
+    v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
+    v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
+    v40 = w1 * (v2 * (t14 * T21 + Y1 * T11))
+    v41 = w1 * (v2 * (Y1 * T21 - t14 * T11))
     v42 = X4_pp * v40 - v30 * (c23_pp * T31 + s23_pp * v41)
     v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41)
     v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40
@@ -901,9 +899,7 @@ def _in_tiles(T, q, status):
             Y1 = d6 * T23 - T24
             v1 = t14 * t14 + Y1 * Y1
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = t14 * factor1
-            s1 = Y1 * factor1
+            v2 = 1.0 / v1
             Z1_3 = T34 - d6 * T33 - d1
             v3 = a1 + w1
             v4 = a1 - w1
@@ -945,12 +941,12 @@ def _in_tiles(T, q, status):
             s23_pm = w3_p * (factor2_p * -v25) - v27
             s23_mp = w3_m * (factor2_m * v26) - v28
             s23_mm = w3_m * (factor2_m * -v26) - v28
-            v29 = T23 * s1 - T13 * v2
+            v29 = w1 * (v2 * (T23 * Y1 - T13 * t14))
             X4_pp = T33 * c23_pp + s23_pp * v29
             X4_pm = T33 * c23_pm + s23_pm * v29
             X4_mp = T33 * c23_mp - s23_mp * v29
             X4_mm = T33 * c23_mm - s23_mm * v29
-            v30 = T23 * v2 + T13 * s1
+            v30 = w1 * (v2 * (T13 * Y1 + t14 * T23))
             v31 = v30 * v30
             v32 = v31 + X4_pp * X4_pp
             v33 = v31 + X4_pm * X4_pm
@@ -958,10 +954,10 @@ def _in_tiles(T, q, status):
             v35 = v31 + X4_mm * X4_mm
             v36 = math.copysign(half_turn, -v30) * h1
             v37 = math.copysign(half_turn, v30) * h1
-            v38 = s1 * T12 + v2 * T22
-            v39 = s1 * T22 - v2 * T12
-            v40 = s1 * T11 + v2 * T21
-            v41 = s1 * T21 - v2 * T11
+            v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
+            v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
+            v40 = w1 * (v2 * (t14 * T21 + Y1 * T11))
+            v41 = w1 * (v2 * (Y1 * T21 - t14 * T11))
             v42 = X4_pp * v40 - v30 * (c23_pp * T31 + s23_pp * v41)
             v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41)
             v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40

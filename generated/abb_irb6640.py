@@ -528,9 +528,7 @@ def _regular(pose, q, status):
     Y1 = d6 * T23 - T24
     v1 = wx * wx + Y1 * Y1
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = wx * factor1
-    s1 = Y1 * factor1
+    v2 = 1.0 / v1
     angle1 = _atan2(Y1, -wx)
     q1__m = angle1 - math.copysign(half_turn, Y1) * h1
 
@@ -585,12 +583,12 @@ def _regular(pose, q, status):
     v27 = w3_m * (factor2_m * (v23 + m5 * v4))
     s23_mp = v25 - v27
     s23_mm = v25 + v27
-    v28 = T23 * s1 - T13 * v2
+    v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
     X4_pp = T33 * s23_pp - c23_pp * v28
     X4_pm = T33 * s23_pm - c23_pm * v28
     X4_mp = T33 * s23_mp + c23_mp * v28
     X4_mm = T33 * s23_mm + c23_mm * v28
-    Y4 = T13 * s1 + T23 * v2
+    Y4 = w1 * (v2 * (T13 * Y1 + wx * T23))
     v29 = Y4 * Y4
     v30 = v29 + X4_pp * X4_pp
     v31 = v29 + X4_pm * X4_pm
@@ -608,10 +606,10 @@ def _regular(pose, q, status):
     q4_mmm = angle1______ - v35
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v36 = v2 * T22 + s1 * T12
-    v37 = s1 * T22 - v2 * T12
-    v38 = v2 * T21 + s1 * T11
-    v39 = s1 * T21 - v2 * T11
+    v36 = w1 * (v2 * (wx * T22 + Y1 * T12))
+    v37 = w1 * (v2 * (Y1 * T22 - wx * T12))
+    v38 = w1 * (v2 * (wx * T21 + Y1 * T11))
+    v39 = w1 * (v2 * (Y1 * T21 - wx * T11))
     v40 = Y4 * (c23_pp * v39 - s23_pp * T31) - -X4_pp * v38
     v41 = Y4 * (c23_pm * v39 - s23_pm * T31) - -X4_pm * v38
     v42 = Y4 * (c23_mp * v39 + s23_mp * T31) - X4_mp * v38
@@ -944,9 +942,7 @@ def _in_tiles(T, q, status):
             Y1 = d6 * T23 - T24
             v1 = wx * wx + Y1 * Y1
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = wx * factor1
-            s1 = Y1 * factor1
+            v2 = 1.0 / v1
             Z1_3 = T34 - d6 * T33 - d1
             v3 = a1 + w1
             v4 = a1 - w1
@@ -987,12 +983,12 @@ def _in_tiles(T, q, status):
             v27 = w3_m * (factor2_m * (v23 + m5 * v4))
             s23_mp = v25 - v27
             s23_mm = v25 + v27
-            v28 = T23 * s1 - T13 * v2
+            v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
             X4_pp = T33 * s23_pp - c23_pp * v28
             X4_pm = T33 * s23_pm - c23_pm * v28
             X4_mp = T33 * s23_mp + c23_mp * v28
             X4_mm = T33 * s23_mm + c23_mm * v28
-            Y4 = T13 * s1 + T23 * v2
+            Y4 = w1 * (v2 * (T13 * Y1 + wx * T23))
             v29 = Y4 * Y4
             v30 = v29 + X4_pp * X4_pp
             v31 = v29 + X4_pm * X4_pm
@@ -1000,10 +996,10 @@ def _in_tiles(T, q, status):
             v33 = v29 + X4_mm * X4_mm
             v34 = h1 * math.copysign(half_turn, Y4)
             v35 = h1 * math.copysign(half_turn, -Y4)
-            v36 = v2 * T22 + s1 * T12
-            v37 = s1 * T22 - v2 * T12
-            v38 = v2 * T21 + s1 * T11
-            v39 = s1 * T21 - v2 * T11
+            v36 = w1 * (v2 * (wx * T22 + Y1 * T12))
+            v37 = w1 * (v2 * (Y1 * T22 - wx * T12))
+            v38 = w1 * (v2 * (wx * T21 + Y1 * T11))
+            v39 = w1 * (v2 * (Y1 * T21 - wx * T11))
             v40 = Y4 * (c23_pp * v39 - s23_pp * T31) - -X4_pp * v38
             v41 = Y4 * (c23_pm * v39 - s23_pm * T31) - -X4_pm * v38
             v42 = Y4 * (c23_mp * v39 + s23_mp * T31) - X4_mp * v38

@@ -21,6 +21,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef ADEPT_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -38,21 +41,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -84,7 +87,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -128,7 +131,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -154,8 +157,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef ADEPT_LIBM
 #define atan2_wide atan2
 #else
@@ -165,7 +168,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -322,8 +325,10 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 0.024; /* a pose may be rounded by this [mm] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m2 = 3.3177599999999995e-35; /* free_limit_squared2^2 [mm^4] */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
+static const double m2 = 330000.0; /* a coefficient of v5 */
+static const double m3 = 600.0; /* a coefficient of v5 */
+static const double m4 = 3.3177599999999995e-35; /* free_limit_squared2^2 [mm^4] */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const adept_branches[1] = {
     "only",
@@ -436,38 +441,39 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 
     /* theta12 */
     const wide v1 = T32 * T32 + T22 * T22;
-    const wide v2 = 1.0 / sqrt_wide(v1);
-    const wide c12 = T22 * v2;
-    const wide s12 = T32 * v2;
+    const wide w12 = sqrt_wide(v1);
+    const wide v2 = 1.0 / v1;
+    const wide v3 = w12 * v2;
+    const wide c12 = T22 * v3;
+    const wide s12 = T32 * v3;
 
     /* theta1 */
     const wide t14 = T24 - ez * T23;
-    const wide v3 = l2 * c12;
     const wide t24 = T34 - ez * T33 - zz;
-    const wide v4 = l2 * s12;
-    const wide v5 = l1 * (t24 - v4);
-    const wide v6 = l1 * (t14 - v3);
-    const wide v7 = v5 * v5 + v6 * v6;
-    const wide v8 = 1.0 / sqrt_wide(v7);
-    const wide angle1 = atan2_wide(v5, v6);
+    const wide v4 = m3 * t24 - w12 * (m2 * (T32 * v2));
+    const wide v5 = m3 * t14 - w12 * (m2 * (T22 * v2));
+    const wide v6 = v4 * v4 + v5 * v5;
+    const wide v7 = sqrt_wide(v6) * (1.0 / v6);
+    const wide angle1 = atan2_wide(v4, v5);
 
     /* is the pose one that the arm can take? */
-    const wide v9 = pick_wide((abs_wide(t34 - (d1 - r3)) <= pose_slack1) & ((abs_wide(T13 + 1.0) <=
-        pose_slack) & ((abs_wide(T11) <= pose_slack) & ((abs_wide(T12) <= pose_slack) &
-        ((abs_wide(t24 - (v4 + l1 * (v5 * v8))) <= pose_slack1) & ((abs_wide(T33) <= pose_slack) &
-        ((abs_wide(c12 - T31) <= pose_slack) & ((abs_wide(T32 - s12) <= pose_slack) & ((abs_wide(t14
-        - (v3 + l1 * (v6 * v8))) <= pose_slack1) & ((abs_wide(T23) <= pose_slack) & ((abs_wide(T22 -
-        c12) <= pose_slack) & (abs_wide(s12 + T21) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(sqrt(-1.0)));
+    const double v8 = sqrt(-1.0);
+    const wide v9 = pick_wide(maximum_wide(abs_wide(t14 - (l2 * c12 + l1 * (v5 * v7))),
+        maximum_wide(abs_wide(t34 - (d1 - r3)), abs_wide(t24 - (l2 * s12 + l1 * (v4 * v7))))) <=
+        pose_slack1, all_wide(0.0), all_wide(v8));
+    const wide v10 = pick_wide(maximum_wide(abs_wide(s12 + T21), maximum_wide(abs_wide(T22 - c12),
+        maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T32 - s12), maximum_wide(abs_wide(c12 -
+        T31), maximum_wide(abs_wide(T33), maximum_wide(abs_wide(T12), maximum_wide(abs_wide(T13 +
+        1.0), abs_wide(T11))))))))) <= pose_slack, all_wide(0.0), all_wide(v8));
 
     /* joint values */
     const wide angle1_ = atan2_wide(T32, T22);
-    const wide v10 = angle1_ - angle1;
-    const wide_mask doubt1 = (v1 <= m1) | (v7 <= m2);
-    const wide q1 = angle1 + v9;
-    const wide q2 = v9 + (v10 - pick_wide(half_turn < v10, all_wide(m3), all_wide(0.0)) +
-        pick_wide(v10 <= -half_turn, all_wide(m3), all_wide(0.0)));
-    const wide q3 = r3 + v9;
+    const wide v11 = angle1_ - angle1;
+    const wide_mask doubt1 = (v1 <= m1) | (v6 <= m4);
+    const wide q1 = v10 + (angle1 + v9);
+    const wide q2 = v10 + (v9 + (v11 - pick_wide(half_turn < v11, all_wide(m5), all_wide(0.0)) +
+        pick_wide(v11 <= -half_turn, all_wide(m5), all_wide(0.0))));
+    const wide q3 = v10 + (r3 + v9);
 
     q[0] = q1;
     q[1] = q2;
@@ -492,39 +498,41 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
 
     /* theta12 */
     const double v1 = T32 * T32 + T22 * T22;
-    const double v2 = 1.0 / sqrt(v1);
-    const double c12 = T22 * v2;
-    const double s12 = T32 * v2;
+    const double w12 = sqrt(v1);
+    const double v2 = 1.0 / v1;
+    const double v3 = w12 * v2;
+    const double c12 = T22 * v3;
+    const double s12 = T32 * v3;
 
     /* theta1 */
     const double t14 = T24 - ez * T23;
-    const double v3 = l2 * c12;
     const double t24 = T34 - ez * T33 - zz;
-    const double v4 = l2 * s12;
-    const double v5 = l1 * (t24 - v4);
-    const double v6 = l1 * (t14 - v3);
-    const double v7 = v5 * v5 + v6 * v6;
-    const double v8 = 1.0 / sqrt(v7);
+    const double v4 = m3 * t24 - w12 * (m2 * (T32 * v2));
+    const double v5 = m3 * t14 - w12 * (m2 * (T22 * v2));
+    const double v6 = v4 * v4 + v5 * v5;
+    const double v7 = sqrt(v6) * (1.0 / v6);
 
     /* is the pose one that the arm can take? */
-    const double v9 = ((fabs(t34 - (d1 - r3)) <= pose_slack1) & ((fabs(T13 + 1.0) <= pose_slack) &
-        ((fabs(T11) <= pose_slack) & ((fabs(T12) <= pose_slack) & ((fabs(t24 - (v4 + l1 * (v5 *
-        v8))) <= pose_slack1) & ((fabs(T33) <= pose_slack) & ((fabs(c12 - T31) <= pose_slack) &
-        ((fabs(T32 - s12) <= pose_slack) & ((fabs(t14 - (v3 + l1 * (v6 * v8))) <= pose_slack1) &
-        ((fabs(T23) <= pose_slack) & ((fabs(T22 - c12) <= pose_slack) & (fabs(s12 + T21) <=
-        pose_slack)))))))))))) ? 0.0 : sqrt(-1.0);
+    const double v8 = sqrt(-1.0);
+    const double v9 = (maximum_double(fabs(t14 - (l2 * c12 + l1 * (v5 * v7))),
+        maximum_double(fabs(t34 - (d1 - r3)), fabs(t24 - (l2 * s12 + l1 * (v4 * v7))))) <=
+        pose_slack1) ? 0.0 : v8;
+    const double v10 = (maximum_double(fabs(s12 + T21), maximum_double(fabs(T22 - c12),
+        maximum_double(fabs(T23), maximum_double(fabs(T32 - s12), maximum_double(fabs(c12 - T31),
+        maximum_double(fabs(T33), maximum_double(fabs(T12), maximum_double(fabs(T13 + 1.0),
+        fabs(T11))))))))) <= pose_slack) ? 0.0 : v8;
 
     /* joint values */
-    const int doubt1 = (v1 <= m1) | (v7 <= m2);
-    const double q3 = r3 + v9;
+    const int doubt1 = (v1 <= m1) | (v6 <= m4);
+    const double q3 = v10 + (r3 + v9);
 
-    const four packed1 = atan2_four((four){ v5, T32, v5, v5 }, (four){ v6, T22, v6, v6 });
+    const four packed1 = atan2_four((four){ v4, T32, v4, v4 }, (four){ v5, T22, v5, v5 });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four v10 = angle1_ - angle1;
-    const four q1 = angle1 + v9;
-    const four q2 = v9 + (v10 - pick_four(half_turn < v10, all_four(m3), all_four(0.0)) +
-        pick_four(v10 <= -half_turn, all_four(m3), all_four(0.0)));
+    const four v11 = angle1_ - angle1;
+    const four q1 = v10 + (angle1 + v9);
+    const four q2 = v10 + (v9 + (v11 - pick_four(half_turn < v11, all_four(m5), all_four(0.0)) +
+        pick_four(v11 <= -half_turn, all_four(m5), all_four(0.0))));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

@@ -56,8 +56,10 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 0.024  # a pose may be rounded by this [mm]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999998e-49  # free_limit_squared^2
-m2 = 3.3177599999999995e-35  # free_limit_squared2^2 [mm^4]
-m3 = 6.283185307179586  # 2 * half_turn
+m2 = 330000.0  # a coefficient of v5
+m3 = 600.0  # a coefficient of v5
+m4 = 3.3177599999999995e-35  # free_limit_squared2^2 [mm^4]
+m5 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -311,38 +313,40 @@ def _regular(pose, q, status):
 
     # theta12, type 3: U0[1, 2] and U0[2, 2]
     v1 = T32 * T32 + T22 * T22
-    v2 = 1.0 / math.sqrt(v1)
-    c12 = T22 * v2
-    s12 = T32 * v2
+    w12 = math.sqrt(v1)
+    v2 = 1.0 / v1
+    v3 = w12 * v2
+    c12 = T22 * v3
+    s12 = T32 * v3
 
     # theta1, type 3: U0[1, 4] and U0[2, 4]
     t14 = T24 - ez * T23
-    v3 = l2 * c12
     t24 = T34 - ez * T33 - zz
-    v4 = l2 * s12
-    v5 = l1 * (t24 - v4)
-    v6 = l1 * (t14 - v3)
-    v7 = v5 * v5 + v6 * v6
-    v8 = 1.0 / math.sqrt(v7)
-    angle1 = _atan2(v5, v6)
+    v4 = m3 * t24 - w12 * (m2 * (T32 * v2))
+    v5 = m3 * t14 - w12 * (m2 * (T22 * v2))
+    v6 = v4 * v4 + v5 * v5
+    v7 = math.sqrt(v6) * (1.0 / v6)
+    angle1 = _atan2(v4, v5)
 
     # is the pose one that the arm can take?
+    v8 = math.sqrt(-1.0)
     v9 = (
-        0.0 if (abs(t34 - (d1 - r3)) <= pose_slack1 and (abs(T13 + 1.0) <= pose_slack and (abs(T11)
-        <= pose_slack and (abs(T12) <= pose_slack and (abs(t24 - (v4 + l1 * (v5 * v8))) <=
-        pose_slack1 and (abs(T33) <= pose_slack and (abs(c12 - T31) <= pose_slack and (abs(T32 -
-        s12) <= pose_slack and (abs(t14 - (v3 + l1 * (v6 * v8))) <= pose_slack1 and (abs(T23) <=
-        pose_slack and (abs(T22 - c12) <= pose_slack and abs(s12 + T21) <= pose_slack)))))))))))
-        else math.sqrt(-1.0)
+        0.0 if max(abs(t14 - (l2 * c12 + l1 * (v5 * v7))), max(abs(t34 - (d1 - r3)), abs(t24 - (l2 *
+        s12 + l1 * (v4 * v7))))) <= pose_slack1 else v8
+    )
+    v10 = (
+        0.0 if max(abs(s12 + T21), max(abs(T22 - c12), max(abs(T23), max(abs(T32 - s12), max(abs(c12
+        - T31), max(abs(T33), max(abs(T12), max(abs(T13 + 1.0), abs(T11))))))))) <= pose_slack else
+        v8
     )
 
     # joint values
     angle1_ = _atan2(T32, T22)
-    v10 = angle1_ - angle1
-    doubt1 = v1 <= m1 or v7 <= m2
-    q1 = angle1 + v9
-    q2 = v9 + (v10 - (m3 if half_turn < v10 else 0.0) + (m3 if v10 <= -half_turn else 0.0))
-    q3 = r3 + v9
+    v11 = angle1_ - angle1
+    doubt1 = v1 <= m1 or v6 <= m4
+    q1 = v10 + (angle1 + v9)
+    q2 = v10 + (v9 + (v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)))
+    q3 = v10 + (r3 + v9)
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -480,9 +484,9 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [768, 800, 832],
+    [800, 832, 864],
 ])
-_KINDS = np.array([864])
+_KINDS = np.array([896])
 _LEFT_OVER = 255
 
 
@@ -493,7 +497,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(896)
+    work = np.empty(928)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -532,52 +536,59 @@ def _in_tiles(T, q, status):
             t34 = T14 - ez * T13
             r3 = d1 - t34
             v1 = T32 * T32 + T22 * T22
-            v2 = 1.0 / math.sqrt(v1)
-            c12 = T22 * v2
-            s12 = T32 * v2
+            w12 = math.sqrt(v1)
+            v2 = 1.0 / v1
+            v3 = w12 * v2
+            c12 = T22 * v3
+            s12 = T32 * v3
             t14 = T24 - ez * T23
-            v3 = l2 * c12
             t24 = T34 - ez * T33 - zz
-            v4 = l2 * s12
-            v5 = l1 * (t24 - v4)
-            v6 = l1 * (t14 - v3)
-            v7 = v5 * v5 + v6 * v6
-            v8 = 1.0 / math.sqrt(v7)
+            v4 = m3 * t24 - w12 * (m2 * (T32 * v2))
+            v5 = m3 * t14 - w12 * (m2 * (T22 * v2))
+            v6 = v4 * v4 + v5 * v5
+            v7 = math.sqrt(v6) * (1.0 / v6)
+            v8 = math.sqrt(-1.0)
             v9 = (
-                0.0 if (abs(t34 - (d1 - r3)) <= pose_slack1 and (abs(T13 + 1.0) <= pose_slack and
-                (abs(T11) <= pose_slack and (abs(T12) <= pose_slack and (abs(t24 - (v4 + l1 * (v5 *
-                v8))) <= pose_slack1 and (abs(T33) <= pose_slack and (abs(c12 - T31) <= pose_slack
-                and (abs(T32 - s12) <= pose_slack and (abs(t14 - (v3 + l1 * (v6 * v8))) <=
-                pose_slack1 and (abs(T23) <= pose_slack and (abs(T22 - c12) <= pose_slack and
-                abs(s12 + T21) <= pose_slack))))))))))) else math.sqrt(-1.0)
+                0.0 if max(abs(t14 - (l2 * c12 + l1 * (v5 * v7))), max(abs(t34 - (d1 - r3)), abs(t24
+                - (l2 * s12 + l1 * (v4 * v7))))) <= pose_slack1 else v8
             )
-            doubt1 = v1 <= m1 or v7 <= m2
-            q3 = r3 + v9
+            v10 = (
+                0.0 if max(abs(s12 + T21), max(abs(T22 - c12), max(abs(T23), max(abs(T32 - s12),
+                max(abs(c12 - T31), max(abs(T33), max(abs(T12), max(abs(T13 + 1.0), abs(T11)))))))))
+                <= pose_slack else v8
+            )
+            doubt1 = v1 <= m1 or v6 <= m4
+            q3 = v10 + (r3 + v9)
             work[544 + k] = v9
-            work[576 + k] = doubt1
-            work[608 + k] = q3
-            work[640 + k] = v5
-            work[672 + k] = T32
-            work[704 + k] = v6
-            work[736 + k] = T22
-        for k in range(640, 704):
+            work[576 + k] = v10
+            work[608 + k] = doubt1
+            work[640 + k] = q3
+            work[672 + k] = v4
+            work[704 + k] = T32
+            work[736 + k] = v5
+            work[768 + k] = T22
+        for k in range(672, 736):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
             v9 = work[544 + k]
-            doubt1 = work[576 + k] != 0.0
-            q3 = work[608 + k]
-            angle1 = work[640 + k]
-            angle1_ = work[672 + k]
-            v10 = angle1_ - angle1
-            q1 = angle1 + v9
-            q2 = v9 + (v10 - (m3 if half_turn < v10 else 0.0) + (m3 if v10 <= -half_turn else 0.0))
-            _768 = q1
-            work[768 + k] = _768
-            _800 = q2
+            v10 = work[576 + k]
+            doubt1 = work[608 + k] != 0.0
+            q3 = work[640 + k]
+            angle1 = work[672 + k]
+            angle1_ = work[704 + k]
+            v11 = angle1_ - angle1
+            q1 = v10 + (angle1 + v9)
+            q2 = (
+                v10 + (v9 + (v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else
+                0.0)))
+            )
+            _800 = q1
             work[800 + k] = _800
-            _832 = q3
+            _832 = q2
             work[832 + k] = _832
-            work[864 + k] = UNREACHABLE if _768 != _768 else OK
+            _864 = q3
+            work[864 + k] = _864
+            work[896 + k] = UNREACHABLE if _800 != _800 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

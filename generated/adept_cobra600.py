@@ -67,9 +67,7 @@ half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999998e-49  # free_limit_squared^2
 m2 = 1.5384615384615385  # a coefficient of S1
 m3 = 0.04615384615384612  # a coefficient of S1
-m4 = 1.8181818181818181  # a coefficient of c12
-m5 = 0.054545454545454515  # a coefficient of c12
-m6 = 6.283185307179586  # 2 * half_turn
+m4 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -359,7 +357,7 @@ def _regular(pose, q, status):
 
     # theta12m4, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
-    v2 = 1.0 / math.sqrt(v1)
+    v2 = math.sqrt(v1) * (1.0 / v1)
     c12m4 = T11 * v2
     s12m4 = T21 * v2
     angle1 = _atan2(T21, T11)
@@ -372,54 +370,34 @@ def _regular(pose, q, status):
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     v3 = m3 + m2 * N2
     v4 = T24 * v3
-    v5 = w2 * (m2 * T14)
-    S1_p = v4 - v5
-    S1_m = v4 + v5
-    v6 = T14 * v3
+    v5 = T14 * v3
+    v6 = w2 * (m2 * T14)
     v7 = w2 * (m2 * T24)
-    C1_p = v6 + v7
-    C1_m = v6 - v7
-    factor1 = 1.0 / N2
-    angle1__ = _atan2(S1_p, C1_p)
-    angle1___ = _atan2(S1_m, C1_m)
+    angle1__ = _atan2(v4 - v6, v5 + v7)
+    angle1___ = _atan2(v4 + v6, v5 - v7)
 
     # is the pose one that the arm can take?
-    v8 = m4 * N2 - m5
-    v9 = T14 * v8
-    v10 = T24 * v8
-    v11 = math.sqrt(-1.0)
-    v12 = (
-        0.0 if (abs(T34 - (d1 - r3)) <= pose_slack1 and (abs(1.0 + T33) <= pose_slack and (abs(T32)
-        <= pose_slack and (abs(T31) <= pose_slack and (abs(T23) <= pose_slack and (abs(c12m4 + T22)
-        <= pose_slack and (abs(T21 - s12m4) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 -
-        c12m4) <= pose_slack and abs(T12 - s12m4) <= pose_slack))))))))) else v11
-    )
-    v13 = w2 * (m4 * T24)
-    v14 = w2 * (m4 * T14)
-    v15 = (
-        0.0 if (abs(T14 - factor1 * (a2 * (v9 - v13) + a1 * C1_p)) <= pose_slack1 and abs(T24 -
-        factor1 * (a2 * (v10 + v14) + a1 * S1_p)) <= pose_slack1) else v11
-    )
-    v16 = (
-        0.0 if (abs(T14 - factor1 * (a2 * (v9 + v13) + a1 * C1_m)) <= pose_slack1 and abs(T24 -
-        factor1 * (a2 * (v10 - v14) + a1 * S1_m)) <= pose_slack1) else v11
+    v8 = math.sqrt(-1.0)
+    v9 = 0.0 if abs(T34 - (d1 - r3)) <= pose_slack1 else v8
+    v10 = (
+        0.0 if max(abs(T12 - s12m4), max(abs(T11 - c12m4), max(abs(T13), max(abs(T21 - s12m4),
+        max(abs(c12m4 + T22), max(abs(T23), max(abs(T31), max(abs(1.0 + T33), abs(T32))))))))) <=
+        pose_slack else v8
     )
 
     # joint values
-    v17 = angle1_ + angle1__ - angle1
-    v18 = angle1___ - angle1_ - angle1
-    q1_p = v15 + (angle1__ + v12)
-    q1_m = v16 + (angle1___ + v12)
-    q2_p = v15 + (angle1_ + v12)
-    q2_m = v16 + (v12 - angle1_)
-    v19 = v12 + (r3 + (w2 - w2))
-    q3_p = v15 + v19
-    q3_m = v16 + v19
+    v11 = angle1_ + angle1__ - angle1
+    v12 = angle1___ - angle1_ - angle1
+    q1_p = v10 + (angle1__ + v9)
+    q1_m = v10 + (angle1___ + v9)
+    q2_p = v10 + (angle1_ + v9)
+    q2_m = v10 + (v9 - angle1_)
+    q3_p = v10 + (v9 + (r3 + (w2 - w2)))
     q4_p = (
-        v15 + (v12 + (v17 - (m6 if half_turn < v17 else 0.0) + (m6 if v17 <= -half_turn else 0.0)))
+        v10 + (v9 + (v11 - (m4 if half_turn < v11 else 0.0) + (m4 if v11 <= -half_turn else 0.0)))
     )
     q4_m = (
-        v16 + (v12 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else 0.0)))
+        v10 + (v9 + (v12 - (m4 if half_turn < v12 else 0.0) + (m4 if v12 <= -half_turn else 0.0)))
     )
     doubt1 = (
         shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
@@ -435,7 +413,7 @@ def _regular(pose, q, status):
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_m
     q[1, 1] = q2_m
-    q[1, 2] = q3_m
+    q[1, 2] = q3_p
     q[1, 3] = q4_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     return True
@@ -568,10 +546,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [992, 1024, 1056, 1088],
-    [1120, 1152, 1184, 1216],
+    [928, 960, 992, 1024],
+    [1056, 1088, 992, 1120],
 ])
-_KINDS = np.array([1248, 1280])
+_KINDS = np.array([1152, 1184])
 _LEFT_OVER = 255
 
 
@@ -582,7 +560,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1312)
+    work = np.empty(1216)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -620,108 +598,81 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             r3 = d1 - T34
             v1 = T21 * T21 + T11 * T11
-            v2 = 1.0 / math.sqrt(v1)
+            v2 = math.sqrt(v1) * (1.0 / v1)
             c12m4 = T11 * v2
             s12m4 = T21 * v2
             N2 = T14 * T14 + T24 * T24
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
             v3 = m3 + m2 * N2
             v4 = T24 * v3
-            v5 = w2 * (m2 * T14)
-            S1_p = v4 - v5
-            S1_m = v4 + v5
-            v6 = T14 * v3
+            v5 = T14 * v3
+            v6 = w2 * (m2 * T14)
             v7 = w2 * (m2 * T24)
-            C1_p = v6 + v7
-            C1_m = v6 - v7
-            factor1 = 1.0 / N2
-            v8 = m4 * N2 - m5
-            v9 = T14 * v8
-            v10 = T24 * v8
-            v11 = math.sqrt(-1.0)
-            v12 = (
-                0.0 if (abs(T34 - (d1 - r3)) <= pose_slack1 and (abs(1.0 + T33) <= pose_slack and
-                (abs(T32) <= pose_slack and (abs(T31) <= pose_slack and (abs(T23) <= pose_slack and
-                (abs(c12m4 + T22) <= pose_slack and (abs(T21 - s12m4) <= pose_slack and (abs(T13) <=
-                pose_slack and (abs(T11 - c12m4) <= pose_slack and abs(T12 - s12m4) <=
-                pose_slack))))))))) else v11
+            v8 = math.sqrt(-1.0)
+            v9 = 0.0 if abs(T34 - (d1 - r3)) <= pose_slack1 else v8
+            v10 = (
+                0.0 if max(abs(T12 - s12m4), max(abs(T11 - c12m4), max(abs(T13), max(abs(T21 -
+                s12m4), max(abs(c12m4 + T22), max(abs(T23), max(abs(T31), max(abs(1.0 + T33),
+                abs(T32))))))))) <= pose_slack else v8
             )
-            v13 = w2 * (m4 * T24)
-            v14 = w2 * (m4 * T14)
-            v15 = (
-                0.0 if (abs(T14 - factor1 * (a2 * (v9 - v13) + a1 * C1_p)) <= pose_slack1 and
-                abs(T24 - factor1 * (a2 * (v10 + v14) + a1 * S1_p)) <= pose_slack1) else v11
-            )
-            v16 = (
-                0.0 if (abs(T14 - factor1 * (a2 * (v9 + v13) + a1 * C1_m)) <= pose_slack1 and
-                abs(T24 - factor1 * (a2 * (v10 - v14) + a1 * S1_m)) <= pose_slack1) else v11
-            )
-            v19 = v12 + (r3 + (w2 - w2))
-            q3_p = v15 + v19
-            q3_m = v16 + v19
+            q3_p = v10 + (v9 + (r3 + (w2 - w2)))
             doubt1 = (
                 shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
                 < longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
             )
-            work[544 + k] = v12
-            work[576 + k] = v15
-            work[608 + k] = v16
-            work[640 + k] = q3_p
-            work[672 + k] = q3_m
-            work[704 + k] = doubt1
-            work[736 + k] = T21
-            work[768 + k] = w2
-            work[800 + k] = S1_p
-            work[832 + k] = S1_m
-            work[864 + k] = T11
-            work[896 + k] = N2 - k1
-            work[928 + k] = C1_p
-            work[960 + k] = C1_m
-        for k in range(736, 864):
+            work[544 + k] = v9
+            work[576 + k] = v10
+            work[608 + k] = q3_p
+            work[640 + k] = doubt1
+            work[672 + k] = T21
+            work[704 + k] = w2
+            work[736 + k] = v4 - v6
+            work[768 + k] = v4 + v6
+            work[800 + k] = T11
+            work[832 + k] = N2 - k1
+            work[864 + k] = v5 + v7
+            work[896 + k] = v5 - v7
+        for k in range(672, 800):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v12 = work[544 + k]
-            v15 = work[576 + k]
-            v16 = work[608 + k]
-            q3_p = work[640 + k]
-            q3_m = work[672 + k]
-            doubt1 = work[704 + k] != 0.0
-            angle1 = work[736 + k]
-            angle1_ = work[768 + k]
-            angle1__ = work[800 + k]
-            angle1___ = work[832 + k]
-            v17 = angle1_ + angle1__ - angle1
-            v18 = angle1___ - angle1_ - angle1
-            q1_p = v15 + (angle1__ + v12)
-            q1_m = v16 + (angle1___ + v12)
-            q2_p = v15 + (angle1_ + v12)
-            q2_m = v16 + (v12 - angle1_)
+            v9 = work[544 + k]
+            v10 = work[576 + k]
+            q3_p = work[608 + k]
+            doubt1 = work[640 + k] != 0.0
+            angle1 = work[672 + k]
+            angle1_ = work[704 + k]
+            angle1__ = work[736 + k]
+            angle1___ = work[768 + k]
+            v11 = angle1_ + angle1__ - angle1
+            v12 = angle1___ - angle1_ - angle1
+            q1_p = v10 + (angle1__ + v9)
+            q1_m = v10 + (angle1___ + v9)
+            q2_p = v10 + (angle1_ + v9)
+            q2_m = v10 + (v9 - angle1_)
             q4_p = (
-                v15 + (v12 + (v17 - (m6 if half_turn < v17 else 0.0) + (m6 if v17 <= -half_turn else
+                v10 + (v9 + (v11 - (m4 if half_turn < v11 else 0.0) + (m4 if v11 <= -half_turn else
                 0.0)))
             )
             q4_m = (
-                v16 + (v12 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else
+                v10 + (v9 + (v12 - (m4 if half_turn < v12 else 0.0) + (m4 if v12 <= -half_turn else
                 0.0)))
             )
-            _992 = q1_p
+            _928 = q1_p
+            work[928 + k] = _928
+            _960 = q2_p
+            work[960 + k] = _960
+            _992 = q3_p
             work[992 + k] = _992
-            _1024 = q2_p
+            _1024 = q4_p
             work[1024 + k] = _1024
-            _1056 = q3_p
+            _1056 = q1_m
             work[1056 + k] = _1056
-            _1088 = q4_p
+            _1088 = q2_m
             work[1088 + k] = _1088
-            _1120 = q1_m
+            _1120 = q4_m
             work[1120 + k] = _1120
-            _1152 = q2_m
-            work[1152 + k] = _1152
-            _1184 = q3_m
-            work[1184 + k] = _1184
-            _1216 = q4_m
-            work[1216 + k] = _1216
-            work[1248 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1280 + k] = UNREACHABLE if _1120 != _1120 else OK
+            work[1152 + k] = UNREACHABLE if _928 != _928 else OK
+            work[1184 + k] = UNREACHABLE if _1056 != _1056 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -15,6 +15,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef ARM_6R_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -32,21 +35,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -78,7 +81,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -122,7 +125,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -148,8 +151,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef ARM_6R_LIBM
 #define atan2_wide atan2
 #else
@@ -159,7 +162,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -330,16 +333,8 @@ static const double m1 = 1.5624999999999999e-24; /* free_limit1^2 [m^2] */
 static const double m3 = 1.2499999999999998; /* a coefficient of S2 */
 static const double m4 = 0.04687500000000003; /* a coefficient of S2 */
 static const double m5 = 2.4414062499999996e-48; /* free_limit_squared2^2 [m^4] */
-static const double m6 = 0.16741071428571438; /* a coefficient of c23 */
-static const double m7 = 4.4642857142857135; /* a coefficient of c23 */
-static const double m8 = 1.2611607142857142; /* a coefficient of c23 */
-static const double m9 = 0.05357142857142861; /* a coefficient of c23 */
-static const double m10 = 1.4285714285714284; /* a coefficient of c23 */
-static const double m11 = 1.0937499999999998; /* a coefficient of s23 */
-static const double m12 = 2.522321428571428; /* a coefficient of s23 */
-static const double m15 = 1e-24; /* free_limit^2 */
+static const double m6 = 1e-24; /* free_limit^2 */
 static const double h1 = 1.0; /* m2 * 2 */
-static const double h2 = 0.05357142857142861; /* m13 + m14 */
 
 const char *const arm_6r_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -527,9 +522,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1 = d6 * T23 - T24;
     const wide v1 = wx * wx + Y1 * Y1;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
-    const wide v2 = wx * factor1;
-    const wide s1 = Y1 * factor1;
+    const wide v2 = 1.0 / v1;
     const wide angle1 = atan2_wide(Y1, -wx);
 
     /* theta3 */
@@ -537,114 +530,124 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide N3 = v1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide v3 = w3 - w3;
-    const wide angle1_ = atan2_wide(-(k1 * (N3 - k2)), k1 * w3);
-    const wide q3_pmp = copysign_wide(all_wide(half_turn), -(k1 * (N3 - k2))) * h1 - angle1_;
+    const wide v4 = k1 * (N3 - k2);
+    const wide v5 = k3 * v4;
+    const wide v6 = k1 * w3;
+    const wide c3 = k3 * v6;
+    const wide angle1_ = atan2_wide(-v4, v6);
+    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle1_;
 
     /* theta2 */
-    const wide v4 = m4 + m3 * N3;
-    const wide v5 = Z1_3 * v4;
-    const wide v6 = w3 * (m3 * w1);
-    const wide S2_pp = v6 - v5;
-    const wide v7 = v5 + v6;
-    const wide v8 = w3 * (m3 * Z1_3);
-    const wide v9 = w3 * (m3 * -Z1_3);
-    const wide v10 = w1 * v4;
-    const wide v11 = v8 + v10;
-    const wide v12 = v9 + v10;
-    const wide v13 = v8 - v10;
-    const wide v14 = v9 - v10;
-    const wide v15 = S2_pp * S2_pp;
-    const wide v16 = v15 + v11 * v11;
-    const wide v17 = v7 * v7;
-    const wide v18 = v17 + v12 * v12;
-    const wide v19 = v17 + v13 * v13;
-    const wide v20 = v15 + v14 * v14;
-    const wide factor2_pp = 1.0 / sqrt_wide(v16);
-    const wide factor2_pm = 1.0 / sqrt_wide(v18);
-    const wide factor2_mp = 1.0 / sqrt_wide(v19);
-    const wide factor2_mm = 1.0 / sqrt_wide(v20);
-    const wide angle1__ = atan2_wide(S2_pp, -v11);
-    const wide angle1___ = atan2_wide(-v7, -v12);
-    const wide angle1____ = atan2_wide(-v7, -v13);
-    const wide angle1_____ = atan2_wide(S2_pp, -v14);
+    const wide v7 = d4 * c3;
+    const wide Y1_2 = a2 + d4 * v5;
+    const wide v8 = Z1_3 * Y1_2;
+    const wide v9 = w1 * v7;
+    const wide v10 = v9 - v8;
+    const wide v11 = v8 + v9;
+    const wide v12 = m4 + m3 * N3;
+    const wide v13 = Z1_3 * v12;
+    const wide v14 = w3 * (m3 * w1);
+    const wide S2_pp = v14 - v13;
+    const wide v15 = v13 + v14;
+    const wide v16 = w1 * Y1_2;
+    const wide v17 = Z1_3 * v7;
+    const wide v18 = v16 + v17;
+    const wide v19 = v16 - v17;
+    const wide v20 = w3 * (m3 * Z1_3);
+    const wide v21 = w3 * (m3 * -Z1_3);
+    const wide v22 = w1 * v12;
+    const wide v23 = v20 + v22;
+    const wide v24 = v21 + v22;
+    const wide v25 = v20 - v22;
+    const wide v26 = v21 - v22;
+    const wide v27 = S2_pp * S2_pp;
+    const wide v28 = v27 + v23 * v23;
+    const wide v29 = v15 * v15;
+    const wide v30 = v29 + v24 * v24;
+    const wide v31 = v29 + v25 * v25;
+    const wide v32 = v27 + v26 * v26;
+    const wide w2_pp = sqrt_wide(v28);
+    const wide w2_pm = sqrt_wide(v30);
+    const wide w2_mp = sqrt_wide(v31);
+    const wide w2_mm = sqrt_wide(v32);
+    const wide v33 = 1.0 / v28;
+    const wide v34 = 1.0 / v30;
+    const wide v35 = 1.0 / v31;
+    const wide v36 = 1.0 / v32;
+    const wide angle1__ = atan2_wide(S2_pp, -v23);
+    const wide angle1___ = atan2_wide(-v15, -v24);
+    const wide angle1____ = atan2_wide(-v15, -v25);
+    const wide angle1_____ = atan2_wide(S2_pp, -v26);
 
     /* theta4 */
-    const wide v21 = m7 * N3;
-    const wide v22 = m6 + v21;
-    const wide v23 = v21 - m8;
-    const wide v24 = Z1_3 * (m9 - m10 * N3);
-    const wide v25 = v24 + w3 * (w1 * (v23 - v22));
-    const wide c23_pp = factor2_pp * v25;
-    const wide v26 = v24 + w3 * (w1 * (v22 + -v23));
-    const wide c23_pm = factor2_pm * v26;
-    const wide c23_mp = factor2_mp * v26;
-    const wide c23_mm = factor2_mm * v25;
-    const wide v27 = v21 - m11;
-    const wide v28 = m12 - v21;
-    const wide v29 = m10 * (Z1_3 * w3);
-    const wide v30 = m10 * (w3 * -Z1_3);
-    const wide v31 = w1 * (N3 * (v27 + v28) - h2);
-    const wide s23_pp = factor2_pp * (v31 - v29);
-    const wide s23_pm = factor2_pm * (v31 - v30);
-    const wide v32 = w1 * (h2 + N3 * (-v27 + -v28));
-    const wide s23_mp = factor2_mp * (v32 - v29);
-    const wide s23_mm = factor2_mm * (v32 - v30);
-    const wide v33 = T23 * s1 - T13 * v2;
-    const wide X4_pp = T33 * s23_pp - c23_pp * v33;
-    const wide X4_pm = T33 * s23_pm - c23_pm * v33;
-    const wide X4_mp = T33 * s23_mp + c23_mp * v33;
-    const wide X4_mm = T33 * s23_mm + c23_mm * v33;
-    const wide Y4 = T13 * s1 + T23 * v2;
-    const wide v34 = Y4 * Y4;
-    const wide v35 = v34 + X4_pp * X4_pp;
-    const wide v36 = v34 + X4_pm * X4_pm;
-    const wide v37 = v34 + X4_mp * X4_mp;
-    const wide v38 = v34 + X4_mm * X4_mm;
+    const wide v37 = v5 * v10 - c3 * v18;
+    const wide c23_pp = w2_pp * (v33 * v37);
+    const wide v38 = v5 * v11;
+    const wide c23_pm = w2_pm * (v34 * (c3 * v19 - v38));
+    const wide v39 = w2_mp * (v35 * (v38 + c3 * -v19));
+    const wide c23_mm = w2_mm * (v36 * v37);
+    const wide v40 = c3 * v10 + v5 * v18;
+    const wide s23_pp = w2_pp * (v33 * v40);
+    const wide v41 = c3 * v11;
+    const wide s23_pm = w2_pm * (v34 * (v41 + v5 * v19));
+    const wide s23_mp = w2_mp * (v35 * (v5 * -v19 - v41));
+    const wide v42 = w2_mm * (v36 * v40);
+    const wide v43 = w1 * (v2 * (T23 * Y1 - T13 * wx));
+    const wide X4_pp = T33 * s23_pp - c23_pp * v43;
+    const wide X4_pm = T33 * s23_pm - c23_pm * v43;
+    const wide X4_mp = T33 * s23_mp - v39 * v43;
+    const wide X4_mm = c23_mm * v43 - T33 * v42;
+    const wide Y4 = w1 * (v2 * (T13 * Y1 + wx * T23));
+    const wide v44 = Y4 * Y4;
+    const wide v45 = v44 + X4_pp * X4_pp;
+    const wide v46 = v44 + X4_pm * X4_pm;
+    const wide v47 = v44 + X4_mp * X4_mp;
+    const wide v48 = v44 + X4_mm * X4_mm;
     const wide angle1______ = atan2_wide(Y4, -X4_pp);
     const wide angle1_______ = atan2_wide(Y4, -X4_pm);
     const wide angle1________ = atan2_wide(-Y4, -X4_mp);
     const wide angle1_________ = atan2_wide(-Y4, -X4_mm);
-    const wide v39 = h1 * copysign_wide(all_wide(half_turn), Y4);
-    const wide v40 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle1______ - v39;
-    const wide q4_pmm = angle1_______ - v39;
-    const wide q4_mpm = angle1________ - v40;
-    const wide q4_mmm = angle1_________ - v40;
+    const wide v49 = h1 * copysign_wide(all_wide(half_turn), Y4);
+    const wide v50 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+    const wide q4_ppm = angle1______ - v49;
+    const wide q4_pmm = angle1_______ - v49;
+    const wide q4_mpm = angle1________ - v50;
+    const wide q4_mmm = angle1_________ - v50;
 
     /* theta5 */
-    const wide angle1__________ = atan2_wide(-sqrt_wide(v35), -(T33 * c23_pp + s23_pp * v33));
-    const wide angle1___________ = atan2_wide(-sqrt_wide(v36), -(T33 * c23_pm + s23_pm * v33));
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v37), s23_mp * v33 - T33 * c23_mp);
-    const wide angle1_____________ = atan2_wide(-sqrt_wide(v38), s23_mm * v33 - T33 * c23_mm);
+    const wide angle1__________ = atan2_wide(-sqrt_wide(v45), -(T33 * c23_pp + s23_pp * v43));
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v46), -(T33 * c23_pm + s23_pm * v43));
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v47), T33 * v39 + s23_mp * v43);
+    const wide angle1_____________ = atan2_wide(-sqrt_wide(v48), -(T33 * c23_mm + v42 * v43));
 
     /* theta6 */
-    const wide v41 = v2 * T22 + s1 * T12;
-    const wide v42 = s1 * T22 - v2 * T12;
-    const wide v43 = v2 * T21 + s1 * T11;
-    const wide v44 = s1 * T21 - v2 * T11;
-    const wide v45 = -X4_pp * v43 - Y4 * (c23_pp * v44 - s23_pp * T31);
-    const wide v46 = -X4_pm * v43 - Y4 * (c23_pm * v44 - s23_pm * T31);
-    const wide v47 = X4_mp * v43 - Y4 * (c23_mp * v44 + s23_mp * T31);
-    const wide v48 = X4_mm * v43 - Y4 * (c23_mm * v44 + s23_mm * T31);
-    const wide angle1______________ = atan2_wide(v45, -X4_pp * v41 - Y4 * (c23_pp * v42 - s23_pp *
+    const wide v51 = w1 * (v2 * (wx * T22 + Y1 * T12));
+    const wide v52 = w1 * (v2 * (Y1 * T22 - wx * T12));
+    const wide v53 = w1 * (v2 * (wx * T21 + Y1 * T11));
+    const wide v54 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const wide v55 = -X4_pp * v53 - Y4 * (c23_pp * v54 - s23_pp * T31);
+    const wide v56 = -X4_pm * v53 - Y4 * (c23_pm * v54 - s23_pm * T31);
+    const wide v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53;
+    const wide v58 = Y4 * (v42 * T31 - c23_mm * v54) - -X4_mm * v53;
+    const wide angle1______________ = atan2_wide(v55, -X4_pp * v51 - Y4 * (c23_pp * v52 - s23_pp *
         T32));
-    const wide angle1_______________ = atan2_wide(v46, -X4_pm * v41 - Y4 * (c23_pm * v42 - s23_pm *
+    const wide angle1_______________ = atan2_wide(v56, -X4_pm * v51 - Y4 * (c23_pm * v52 - s23_pm *
         T32));
-    const wide angle1________________ = atan2_wide(v47, X4_mp * v41 - Y4 * (c23_mp * v42 + s23_mp *
-        T32));
-    const wide angle1_________________ = atan2_wide(v48, X4_mm * v41 - Y4 * (c23_mm * v42 + s23_mm *
-        T32));
-    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v45);
-    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v46);
-    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v47);
-    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v48);
+    const wide angle1________________ = atan2_wide(v57, Y4 * (v39 * v52 - s23_mp * T32) - -X4_mp *
+        v51);
+    const wide angle1_________________ = atan2_wide(v58, Y4 * (v42 * T32 - c23_mm * v52) - -X4_mm *
+        v51);
+    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v55);
+    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v56);
+    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v57);
+    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v58);
 
     /* joint values */
     const wide q1_ppp = angle1 + v3;
     const wide q1_mpp = v3 + (angle1 - copysign_wide(all_wide(half_turn), Y1) * h1);
-    const wide_mask doubt1 = (v38 <= m15) | ((v20 <= m5) | ((v37 <= m15) | ((v19 <= m5) | ((v36 <=
-        m15) | ((v18 <= m5) | ((v35 <= m15) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v16 <=
+    const wide_mask doubt1 = (v48 <= m6) | ((v32 <= m5) | ((v47 <= m6) | ((v31 <= m5) | ((v46 <= m6)
+        | ((v30 <= m5) | ((v45 <= m6) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v28 <=
         m5))))))));
 
     q[0] = q1_ppp;
@@ -709,8 +712,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
 #if LANES > 1
 static const double m2 = 0.5; /* 1 / 2 */
-static const double m13 = 0.047293526785714315; /* a coefficient of s23 */
-static const double m14 = 0.0062779017857142955; /* a coefficient of s23 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -726,9 +727,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Y1 = d6 * T23 - T24;
     const double v1 = wx * wx + Y1 * Y1;
     const double w1 = sqrt(v1);
-    const double factor1 = 1.0 / w1;
-    const double v2 = wx * factor1;
-    const double s1 = Y1 * factor1;
+    const double v2 = 1.0 / v1;
     const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
@@ -736,67 +735,69 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double N3 = v1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
     const double v4 = w3 - w3;
-    const double v5 = copysign(half_turn, -(k1 * (N3 - k2)));
+    const double v5 = k1 * (N3 - k2);
+    const double v6 = k3 * v5;
+    const double v7 = k1 * w3;
+    const double c3 = k3 * v7;
+    const double v8 = copysign(half_turn, -v5);
 
     /* theta2 */
-    const four v6 = e1 * e2;
-    const double v7 = m4 + m3 * N3;
-    const double v8 = Z1_3 * v7;
-    const four S2 = w3 * (m3 * (w1 * v6)) - v8;
-    const four v9 = e2 * Z1_3;
-    const four v10 = w3 * (m3 * v9);
-    const four v11 = w1 * (e1 * v7);
-    const four v12 = v10 + v11;
-    const four v13 = S2 * S2 + v12 * v12;
-    const four factor2 = 1.0 / sqrt_four(v13);
+    const double v9 = d4 * c3;
+    const double Y1_2 = a2 + d4 * v6;
+    const double v10 = Z1_3 * Y1_2;
+    const double v11 = w1 * v9;
+    const four v12 = e1 * e2;
+    const four v13 = v11 * v12 - v10;
+    const double v14 = m4 + m3 * N3;
+    const double v15 = Z1_3 * v14;
+    const four S2 = w3 * (m3 * (w1 * v12)) - v15;
+    const double v16 = w1 * Y1_2;
+    const double v17 = Z1_3 * v9;
+    const four v18 = e2 * v17;
+    const four v19 = e1 * v16;
+    const four v20 = v18 + v19;
+    const four v21 = w3 * (m3 * (e2 * Z1_3));
+    const four v22 = w1 * (e1 * v14);
+    const four v23 = v21 + v22;
+    const four v24 = S2 * S2 + v23 * v23;
+    const four w2 = sqrt_four(v24);
+    const four v25 = 1.0 / v24;
 
     /* theta4 */
-    const double v14 = m7 * N3;
-    const double v15 = m6 + v14;
-    const four v16 = e1 * v15;
-    const double v17 = v14 - m8;
-    const double v18 = Z1_3 * (m9 - m10 * N3);
-    const four c23 = factor2 * (v18 + w3 * (w1 * (v6 * v17 - e2 * v16)));
-    const double v19 = v14 - m11;
-    const four v20 = e1 * v19;
-    const double v21 = m12 - v14;
-    const four v22 = e2 * v21;
-    const four v23 = m13 * e1;
-    const four v24 = m14 * e2;
-    const four v25 = m10 * (w3 * v9);
-    const four s23 = factor2 * (w1 * (N3 * (v20 + v6 * v22) - (v23 + v6 * v24)) - v25);
-    const double v26 = T23 * s1 - T13 * v2;
-    const four X4 = T33 * s23 - e1 * (c23 * v26);
-    const double Y4 = T13 * s1 + T23 * v2;
-    const double v27 = Y4 * Y4;
-    const four v28 = v27 + X4 * X4;
-    const four v29 = e1 * Y4;
-    const four v30 = copysign_four(all_four(half_turn), v29) * h1;
+    const four v26 = e2 * c3;
+    const four c23 = w2 * (v25 * (v6 * v13 - v20 * v26));
+    const four s23 = w2 * (v25 * (v13 * v26 + v6 * v20));
+    const double v27 = w1 * (v2 * (T23 * Y1 - T13 * wx));
+    const four X4 = T33 * s23 - e1 * (c23 * v27);
+    const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23));
+    const double v28 = Y4 * Y4;
+    const four v29 = v28 + X4 * X4;
+    const four v30 = e1 * Y4;
+    const four v31 = copysign_four(all_four(half_turn), v30) * h1;
 
     /* theta6 */
-    const double v31 = v2 * T22 + s1 * T12;
-    const double v32 = s1 * T22 - v2 * T12;
-    const double v33 = v2 * T21 + s1 * T11;
-    const double v34 = s1 * T21 - v2 * T11;
-    const four v35 = e1 * (-X4 * v33 - Y4 * (e1 * (c23 * v34) - s23 * T31));
+    const double v32 = w1 * (v2 * (wx * T22 + Y1 * T12));
+    const double v33 = w1 * (v2 * (Y1 * T22 - wx * T12));
+    const double v34 = w1 * (v2 * (wx * T21 + Y1 * T11));
+    const double v35 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const four v36 = e1 * (-X4 * v34 - Y4 * (e1 * (c23 * v35) - s23 * T31));
 
     /* joint values */
     const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt2 = (v13 <= m5) | (v28 <= m15);
+    const four_mask doubt2 = (v24 <= m5) | (v29 <= m6);
 
-    const four angle1__ = atan2_four(S2, -v12);
-    const four angle1___ = atan2_four(v29, -X4);
-    const four angle1____ = atan2_four(-sqrt_four(v28), -(T33 * c23 + e1 * (s23 * v26)));
-    const four angle1_____ = atan2_four(v35, e1 * (-X4 * v31 - Y4 * (e1 * (c23 * v32) - s23 *
+    const four angle1__ = atan2_four(S2, -v23);
+    const four angle1___ = atan2_four(v30, -X4);
+    const four angle1____ = atan2_four(-sqrt_four(v29), -(T33 * c23 + e1 * (s23 * v27)));
+    const four angle1_____ = atan2_four(v36, e1 * (-X4 * v32 - Y4 * (e1 * (c23 * v33) - s23 *
         T32)));
-    const four packed5 = atan2_four((four){ Y1, -(k1 * (N3 - k2)), Y1, Y1 }, (four){ -wx, k1 * w3,
-        -wx, -wx });
+    const four packed5 = atan2_four((four){ Y1, -v5, Y1, Y1 }, (four){ -wx, v7, -wx, -wx });
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
     const four angle1_ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_p = e2 * angle1_ + v5 * (m2 * (1.0 - e2));
-    const four q4_m = angle1___ - v30;
-    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v35);
+    const four q3_p = e2 * angle1_ + v8 * (m2 * (1.0 - e2));
+    const four q4_m = angle1___ - v31;
+    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v36);
     const four q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))

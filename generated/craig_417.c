@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef CRAIG_417_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef CRAIG_417_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -484,136 +487,138 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide inverse1 = 1.0 / N1;
     const wide v1 = k2 * T13;
     const wide v2 = k2 * T23;
-    const wide v3 = inverse1 * v2;
-    const wide v4 = w1 * (T13 * inverse1);
-    const wide c1_p = v3 - v4;
-    const wide c1_m = v3 + v4;
-    const wide v5 = inverse1 * v1;
-    const wide v6 = w1 * (T23 * inverse1);
-    const wide v7 = v5 + v6;
-    const wide v8 = v5 - v6;
+    const wide v3 = T13 * w1;
+    const wide v4 = inverse1 * (v2 - v3);
+    const wide v5 = inverse1 * (v2 + v3);
+    const wide v6 = inverse1 * v2;
+    const wide v7 = w1 * (T13 * inverse1);
+    const wide c1_p = v6 - v7;
+    const wide c1_m = v6 + v7;
+    const wide v8 = T23 * w1;
+    const wide v9 = inverse1 * (v1 + v8);
+    const wide v10 = inverse1 * (v1 - v8);
+    const wide v11 = inverse1 * v1;
+    const wide v12 = w1 * (T23 * inverse1);
+    const wide v13 = v11 + v12;
+    const wide v14 = v11 - v12;
 
     /* theta2 */
     const wide S2 = k2 * w1;
-    const wide v9 = k2 * T33;
-    const wide v10 = v9 * v9 + S2 * S2;
-    const wide v11 = 1.0 / sqrt_wide(v10);
-    const wide c2 = v9 * v11;
-    const wide v12 = S2 * v11;
-    const wide angle1 = atan2_wide(-S2, v9);
+    const wide v15 = k2 * T33;
+    const wide v16 = v15 * v15 + S2 * S2;
+    const wide w2 = sqrt_wide(v16);
+    const wide v17 = 1.0 / v16;
+    const wide v18 = w2 * v17;
+    const wide c2 = v15 * v18;
+    const wide v19 = S2 * v18;
+    const wide angle1 = atan2_wide(-S2, v15);
 
     /* theta34 */
-    const wide v13 = T23 * T11 - T13 * T21;
-    const wide v14 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
-    const wide v15 = v14 + w1 * (m2 * (inverse1 * v13));
-    const wide v16 = v14 + w1 * (m2 * (inverse1 * -v13));
-    const wide v17 = T23 * T12 - T13 * T22;
-    const wide v18 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
-    const wide v19 = v18 + w1 * (m2 * (inverse1 * v17));
-    const wide v20 = v18 + w1 * (m2 * (inverse1 * -v17));
-    const wide v21 = v15 * v15 + v19 * v19;
-    const wide v22 = v16 * v16 + v20 * v20;
-    const wide v23 = 1.0 / sqrt_wide(v21);
-    const wide v24 = 1.0 / sqrt_wide(v22);
-    const wide c34_p = v19 * v23;
-    const wide c34_m = v20 * v24;
-    const wide s34_p = v15 * v23;
-    const wide s34_m = v16 * v24;
+    const wide v20 = T23 * T11 - T13 * T21;
+    const wide v21 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
+    const wide v22 = v21 + w1 * (m2 * (inverse1 * v20));
+    const wide v23 = v21 + w1 * (m2 * (inverse1 * -v20));
+    const wide v24 = T23 * T12 - T13 * T22;
+    const wide v25 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
+    const wide v26 = v25 + w1 * (m2 * (inverse1 * v24));
+    const wide v27 = v25 + w1 * (m2 * (inverse1 * -v24));
+    const wide v28 = v22 * v22 + v26 * v26;
+    const wide v29 = v23 * v23 + v27 * v27;
+    const wide v30 = sqrt_wide(v28) * (1.0 / v28);
+    const wide v31 = sqrt_wide(v29) * (1.0 / v29);
+    const wide c34_p = v26 * v30;
+    const wide c34_m = v27 * v31;
+    const wide s34_p = v22 * v30;
+    const wide s34_m = v23 * v31;
 
     /* theta3 */
-    const wide v25 = 2.0 * T24;
-    const wide v26 = 2.0 * T14;
-    const wide v27 = T13 * v25 - T23 * v26;
-    const wide v28 = m4 - m3 * (inverse1 * (v1 * v26 + v2 * v25));
-    const wide v29 = v28 + w1 * (m3 * (inverse1 * v27));
-    const wide v30 = v28 + w1 * (m3 * (inverse1 * -v27));
-    const wide v31 = v2 * T14 - v1 * T24;
-    const wide v32 = w1 * (T13 * T14 + T23 * T24);
-    const wide v33 = m3 * (v11 * (w1 * T34));
-    const wide C3_p = c2 * (m2 * (inverse1 * (v31 - v32))) + v33;
-    const wide C3_m = c2 * (m2 * (inverse1 * (v31 + v32))) - v33;
-    const double v34 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const wide v35 = v29 * v29 + C3_p * C3_p;
-    const wide v36 = v30 * v30 + C3_m * C3_m;
-    const wide factor3_p = v34 / sqrt_wide(v35);
-    const wide factor3_m = v34 / sqrt_wide(v36);
+    const wide v32 = 2.0 * T24;
+    const wide v33 = 2.0 * T14;
+    const wide v34 = T13 * v32 - T23 * v33;
+    const wide v35 = m4 - m3 * (inverse1 * (v1 * v33 + v2 * v32));
+    const wide v36 = v35 + w1 * (m3 * (inverse1 * v34));
+    const wide v37 = v35 + w1 * (m3 * (inverse1 * -v34));
+    const wide v38 = S2 * T34;
+    const wide C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24))));
+    const wide C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)));
+    const double v39 = (k2 < 0.0) ? (-1.0) : 1.0;
+    const wide v40 = v36 * v36 + C3_p * C3_p;
+    const wide v41 = v37 * v37 + C3_m * C3_m;
+    const wide factor3_p = v39 / sqrt_wide(v40);
+    const wide factor3_m = v39 / sqrt_wide(v41);
     const wide c3_p = C3_p * factor3_p;
     const wide c3_m = C3_m * factor3_m;
-    const wide v37 = v29 * factor3_p;
-    const wide v38 = v30 * factor3_m;
-    const wide angle1_ = atan2_wide(-v37, c3_p);
-    const wide angle1__ = atan2_wide(-v38, c3_m);
+    const wide v42 = v36 * factor3_p;
+    const wide v43 = v37 * factor3_m;
+    const wide angle1_ = atan2_wide(-v42, c3_p);
+    const wide angle1__ = atan2_wide(-v43, c3_m);
 
     /* is the pose one that the arm can take? */
-    const wide v39 = c1_p * c2;
-    const wide v40 = c1_m * c2;
-    const wide v41 = 2.0 * v39;
-    const wide v42 = 2.0 * v40;
-    const wide v43 = c1_p * v12;
-    const wide v44 = c1_m * v12;
-    const wide v45 = sqrt2 * (v7 + v43);
-    const wide v46 = sqrt2 * (v8 - v44);
-    const wide v47 = k6 * c1_p;
-    const wide v48 = k6 * c1_m;
-    const wide v49 = k6 * v7;
-    const wide v50 = k6 * v8;
-    const wide v51 = v7 * c2;
-    const wide v52 = v8 * c2;
-    const wide v53 = 2.0 * v51;
-    const wide v54 = 2.0 * v52;
-    const wide v55 = v7 * v12;
-    const wide v56 = v8 * v12;
-    const wide v57 = sqrt2 * (c1_p - v55);
-    const wide v58 = sqrt2 * (c1_m + v56);
-    const wide v59 = v12 * 2.0;
-    const wide v60 = sqrt2 * c2;
-    const wide v61 = sqrt2 * (k6 * c2);
-    const wide v62 = 2.0 * (a3 * v12);
-    const wide v63 = a3 * v60;
-    const wide_mask v64 = abs_wide(T33 - k1 * v60) <= pose_slack;
-    const double v65 = sqrt(-1.0);
-    const wide v66 = pick_wide((abs_wide(T34 - k1 * (v61 + (v37 * v63 + c3_p * v62))) <=
-        pose_slack1) & (v64 & ((abs_wide(T32 + k1 * (c34_p * v60 + s34_p * v59)) <= pose_slack) &
-        ((abs_wide(T31 + k1 * (s34_p * v60 - c34_p * v59)) <= pose_slack) & ((abs_wide(T24 - k1 *
-        (sqrt2 * (v47 + v12 * v49) - (c3_p * (2.0 * (a3 * v51)) + v37 * (a3 * v57)))) <=
-        pose_slack1) & ((abs_wide(T23 - k1 * (sqrt2 * (c1_p + v55))) <= pose_slack) & ((abs_wide(T22
-        - k1 * (c34_p * v57 + s34_p * v53)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_p * v57 -
-        c34_p * v53)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_p * (2.0 * (a3 * v39)) - v37 * (a3
-        * v45) + sqrt2 * (v49 - v12 * v47))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v7 -
-        v43))) <= pose_slack) & ((abs_wide(T11 - k1 * (c34_p * v41 + s34_p * v45)) <= pose_slack) &
-        (abs_wide(T12 + k1 * (s34_p * v41 - c34_p * v45)) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(v65));
-    const wide v67 = pick_wide((abs_wide(T34 - k1 * (v61 + (v38 * v63 - c3_m * v62))) <=
-        pose_slack1) & (v64 & ((abs_wide(T32 + k1 * (c34_m * v60 - s34_m * v59)) <= pose_slack) &
-        ((abs_wide(T31 + k1 * (s34_m * v60 + c34_m * v59)) <= pose_slack) & ((abs_wide(T24 - k1 *
-        (sqrt2 * (v48 - v12 * v50) - (c3_m * (2.0 * (a3 * v52)) + v38 * (a3 * v58)))) <=
-        pose_slack1) & ((abs_wide(T23 - k1 * (sqrt2 * (c1_m - v56))) <= pose_slack) & ((abs_wide(T22
-        - k1 * (c34_m * v58 + s34_m * v54)) <= pose_slack) & ((abs_wide(T21 - k1 * (s34_m * v58 -
-        c34_m * v54)) <= pose_slack) & ((abs_wide(T14 - k1 * (c3_m * (2.0 * (a3 * v40)) - v38 * (a3
-        * v46) + sqrt2 * (v50 + v12 * v48))) <= pose_slack1) & ((abs_wide(T13 - k1 * (sqrt2 * (v8 +
-        v44))) <= pose_slack) & ((abs_wide(T11 - k1 * (c34_m * v42 + s34_m * v46)) <= pose_slack) &
-        (abs_wide(T12 + k1 * (s34_m * v42 - c34_m * v46)) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(v65));
+    const wide v44 = c1_p * c2;
+    const wide v45 = c1_m * c2;
+    const wide v46 = 2.0 * v44;
+    const wide v47 = 2.0 * v45;
+    const wide v48 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9;
+    const wide v49 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)));
+    const wide v50 = k6 * c1_p;
+    const wide v51 = k6 * c1_m;
+    const wide v52 = k6 * v13;
+    const wide v53 = k6 * v14;
+    const wide v54 = v13 * c2;
+    const wide v55 = v14 * c2;
+    const wide v56 = 2.0 * v54;
+    const wide v57 = 2.0 * v55;
+    const wide v58 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)));
+    const wide v59 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)));
+    const wide v60 = v19 * 2.0;
+    const wide v61 = sqrt2 * c2;
+    const wide v62 = sqrt2 * (k6 * c2);
+    const wide v63 = 2.0 * (a3 * v19);
+    const wide v64 = a3 * v61;
+    const wide v65 = abs_wide(T33 - k1 * v61);
+    const double v66 = sqrt(-1.0);
+    const wide v67 = pick_wide(maximum_wide(abs_wide(T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 *
+        (a3 * v48) + sqrt2 * (v52 - v19 * v50))), maximum_wide(abs_wide(T34 - k1 * (v62 + (v42 * v64
+        + c3_p * v63))), abs_wide(T24 - k1 * (sqrt2 * (v50 + v19 * v52) - (c3_p * (2.0 * (a3 * v54))
+        + v42 * (a3 * v58)))))) <= pose_slack1, all_wide(0.0), all_wide(v66));
+    const wide v68 = pick_wide(maximum_wide(abs_wide(T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 *
+        (a3 * v49) + sqrt2 * (v53 + v19 * v51))), maximum_wide(abs_wide(T34 - k1 * (v62 + (v43 * v64
+        - c3_m * v63))), abs_wide(T24 - k1 * (sqrt2 * (v51 - v19 * v53) - (c3_m * (2.0 * (a3 * v55))
+        + v43 * (a3 * v59)))))) <= pose_slack1, all_wide(0.0), all_wide(v66));
+    const wide v69 = pick_wide(maximum_wide(abs_wide(T12 + k1 * (s34_p * v46 - c34_p * v48)),
+        maximum_wide(abs_wide(T11 - k1 * (c34_p * v46 + s34_p * v48)), maximum_wide(abs_wide(T13 -
+        k1 * (sqrt2 * (v13 - c1_p * v19))), maximum_wide(abs_wide(T21 - k1 * (s34_p * v58 - c34_p *
+        v56)), maximum_wide(abs_wide(T22 - k1 * (c34_p * v58 + s34_p * v56)),
+        maximum_wide(abs_wide(T23 - k1 * (sqrt2 * (c1_p + v13 * v19))), maximum_wide(abs_wide(T31 +
+        k1 * (s34_p * v61 - c34_p * v60)), maximum_wide(v65, abs_wide(T32 + k1 * (c34_p * v61 +
+        s34_p * v60)))))))))) <= pose_slack, all_wide(0.0), all_wide(v66));
+    const wide v70 = pick_wide(maximum_wide(abs_wide(T12 + k1 * (s34_m * v47 - c34_m * v49)),
+        maximum_wide(abs_wide(T11 - k1 * (c34_m * v47 + s34_m * v49)), maximum_wide(abs_wide(T13 -
+        k1 * (sqrt2 * (v14 + c1_m * v19))), maximum_wide(abs_wide(T21 - k1 * (s34_m * v59 - c34_m *
+        v57)), maximum_wide(abs_wide(T22 - k1 * (c34_m * v59 + s34_m * v57)),
+        maximum_wide(abs_wide(T23 - k1 * (sqrt2 * (c1_m - v14 * v19))), maximum_wide(abs_wide(T31 +
+        k1 * (s34_m * v61 + c34_m * v60)), maximum_wide(v65, abs_wide(T32 + k1 * (c34_m * v61 -
+        s34_m * v60)))))))))) <= pose_slack, all_wide(0.0), all_wide(v66));
 
     /* joint values */
-    const wide angle1___ = atan2_wide(v15, v19);
-    const wide v68 = angle1___ - angle1_;
-    const wide angle1____ = atan2_wide(v16, v20);
-    const wide v69 = angle1____ - angle1__;
-    const wide angle1_____ = atan2_wide(-v7, c1_p);
-    const wide q1_p = v66 + angle1_____;
-    const wide angle1______ = atan2_wide(-v8, c1_m);
-    const wide q1_m = v67 + angle1______;
-    const wide q2_p = angle1 + v66;
-    const wide q2_m = v67 - angle1;
-    const wide q3_p = angle1_ + v66;
-    const wide q3_m = angle1__ + v67;
-    const wide q4_p = v66 + (v68 - pick_wide(half_turn < v68, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v68 <= -half_turn, all_wide(m6), all_wide(0.0)));
-    const wide q4_m = v67 + (v69 - pick_wide(half_turn < v69, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v69 <= -half_turn, all_wide(m6), all_wide(0.0)));
-    const wide_mask doubt1 = ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))) | (free1 | ((v36 <= m5) |
-        ((v22 <= m1) | ((v35 <= m5) | ((v21 <= m1) | (v10 <= m1))))));
+    const wide angle1___ = atan2_wide(v22, v26);
+    const wide v71 = angle1___ - angle1_;
+    const wide angle1____ = atan2_wide(v23, v27);
+    const wide v72 = angle1____ - angle1__;
+    const wide angle1_____ = atan2_wide(-v13, c1_p);
+    const wide q1_p = v69 + (v67 + angle1_____);
+    const wide angle1______ = atan2_wide(-v14, c1_m);
+    const wide q1_m = v70 + (v68 + angle1______);
+    const wide q2_p = v69 + (angle1 + v67);
+    const wide q2_m = v70 + (v68 - angle1);
+    const wide q3_p = v69 + (angle1_ + v67);
+    const wide q3_m = v70 + (angle1__ + v68);
+    const wide q4_p = v69 + (v67 + (v71 - pick_wide(half_turn < v71, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v71 <= -half_turn, all_wide(m6), all_wide(0.0))));
+    const wide q4_m = v70 + (v68 + (v72 - pick_wide(half_turn < v72, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v72 <= -half_turn, all_wide(m6), all_wide(0.0))));
+    const wide_mask doubt1 = ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))) | (free1 | ((v41 <= m5) |
+        ((v29 <= m1) | ((v40 <= m5) | ((v28 <= m1) | (v16 <= m1))))));
 
     q[0] = q1_p;
     q[1] = q2_p;
@@ -647,95 +652,97 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double inverse1 = 1.0 / N1;
     const double v1 = k2 * T13;
     const double v2 = k2 * T23;
-    const double v3 = inverse1 * v2;
-    const four c1 = v3 - w1 * (inverse1 * (e1 * T13));
-    const double v4 = inverse1 * v1;
-    const four v5 = v4 + w1 * (inverse1 * (e1 * T23));
+    const double v3 = T13 * w1;
+    const four v4 = inverse1 * (v2 - e1 * v3);
+    const double v5 = inverse1 * v2;
+    const four c1 = v5 - w1 * (inverse1 * (e1 * T13));
+    const double v6 = T23 * w1;
+    const four v7 = inverse1 * (v1 + e1 * v6);
+    const double v8 = inverse1 * v1;
+    const four v9 = v8 + w1 * (inverse1 * (e1 * T23));
 
     /* theta2 */
     const double S2 = k2 * w1;
-    const double v6 = k2 * T33;
-    const double v7 = v6 * v6 + S2 * S2;
-    const double v8 = 1.0 / sqrt(v7);
-    const double c2 = v6 * v8;
-    const double v9 = S2 * v8;
+    const double v10 = k2 * T33;
+    const double v11 = v10 * v10 + S2 * S2;
+    const double w2 = sqrt(v11);
+    const double v12 = 1.0 / v11;
+    const double v13 = w2 * v12;
+    const double c2 = v10 * v13;
+    const double v14 = S2 * v13;
+    const four v15 = e1 * S2;
 
     /* theta34 */
-    const double v10 = T23 * T11 - T13 * T21;
-    const double v11 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
-    const four v12 = v11 + w1 * (m2 * (inverse1 * (e1 * v10)));
-    const double v13 = T23 * T12 - T13 * T22;
-    const double v14 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
-    const four v15 = v14 + w1 * (m2 * (inverse1 * (e1 * v13)));
-    const four v16 = v12 * v12 + v15 * v15;
-    const four v17 = 1.0 / sqrt_four(v16);
-    const four c34 = v15 * v17;
-    const four s34 = v12 * v17;
+    const double v16 = T23 * T11 - T13 * T21;
+    const double v17 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
+    const four v18 = v17 + w1 * (m2 * (inverse1 * (e1 * v16)));
+    const double v19 = T23 * T12 - T13 * T22;
+    const double v20 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
+    const four v21 = v20 + w1 * (m2 * (inverse1 * (e1 * v19)));
+    const four v22 = v18 * v18 + v21 * v21;
+    const four v23 = sqrt_four(v22) * (1.0 / v22);
+    const four c34 = v21 * v23;
+    const four s34 = v18 * v23;
 
     /* theta3 */
-    const double v18 = 2.0 * T24;
-    const double v19 = 2.0 * T14;
-    const double v20 = T13 * v18 - T23 * v19;
-    const double v21 = m4 - m3 * (inverse1 * (v1 * v19 + v2 * v18));
-    const four v22 = v21 + w1 * (m3 * (inverse1 * (e1 * v20)));
-    const double v23 = T13 * T14 + T23 * T24;
-    const double v24 = v2 * T14 - v1 * T24;
-    const four C3 = c2 * (m2 * (inverse1 * (v24 - w1 * (e1 * v23)))) + m3 * (v8 * (w1 * (e1 *
-        T34)));
-    const double v25 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const four v26 = v22 * v22 + C3 * C3;
-    const four factor3 = v25 / sqrt_four(v26);
+    const double v24 = 2.0 * T24;
+    const double v25 = 2.0 * T14;
+    const double v26 = T13 * v24 - T23 * v25;
+    const double v27 = m4 - m3 * (inverse1 * (v1 * v25 + v2 * v24));
+    const four v28 = v27 + w1 * (m3 * (inverse1 * (e1 * v26)));
+    const four C3 = w2 * (m2 * (v12 * (S2 * (e1 * T34) + v10 * (c1 * T14 - v9 * T24))));
+    const double v29 = (k2 < 0.0) ? (-1.0) : 1.0;
+    const four v30 = v28 * v28 + C3 * C3;
+    const four factor3 = v29 / sqrt_four(v30);
     const four c3 = C3 * factor3;
-    const four v27 = v22 * factor3;
+    const four v31 = v28 * factor3;
 
     /* is the pose one that the arm can take? */
-    const four v28 = c1 * c2;
-    const four v29 = 2.0 * v28;
-    const four v30 = e1 * (c1 * v9);
-    const four v31 = sqrt2 * (v5 + v30);
-    const four v32 = k6 * c1;
-    const four v33 = k6 * v5;
-    const four v34 = v5 * c2;
-    const four v35 = 2.0 * v34;
-    const four v36 = e1 * (v5 * v9);
-    const four v37 = sqrt2 * (c1 - v36);
-    const double v38 = v9 * 2.0;
-    const double v39 = sqrt2 * c2;
-    const double v40 = sqrt2 * (k6 * c2);
-    const double v41 = 2.0 * (a3 * v9);
-    const double v42 = a3 * v39;
-    const int v43 = fabs(T33 - k1 * v39) <= pose_slack;
-    const double v44 = sqrt(-1.0);
-    const four v45 = pick_four((abs_four(T34 - k1 * (v40 + (v27 * v42 + e1 * (c3 * v41)))) <=
-        pose_slack1) & (where_four(v43) & ((abs_four(T32 + k1 * (c34 * v39 + e1 * (s34 * v38))) <=
-        pose_slack) & ((abs_four(T31 + k1 * (s34 * v39 - e1 * (c34 * v38))) <= pose_slack) &
-        ((abs_four(T24 - k1 * (sqrt2 * (v32 + e1 * (v9 * v33)) - (c3 * (2.0 * (a3 * v34)) + v27 *
-        (a3 * v37)))) <= pose_slack1) & ((abs_four(T23 - k1 * (sqrt2 * (c1 + v36))) <= pose_slack) &
-        ((abs_four(T22 - k1 * (c34 * v37 + s34 * v35)) <= pose_slack) & ((abs_four(T21 - k1 * (s34 *
-        v37 - c34 * v35)) <= pose_slack) & ((abs_four(T14 - k1 * (c3 * (2.0 * (a3 * v28)) - v27 *
-        (a3 * v31) + sqrt2 * (v33 - e1 * (v9 * v32)))) <= pose_slack1) & ((abs_four(T13 - k1 *
-        (sqrt2 * (v5 - v30))) <= pose_slack) & ((abs_four(T11 - k1 * (c34 * v29 + s34 * v31)) <=
-        pose_slack) & (abs_four(T12 + k1 * (s34 * v29 - c34 * v31)) <= pose_slack))))))))))),
-        all_four(0.0), all_four(v44));
+    const four v32 = c1 * c2;
+    const four v33 = 2.0 * v32;
+    const four v34 = w2 * (m4 * (v12 * (v4 * v15))) + m4 * v7;
+    const four v35 = k6 * c1;
+    const four v36 = k6 * v9;
+    const four v37 = v9 * c2;
+    const four v38 = 2.0 * v37;
+    const four v39 = m4 * v4 - w2 * (m4 * (v12 * (v7 * v15)));
+    const double v40 = v14 * 2.0;
+    const double v41 = sqrt2 * c2;
+    const double v42 = sqrt2 * (k6 * c2);
+    const double v43 = 2.0 * (a3 * v14);
+    const double v44 = a3 * v41;
+    const double v45 = fabs(T33 - k1 * v41);
+    const double v46 = sqrt(-1.0);
+    const four v47 = pick_four(maximum_four(abs_four(T14 - k1 * (c3 * (2.0 * (a3 * v32)) - v31 * (a3
+        * v34) + sqrt2 * (v36 - e1 * (v14 * v35)))), maximum_four(abs_four(T34 - k1 * (v42 + (v31 *
+        v44 + e1 * (c3 * v43)))), abs_four(T24 - k1 * (sqrt2 * (v35 + e1 * (v14 * v36)) - (c3 * (2.0
+        * (a3 * v37)) + v31 * (a3 * v39)))))) <= pose_slack1, all_four(0.0), all_four(v46));
+    const four v48 = pick_four(maximum_four(abs_four(T12 + k1 * (s34 * v33 - c34 * v34)),
+        maximum_four(abs_four(T11 - k1 * (c34 * v33 + s34 * v34)), maximum_four(abs_four(T13 - k1 *
+        (sqrt2 * (v9 - e1 * (c1 * v14)))), maximum_four(abs_four(T21 - k1 * (s34 * v39 - c34 *
+        v38)), maximum_four(abs_four(T22 - k1 * (c34 * v39 + s34 * v38)), maximum_four(abs_four(T23
+        - k1 * (sqrt2 * (c1 + e1 * (v9 * v14)))), maximum_four(abs_four(T31 + k1 * (s34 * v41 - e1 *
+        (c34 * v40))), maximum_four(all_four(v45), abs_four(T32 + k1 * (c34 * v41 + e1 * (s34 *
+        v40))))))))))) <= pose_slack, all_four(0.0), all_four(v46));
 
     /* joint values */
-    const four_mask doubt2 = (v16 <= m1) | (v26 <= m5);
-    const int doubt1 = ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))) | (free1 | (v7 <= m1));
+    const four_mask doubt2 = (v22 <= m1) | (v30 <= m5);
+    const int doubt1 = ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))) | (free1 | (v11 <= m1));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(-v27, v12, 0, 1, 6, 7),
-        __builtin_shufflevector(c3, v15, 0, 1, 6, 7));
+    const four packed1 = atan2_four(__builtin_shufflevector(-v31, v18, 0, 1, 6, 7),
+        __builtin_shufflevector(c3, v21, 0, 1, 6, 7));
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
-    const four packed2 = atan2_four(__builtin_shufflevector(-v5, all_four(-S2), 0, 1, 6, 3),
-        __builtin_shufflevector(c1, all_four(v6), 0, 1, 6, 3));
+    const four packed2 = atan2_four(__builtin_shufflevector(-v9, all_four(-S2), 0, 1, 6, 3),
+        __builtin_shufflevector(c1, all_four(v10), 0, 1, 6, 3));
     const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four v46 = angle1__ - angle1_;
-    const four q1 = v45 + angle1___;
-    const four q2 = v45 + e1 * angle1;
-    const four q3 = angle1_ + v45;
-    const four q4 = v45 + (v46 - pick_four(half_turn < v46, all_four(m6), all_four(0.0)) +
-        pick_four(v46 <= -half_turn, all_four(m6), all_four(0.0)));
+    const four v49 = angle1__ - angle1_;
+    const four q1 = v48 + (v47 + angle1___);
+    const four q2 = v48 + (v47 + e1 * angle1);
+    const four q3 = v48 + (angle1_ + v47);
+    const four q4 = v48 + (v47 + (v49 - pick_four(half_turn < v49, all_four(m6), all_four(0.0)) +
+        pick_four(v49 <= -half_turn, all_four(m6), all_four(0.0))));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

@@ -427,135 +427,143 @@ def _regular(pose, q, status):
     inverse1 = 1.0 / N1
     v1 = k2 * T13
     v2 = k2 * T23
-    v3 = inverse1 * v2
-    v4 = w1 * (T13 * inverse1)
-    c1_p = v3 - v4
-    c1_m = v3 + v4
-    v5 = inverse1 * v1
-    v6 = w1 * (T23 * inverse1)
-    v7 = v5 + v6
-    v8 = v5 - v6
+    v3 = T13 * w1
+    v4 = inverse1 * (v2 - v3)
+    v5 = inverse1 * (v2 + v3)
+    v6 = inverse1 * v2
+    v7 = w1 * (T13 * inverse1)
+    c1_p = v6 - v7
+    c1_m = v6 + v7
+    v8 = T23 * w1
+    v9 = inverse1 * (v1 + v8)
+    v10 = inverse1 * (v1 - v8)
+    v11 = inverse1 * v1
+    v12 = w1 * (T23 * inverse1)
+    v13 = v11 + v12
+    v14 = v11 - v12
 
     # theta2, type 3: U1[3, 3] and U1[1, 3]
     S2 = k2 * w1
-    v9 = k2 * T33
-    v10 = v9 * v9 + S2 * S2
-    v11 = 1.0 / math.sqrt(v10)
-    c2 = v9 * v11
-    v12 = S2 * v11
-    angle1 = _atan2(-S2, v9)
+    v15 = k2 * T33
+    v16 = v15 * v15 + S2 * S2
+    w2 = math.sqrt(v16)
+    v17 = 1.0 / v16
+    v18 = w2 * v17
+    c2 = v15 * v18
+    v19 = S2 * v18
+    angle1 = _atan2(-S2, v15)
 
     # theta34, type 3: U1[2, 2] and U1[2, 1]
-    v13 = T23 * T11 - T13 * T21
-    v14 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
-    v15 = v14 + w1 * (m2 * (inverse1 * v13))
-    v16 = v14 + w1 * (m2 * (inverse1 * -v13))
-    v17 = T23 * T12 - T13 * T22
-    v18 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
-    v19 = v18 + w1 * (m2 * (inverse1 * v17))
-    v20 = v18 + w1 * (m2 * (inverse1 * -v17))
-    v21 = v15 * v15 + v19 * v19
-    v22 = v16 * v16 + v20 * v20
-    v23 = 1.0 / math.sqrt(v21)
-    v24 = 1.0 / math.sqrt(v22)
-    c34_p = v19 * v23
-    c34_m = v20 * v24
-    s34_p = v15 * v23
-    s34_m = v16 * v24
+    v20 = T23 * T11 - T13 * T21
+    v21 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
+    v22 = v21 + w1 * (m2 * (inverse1 * v20))
+    v23 = v21 + w1 * (m2 * (inverse1 * -v20))
+    v24 = T23 * T12 - T13 * T22
+    v25 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
+    v26 = v25 + w1 * (m2 * (inverse1 * v24))
+    v27 = v25 + w1 * (m2 * (inverse1 * -v24))
+    v28 = v22 * v22 + v26 * v26
+    v29 = v23 * v23 + v27 * v27
+    v30 = math.sqrt(v28) * (1.0 / v28)
+    v31 = math.sqrt(v29) * (1.0 / v29)
+    c34_p = v26 * v30
+    c34_m = v27 * v31
+    s34_p = v22 * v30
+    s34_m = v23 * v31
 
     # theta3, type 3: U2[3, 4] and U2[1, 4]
-    v25 = 2.0 * T24
-    v26 = 2.0 * T14
-    v27 = T13 * v25 - T23 * v26
-    v28 = m4 - m3 * (inverse1 * (v1 * v26 + v2 * v25))
-    v29 = v28 + w1 * (m3 * (inverse1 * v27))
-    v30 = v28 + w1 * (m3 * (inverse1 * -v27))
-    v31 = v2 * T14 - v1 * T24
-    v32 = w1 * (T13 * T14 + T23 * T24)
-    v33 = m3 * (v11 * (w1 * T34))
-    C3_p = c2 * (m2 * (inverse1 * (v31 - v32))) + v33
-    C3_m = c2 * (m2 * (inverse1 * (v31 + v32))) - v33
-    v34 = -1.0 if k2 < 0.0 else 1.0
-    v35 = v29 * v29 + C3_p * C3_p
-    v36 = v30 * v30 + C3_m * C3_m
-    factor3_p = v34 / math.sqrt(v35)
-    factor3_m = v34 / math.sqrt(v36)
+    v32 = 2.0 * T24
+    v33 = 2.0 * T14
+    v34 = T13 * v32 - T23 * v33
+    v35 = m4 - m3 * (inverse1 * (v1 * v33 + v2 * v32))
+    v36 = v35 + w1 * (m3 * (inverse1 * v34))
+    v37 = v35 + w1 * (m3 * (inverse1 * -v34))
+    v38 = S2 * T34
+    C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24))))
+    C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)))
+    v39 = -1.0 if k2 < 0.0 else 1.0
+    v40 = v36 * v36 + C3_p * C3_p
+    v41 = v37 * v37 + C3_m * C3_m
+    factor3_p = v39 / math.sqrt(v40)
+    factor3_m = v39 / math.sqrt(v41)
     c3_p = C3_p * factor3_p
     c3_m = C3_m * factor3_m
-    v37 = v29 * factor3_p
-    v38 = v30 * factor3_m
-    angle1_ = _atan2(-v37, c3_p)
-    angle1__ = _atan2(-v38, c3_m)
+    v42 = v36 * factor3_p
+    v43 = v37 * factor3_m
+    angle1_ = _atan2(-v42, c3_p)
+    angle1__ = _atan2(-v43, c3_m)
 
     # is the pose one that the arm can take?
-    v39 = c1_p * c2
-    v40 = c1_m * c2
-    v41 = 2.0 * v39
-    v42 = 2.0 * v40
-    v43 = c1_p * v12
-    v44 = c1_m * v12
-    v45 = sqrt2 * (v7 + v43)
-    v46 = sqrt2 * (v8 - v44)
-    v47 = k6 * c1_p
-    v48 = k6 * c1_m
-    v49 = k6 * v7
-    v50 = k6 * v8
-    v51 = v7 * c2
-    v52 = v8 * c2
-    v53 = 2.0 * v51
-    v54 = 2.0 * v52
-    v55 = v7 * v12
-    v56 = v8 * v12
-    v57 = sqrt2 * (c1_p - v55)
-    v58 = sqrt2 * (c1_m + v56)
-    v59 = v12 * 2.0
-    v60 = sqrt2 * c2
-    v61 = sqrt2 * (k6 * c2)
-    v62 = 2.0 * (a3 * v12)
-    v63 = a3 * v60
-    v64 = abs(T33 - k1 * v60) <= pose_slack
-    v65 = math.sqrt(-1.0)
-    v66 = (
-        0.0 if (abs(T34 - k1 * (v61 + (v37 * v63 + c3_p * v62))) <= pose_slack1 and (v64 and
-        (abs(T32 + k1 * (c34_p * v60 + s34_p * v59)) <= pose_slack and (abs(T31 + k1 * (s34_p * v60
-        - c34_p * v59)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v47 + v12 * v49) - (c3_p * (2.0
-        * (a3 * v51)) + v37 * (a3 * v57)))) <= pose_slack1 and (abs(T23 - k1 * (sqrt2 * (c1_p +
-        v55))) <= pose_slack and (abs(T22 - k1 * (c34_p * v57 + s34_p * v53)) <= pose_slack and
-        (abs(T21 - k1 * (s34_p * v57 - c34_p * v53)) <= pose_slack and (abs(T14 - k1 * (c3_p * (2.0
-        * (a3 * v39)) - v37 * (a3 * v45) + sqrt2 * (v49 - v12 * v47))) <= pose_slack1 and (abs(T13 -
-        k1 * (sqrt2 * (v7 - v43))) <= pose_slack and (abs(T11 - k1 * (c34_p * v41 + s34_p * v45)) <=
-        pose_slack and abs(T12 + k1 * (s34_p * v41 - c34_p * v45)) <= pose_slack))))))))))) else v65
-    )
+    v44 = c1_p * c2
+    v45 = c1_m * c2
+    v46 = 2.0 * v44
+    v47 = 2.0 * v45
+    v48 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
+    v49 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
+    v50 = k6 * c1_p
+    v51 = k6 * c1_m
+    v52 = k6 * v13
+    v53 = k6 * v14
+    v54 = v13 * c2
+    v55 = v14 * c2
+    v56 = 2.0 * v54
+    v57 = 2.0 * v55
+    v58 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
+    v59 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
+    v60 = v19 * 2.0
+    v61 = sqrt2 * c2
+    v62 = sqrt2 * (k6 * c2)
+    v63 = 2.0 * (a3 * v19)
+    v64 = a3 * v61
+    v65 = abs(T33 - k1 * v61)
+    v66 = math.sqrt(-1.0)
     v67 = (
-        0.0 if (abs(T34 - k1 * (v61 + (v38 * v63 - c3_m * v62))) <= pose_slack1 and (v64 and
-        (abs(T32 + k1 * (c34_m * v60 - s34_m * v59)) <= pose_slack and (abs(T31 + k1 * (s34_m * v60
-        + c34_m * v59)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v48 - v12 * v50) - (c3_m * (2.0
-        * (a3 * v52)) + v38 * (a3 * v58)))) <= pose_slack1 and (abs(T23 - k1 * (sqrt2 * (c1_m -
-        v56))) <= pose_slack and (abs(T22 - k1 * (c34_m * v58 + s34_m * v54)) <= pose_slack and
-        (abs(T21 - k1 * (s34_m * v58 - c34_m * v54)) <= pose_slack and (abs(T14 - k1 * (c3_m * (2.0
-        * (a3 * v40)) - v38 * (a3 * v46) + sqrt2 * (v50 + v12 * v48))) <= pose_slack1 and (abs(T13 -
-        k1 * (sqrt2 * (v8 + v44))) <= pose_slack and (abs(T11 - k1 * (c34_m * v42 + s34_m * v46)) <=
-        pose_slack and abs(T12 + k1 * (s34_m * v42 - c34_m * v46)) <= pose_slack))))))))))) else v65
+        0.0 if max(abs(T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v48) + sqrt2 * (v52 - v19
+        * v50))), max(abs(T34 - k1 * (v62 + (v42 * v64 + c3_p * v63))), abs(T24 - k1 * (sqrt2 * (v50
+        + v19 * v52) - (c3_p * (2.0 * (a3 * v54)) + v42 * (a3 * v58)))))) <= pose_slack1 else v66
+    )
+    v68 = (
+        0.0 if max(abs(T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v49) + sqrt2 * (v53 + v19
+        * v51))), max(abs(T34 - k1 * (v62 + (v43 * v64 - c3_m * v63))), abs(T24 - k1 * (sqrt2 * (v51
+        - v19 * v53) - (c3_m * (2.0 * (a3 * v55)) + v43 * (a3 * v59)))))) <= pose_slack1 else v66
+    )
+    v69 = (
+        0.0 if max(abs(T12 + k1 * (s34_p * v46 - c34_p * v48)), max(abs(T11 - k1 * (c34_p * v46 +
+        s34_p * v48)), max(abs(T13 - k1 * (sqrt2 * (v13 - c1_p * v19))), max(abs(T21 - k1 * (s34_p *
+        v58 - c34_p * v56)), max(abs(T22 - k1 * (c34_p * v58 + s34_p * v56)), max(abs(T23 - k1 *
+        (sqrt2 * (c1_p + v13 * v19))), max(abs(T31 + k1 * (s34_p * v61 - c34_p * v60)), max(v65,
+        abs(T32 + k1 * (c34_p * v61 + s34_p * v60)))))))))) <= pose_slack else v66
+    )
+    v70 = (
+        0.0 if max(abs(T12 + k1 * (s34_m * v47 - c34_m * v49)), max(abs(T11 - k1 * (c34_m * v47 +
+        s34_m * v49)), max(abs(T13 - k1 * (sqrt2 * (v14 + c1_m * v19))), max(abs(T21 - k1 * (s34_m *
+        v59 - c34_m * v57)), max(abs(T22 - k1 * (c34_m * v59 + s34_m * v57)), max(abs(T23 - k1 *
+        (sqrt2 * (c1_m - v14 * v19))), max(abs(T31 + k1 * (s34_m * v61 + c34_m * v60)), max(v65,
+        abs(T32 + k1 * (c34_m * v61 - s34_m * v60)))))))))) <= pose_slack else v66
     )
 
     # joint values
-    angle1___ = _atan2(v15, v19)
-    v68 = angle1___ - angle1_
-    angle1____ = _atan2(v16, v20)
-    v69 = angle1____ - angle1__
-    angle1_____ = _atan2(-v7, c1_p)
-    q1_p = v66 + angle1_____
-    angle1______ = _atan2(-v8, c1_m)
-    q1_m = v67 + angle1______
-    q2_p = angle1 + v66
-    q2_m = v67 - angle1
-    q3_p = angle1_ + v66
-    q3_m = angle1__ + v67
-    q4_p = v66 + (v68 - (m6 if half_turn < v68 else 0.0) + (m6 if v68 <= -half_turn else 0.0))
-    q4_m = v67 + (v69 - (m6 if half_turn < v69 else 0.0) + (m6 if v69 <= -half_turn else 0.0))
+    angle1___ = _atan2(v22, v26)
+    v71 = angle1___ - angle1_
+    angle1____ = _atan2(v23, v27)
+    v72 = angle1____ - angle1__
+    angle1_____ = _atan2(-v13, c1_p)
+    q1_p = v69 + (v67 + angle1_____)
+    angle1______ = _atan2(-v14, c1_m)
+    q1_m = v70 + (v68 + angle1______)
+    q2_p = v69 + (angle1 + v67)
+    q2_m = v70 + (v68 - angle1)
+    q3_p = v69 + (angle1_ + v67)
+    q3_m = v70 + (angle1__ + v68)
+    q4_p = (
+        v69 + (v67 + (v71 - (m6 if half_turn < v71 else 0.0) + (m6 if v71 <= -half_turn else 0.0)))
+    )
+    q4_m = (
+        v70 + (v68 + (v72 - (m6 if half_turn < v72 else 0.0) + (m6 if v72 <= -half_turn else 0.0)))
+    )
     doubt1 = (
-        -k4 <= D1 and (free1 or not (k5 < D1)) or (free1 or (v36 <= m5 or (v22 <= m1 or (v35 <= m5
-        or (v21 <= m1 or v10 <= m1)))))
+        -k4 <= D1 and (free1 or not (k5 < D1)) or (free1 or (v41 <= m5 or (v29 <= m1 or (v40 <= m5
+        or (v28 <= m1 or v16 <= m1)))))
     )
     # a joint is free, or branches meet
     if doubt1:
@@ -698,10 +706,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1088, 1120, 1152, 1184],
-    [1216, 1248, 1280, 1312],
+    [1152, 1184, 1216, 1248],
+    [1280, 1312, 1344, 1376],
 ])
-_KINDS = np.array([1344, 1376])
+_KINDS = np.array([1408, 1440])
 _LEFT_OVER = 255
 
 
@@ -712,7 +720,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1408)
+    work = np.empty(1472)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -755,173 +763,185 @@ def _in_tiles(T, q, status):
             inverse1 = 1.0 / N1
             v1 = k2 * T13
             v2 = k2 * T23
-            v3 = inverse1 * v2
-            v4 = w1 * (T13 * inverse1)
-            c1_p = v3 - v4
-            c1_m = v3 + v4
-            v5 = inverse1 * v1
-            v6 = w1 * (T23 * inverse1)
-            v7 = v5 + v6
-            v8 = v5 - v6
+            v3 = T13 * w1
+            v4 = inverse1 * (v2 - v3)
+            v5 = inverse1 * (v2 + v3)
+            v6 = inverse1 * v2
+            v7 = w1 * (T13 * inverse1)
+            c1_p = v6 - v7
+            c1_m = v6 + v7
+            v8 = T23 * w1
+            v9 = inverse1 * (v1 + v8)
+            v10 = inverse1 * (v1 - v8)
+            v11 = inverse1 * v1
+            v12 = w1 * (T23 * inverse1)
+            v13 = v11 + v12
+            v14 = v11 - v12
             S2 = k2 * w1
-            v9 = k2 * T33
-            v10 = v9 * v9 + S2 * S2
-            v11 = 1.0 / math.sqrt(v10)
-            c2 = v9 * v11
-            v12 = S2 * v11
-            v13 = T23 * T11 - T13 * T21
-            v14 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
-            v15 = v14 + w1 * (m2 * (inverse1 * v13))
-            v16 = v14 + w1 * (m2 * (inverse1 * -v13))
-            v17 = T23 * T12 - T13 * T22
-            v18 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
-            v19 = v18 + w1 * (m2 * (inverse1 * v17))
-            v20 = v18 + w1 * (m2 * (inverse1 * -v17))
-            v21 = v15 * v15 + v19 * v19
-            v22 = v16 * v16 + v20 * v20
-            v23 = 1.0 / math.sqrt(v21)
-            v24 = 1.0 / math.sqrt(v22)
-            c34_p = v19 * v23
-            c34_m = v20 * v24
-            s34_p = v15 * v23
-            s34_m = v16 * v24
-            v25 = 2.0 * T24
-            v26 = 2.0 * T14
-            v27 = T13 * v25 - T23 * v26
-            v28 = m4 - m3 * (inverse1 * (v1 * v26 + v2 * v25))
-            v29 = v28 + w1 * (m3 * (inverse1 * v27))
-            v30 = v28 + w1 * (m3 * (inverse1 * -v27))
-            v31 = v2 * T14 - v1 * T24
-            v32 = w1 * (T13 * T14 + T23 * T24)
-            v33 = m3 * (v11 * (w1 * T34))
-            C3_p = c2 * (m2 * (inverse1 * (v31 - v32))) + v33
-            C3_m = c2 * (m2 * (inverse1 * (v31 + v32))) - v33
-            v34 = -1.0 if k2 < 0.0 else 1.0
-            v35 = v29 * v29 + C3_p * C3_p
-            v36 = v30 * v30 + C3_m * C3_m
-            factor3_p = v34 / math.sqrt(v35)
-            factor3_m = v34 / math.sqrt(v36)
+            v15 = k2 * T33
+            v16 = v15 * v15 + S2 * S2
+            w2 = math.sqrt(v16)
+            v17 = 1.0 / v16
+            v18 = w2 * v17
+            c2 = v15 * v18
+            v19 = S2 * v18
+            v20 = T23 * T11 - T13 * T21
+            v21 = m2 * (inverse1 * (v1 * T11 + v2 * T21))
+            v22 = v21 + w1 * (m2 * (inverse1 * v20))
+            v23 = v21 + w1 * (m2 * (inverse1 * -v20))
+            v24 = T23 * T12 - T13 * T22
+            v25 = m2 * (inverse1 * (v1 * T12 + v2 * T22))
+            v26 = v25 + w1 * (m2 * (inverse1 * v24))
+            v27 = v25 + w1 * (m2 * (inverse1 * -v24))
+            v28 = v22 * v22 + v26 * v26
+            v29 = v23 * v23 + v27 * v27
+            v30 = math.sqrt(v28) * (1.0 / v28)
+            v31 = math.sqrt(v29) * (1.0 / v29)
+            c34_p = v26 * v30
+            c34_m = v27 * v31
+            s34_p = v22 * v30
+            s34_m = v23 * v31
+            v32 = 2.0 * T24
+            v33 = 2.0 * T14
+            v34 = T13 * v32 - T23 * v33
+            v35 = m4 - m3 * (inverse1 * (v1 * v33 + v2 * v32))
+            v36 = v35 + w1 * (m3 * (inverse1 * v34))
+            v37 = v35 + w1 * (m3 * (inverse1 * -v34))
+            v38 = S2 * T34
+            C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24))))
+            C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)))
+            v39 = -1.0 if k2 < 0.0 else 1.0
+            v40 = v36 * v36 + C3_p * C3_p
+            v41 = v37 * v37 + C3_m * C3_m
+            factor3_p = v39 / math.sqrt(v40)
+            factor3_m = v39 / math.sqrt(v41)
             c3_p = C3_p * factor3_p
             c3_m = C3_m * factor3_m
-            v37 = v29 * factor3_p
-            v38 = v30 * factor3_m
-            v39 = c1_p * c2
-            v40 = c1_m * c2
-            v41 = 2.0 * v39
-            v42 = 2.0 * v40
-            v43 = c1_p * v12
-            v44 = c1_m * v12
-            v45 = sqrt2 * (v7 + v43)
-            v46 = sqrt2 * (v8 - v44)
-            v47 = k6 * c1_p
-            v48 = k6 * c1_m
-            v49 = k6 * v7
-            v50 = k6 * v8
-            v51 = v7 * c2
-            v52 = v8 * c2
-            v53 = 2.0 * v51
-            v54 = 2.0 * v52
-            v55 = v7 * v12
-            v56 = v8 * v12
-            v57 = sqrt2 * (c1_p - v55)
-            v58 = sqrt2 * (c1_m + v56)
-            v59 = v12 * 2.0
-            v60 = sqrt2 * c2
-            v61 = sqrt2 * (k6 * c2)
-            v62 = 2.0 * (a3 * v12)
-            v63 = a3 * v60
-            v64 = abs(T33 - k1 * v60) <= pose_slack
-            v65 = math.sqrt(-1.0)
-            v66 = (
-                0.0 if (abs(T34 - k1 * (v61 + (v37 * v63 + c3_p * v62))) <= pose_slack1 and (v64 and
-                (abs(T32 + k1 * (c34_p * v60 + s34_p * v59)) <= pose_slack and (abs(T31 + k1 *
-                (s34_p * v60 - c34_p * v59)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v47 + v12 *
-                v49) - (c3_p * (2.0 * (a3 * v51)) + v37 * (a3 * v57)))) <= pose_slack1 and (abs(T23
-                - k1 * (sqrt2 * (c1_p + v55))) <= pose_slack and (abs(T22 - k1 * (c34_p * v57 +
-                s34_p * v53)) <= pose_slack and (abs(T21 - k1 * (s34_p * v57 - c34_p * v53)) <=
-                pose_slack and (abs(T14 - k1 * (c3_p * (2.0 * (a3 * v39)) - v37 * (a3 * v45) + sqrt2
-                * (v49 - v12 * v47))) <= pose_slack1 and (abs(T13 - k1 * (sqrt2 * (v7 - v43))) <=
-                pose_slack and (abs(T11 - k1 * (c34_p * v41 + s34_p * v45)) <= pose_slack and
-                abs(T12 + k1 * (s34_p * v41 - c34_p * v45)) <= pose_slack))))))))))) else v65
-            )
+            v42 = v36 * factor3_p
+            v43 = v37 * factor3_m
+            v44 = c1_p * c2
+            v45 = c1_m * c2
+            v46 = 2.0 * v44
+            v47 = 2.0 * v45
+            v48 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
+            v49 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
+            v50 = k6 * c1_p
+            v51 = k6 * c1_m
+            v52 = k6 * v13
+            v53 = k6 * v14
+            v54 = v13 * c2
+            v55 = v14 * c2
+            v56 = 2.0 * v54
+            v57 = 2.0 * v55
+            v58 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
+            v59 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
+            v60 = v19 * 2.0
+            v61 = sqrt2 * c2
+            v62 = sqrt2 * (k6 * c2)
+            v63 = 2.0 * (a3 * v19)
+            v64 = a3 * v61
+            v65 = abs(T33 - k1 * v61)
+            v66 = math.sqrt(-1.0)
             v67 = (
-                0.0 if (abs(T34 - k1 * (v61 + (v38 * v63 - c3_m * v62))) <= pose_slack1 and (v64 and
-                (abs(T32 + k1 * (c34_m * v60 - s34_m * v59)) <= pose_slack and (abs(T31 + k1 *
-                (s34_m * v60 + c34_m * v59)) <= pose_slack and (abs(T24 - k1 * (sqrt2 * (v48 - v12 *
-                v50) - (c3_m * (2.0 * (a3 * v52)) + v38 * (a3 * v58)))) <= pose_slack1 and (abs(T23
-                - k1 * (sqrt2 * (c1_m - v56))) <= pose_slack and (abs(T22 - k1 * (c34_m * v58 +
-                s34_m * v54)) <= pose_slack and (abs(T21 - k1 * (s34_m * v58 - c34_m * v54)) <=
-                pose_slack and (abs(T14 - k1 * (c3_m * (2.0 * (a3 * v40)) - v38 * (a3 * v46) + sqrt2
-                * (v50 + v12 * v48))) <= pose_slack1 and (abs(T13 - k1 * (sqrt2 * (v8 + v44))) <=
-                pose_slack and (abs(T11 - k1 * (c34_m * v42 + s34_m * v46)) <= pose_slack and
-                abs(T12 + k1 * (s34_m * v42 - c34_m * v46)) <= pose_slack))))))))))) else v65
+                0.0 if max(abs(T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v48) + sqrt2 *
+                (v52 - v19 * v50))), max(abs(T34 - k1 * (v62 + (v42 * v64 + c3_p * v63))), abs(T24 -
+                k1 * (sqrt2 * (v50 + v19 * v52) - (c3_p * (2.0 * (a3 * v54)) + v42 * (a3 * v58))))))
+                <= pose_slack1 else v66
+            )
+            v68 = (
+                0.0 if max(abs(T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v49) + sqrt2 *
+                (v53 + v19 * v51))), max(abs(T34 - k1 * (v62 + (v43 * v64 - c3_m * v63))), abs(T24 -
+                k1 * (sqrt2 * (v51 - v19 * v53) - (c3_m * (2.0 * (a3 * v55)) + v43 * (a3 * v59))))))
+                <= pose_slack1 else v66
+            )
+            v69 = (
+                0.0 if max(abs(T12 + k1 * (s34_p * v46 - c34_p * v48)), max(abs(T11 - k1 * (c34_p *
+                v46 + s34_p * v48)), max(abs(T13 - k1 * (sqrt2 * (v13 - c1_p * v19))), max(abs(T21 -
+                k1 * (s34_p * v58 - c34_p * v56)), max(abs(T22 - k1 * (c34_p * v58 + s34_p * v56)),
+                max(abs(T23 - k1 * (sqrt2 * (c1_p + v13 * v19))), max(abs(T31 + k1 * (s34_p * v61 -
+                c34_p * v60)), max(v65, abs(T32 + k1 * (c34_p * v61 + s34_p * v60)))))))))) <=
+                pose_slack else v66
+            )
+            v70 = (
+                0.0 if max(abs(T12 + k1 * (s34_m * v47 - c34_m * v49)), max(abs(T11 - k1 * (c34_m *
+                v47 + s34_m * v49)), max(abs(T13 - k1 * (sqrt2 * (v14 + c1_m * v19))), max(abs(T21 -
+                k1 * (s34_m * v59 - c34_m * v57)), max(abs(T22 - k1 * (c34_m * v59 + s34_m * v57)),
+                max(abs(T23 - k1 * (sqrt2 * (c1_m - v14 * v19))), max(abs(T31 + k1 * (s34_m * v61 +
+                c34_m * v60)), max(v65, abs(T32 + k1 * (c34_m * v61 - s34_m * v60)))))))))) <=
+                pose_slack else v66
             )
             doubt1 = (
-                -k4 <= D1 and (free1 or not (k5 < D1)) or (free1 or (v36 <= m5 or (v22 <= m1 or (v35
-                <= m5 or (v21 <= m1 or v10 <= m1)))))
+                -k4 <= D1 and (free1 or not (k5 < D1)) or (free1 or (v41 <= m5 or (v29 <= m1 or (v40
+                <= m5 or (v28 <= m1 or v16 <= m1)))))
             )
-            work[544 + k] = v66
-            work[576 + k] = v67
-            work[608 + k] = doubt1
-            work[640 + k] = -S2
-            work[672 + k] = -v37
-            work[704 + k] = -v38
-            work[736 + k] = v15
-            work[768 + k] = v16
-            work[800 + k] = -v7
-            work[832 + k] = -v8
-            work[864 + k] = v9
-            work[896 + k] = c3_p
-            work[928 + k] = c3_m
-            work[960 + k] = v19
-            work[992 + k] = v20
-            work[1024 + k] = c1_p
-            work[1056 + k] = c1_m
-        for k in range(640, 864):
+            work[544 + k] = v67
+            work[576 + k] = v68
+            work[608 + k] = v69
+            work[640 + k] = v70
+            work[672 + k] = doubt1
+            work[704 + k] = -S2
+            work[736 + k] = -v42
+            work[768 + k] = -v43
+            work[800 + k] = v22
+            work[832 + k] = v23
+            work[864 + k] = -v13
+            work[896 + k] = -v14
+            work[928 + k] = v15
+            work[960 + k] = c3_p
+            work[992 + k] = c3_m
+            work[1024 + k] = v26
+            work[1056 + k] = v27
+            work[1088 + k] = c1_p
+            work[1120 + k] = c1_m
+        for k in range(704, 928):
             work[k] = _atan2(work[k], work[k + 224])
         for k in range(0, 32):
-            v66 = work[544 + k]
-            v67 = work[576 + k]
-            doubt1 = work[608 + k] != 0.0
-            angle1 = work[640 + k]
-            angle1_ = work[672 + k]
-            angle1__ = work[704 + k]
-            angle1___ = work[736 + k]
-            angle1____ = work[768 + k]
-            angle1_____ = work[800 + k]
-            angle1______ = work[832 + k]
-            v68 = angle1___ - angle1_
-            v69 = angle1____ - angle1__
-            q1_p = v66 + angle1_____
-            q1_m = v67 + angle1______
-            q2_p = angle1 + v66
-            q2_m = v67 - angle1
-            q3_p = angle1_ + v66
-            q3_m = angle1__ + v67
+            v67 = work[544 + k]
+            v68 = work[576 + k]
+            v69 = work[608 + k]
+            v70 = work[640 + k]
+            doubt1 = work[672 + k] != 0.0
+            angle1 = work[704 + k]
+            angle1_ = work[736 + k]
+            angle1__ = work[768 + k]
+            angle1___ = work[800 + k]
+            angle1____ = work[832 + k]
+            angle1_____ = work[864 + k]
+            angle1______ = work[896 + k]
+            v71 = angle1___ - angle1_
+            v72 = angle1____ - angle1__
+            q1_p = v69 + (v67 + angle1_____)
+            q1_m = v70 + (v68 + angle1______)
+            q2_p = v69 + (angle1 + v67)
+            q2_m = v70 + (v68 - angle1)
+            q3_p = v69 + (angle1_ + v67)
+            q3_m = v70 + (angle1__ + v68)
             q4_p = (
-                v66 + (v68 - (m6 if half_turn < v68 else 0.0) + (m6 if v68 <= -half_turn else 0.0))
+                v69 + (v67 + (v71 - (m6 if half_turn < v71 else 0.0) + (m6 if v71 <= -half_turn else
+                0.0)))
             )
             q4_m = (
-                v67 + (v69 - (m6 if half_turn < v69 else 0.0) + (m6 if v69 <= -half_turn else 0.0))
+                v70 + (v68 + (v72 - (m6 if half_turn < v72 else 0.0) + (m6 if v72 <= -half_turn else
+                0.0)))
             )
-            _1088 = q1_p
-            work[1088 + k] = _1088
-            _1120 = q2_p
-            work[1120 + k] = _1120
-            _1152 = q3_p
+            _1152 = q1_p
             work[1152 + k] = _1152
-            _1184 = q4_p
+            _1184 = q2_p
             work[1184 + k] = _1184
-            _1216 = q1_m
+            _1216 = q3_p
             work[1216 + k] = _1216
-            _1248 = q2_m
+            _1248 = q4_p
             work[1248 + k] = _1248
-            _1280 = q3_m
+            _1280 = q1_m
             work[1280 + k] = _1280
-            _1312 = q4_m
+            _1312 = q2_m
             work[1312 + k] = _1312
-            work[1344 + k] = UNREACHABLE if _1088 != _1088 else OK
-            work[1376 + k] = UNREACHABLE if _1216 != _1216 else OK
+            _1344 = q3_m
+            work[1344 + k] = _1344
+            _1376 = q4_m
+            work[1376 + k] = _1376
+            work[1408 + k] = UNREACHABLE if _1152 != _1152 else OK
+            work[1440 + k] = UNREACHABLE if _1280 != _1280 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -16,6 +16,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef CYLINDRICAL_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -33,21 +36,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -79,7 +82,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -123,7 +126,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -149,8 +152,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef CYLINDRICAL_LIBM
 #define atan2_wide atan2
 #else
@@ -160,7 +163,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -407,27 +410,31 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 
     /* theta1 */
     const wide v1 = T21 * T21 + T11 * T11;
+    const wide w1 = sqrt_wide(v1);
     const wide_mask doubt1 = v1 <= m1;
-    const wide v2 = 1.0 / sqrt_wide(v1);
-    const wide c1 = T11 * v2;
-    const wide s1 = T21 * v2;
+    const wide v2 = 1.0 / v1;
+    const wide v3 = w1 * v2;
+    const wide c1 = T11 * v3;
+    const wide s1 = T21 * v3;
 
     /* r3 */
-    const wide r3 = c1 * T24 - s1 * T14;
+    const wide r3 = w1 * (v2 * (T11 * T24 - T21 * T14));
 
     /* is the pose one that the arm can take? */
-    const wide v3 = pick_wide((abs_wide(T34 - (d1 + r2)) <= pose_slack1) & ((abs_wide(T33) <=
-        pose_slack) & ((abs_wide(1.0 + T32) <= pose_slack) & ((abs_wide(T31) <= pose_slack) &
-        ((abs_wide(T24 - c1 * r3) <= pose_slack1) & ((abs_wide(T23 - c1) <= pose_slack) &
-        ((abs_wide(T22) <= pose_slack) & ((abs_wide(T21 - s1) <= pose_slack) & ((abs_wide(T14 + s1 *
-        r3) <= pose_slack1) & ((abs_wide(s1 + T13) <= pose_slack) & ((abs_wide(T11 - c1) <=
-        pose_slack) & (abs_wide(T12) <= pose_slack))))))))))), all_wide(0.0), all_wide(sqrt(-1.0)));
+    const double v4 = sqrt(-1.0);
+    const wide v5 = pick_wide(maximum_wide(abs_wide(T14 + s1 * r3), maximum_wide(abs_wide(T34 - (d1
+        + r2)), abs_wide(T24 - c1 * r3))) <= pose_slack1, all_wide(0.0), all_wide(v4));
+    const wide v6 = pick_wide(maximum_wide(abs_wide(T12), maximum_wide(abs_wide(T11 - c1),
+        maximum_wide(abs_wide(s1 + T13), maximum_wide(abs_wide(T21 - s1),
+        maximum_wide(abs_wide(T22), maximum_wide(abs_wide(T23 - c1), maximum_wide(abs_wide(T31),
+        maximum_wide(abs_wide(T33), abs_wide(1.0 + T32))))))))) <= pose_slack, all_wide(0.0),
+        all_wide(v4));
 
     /* joint values */
     const wide angle1 = atan2_wide(T21, T11);
-    const wide q1 = v3 + angle1;
-    const wide q2 = r2 + v3;
-    const wide q3 = r3 + v3;
+    const wide q1 = v6 + (v5 + angle1);
+    const wide q2 = v6 + (r2 + v5);
+    const wide q3 = v6 + (r3 + v5);
 
     q[0] = q1;
     q[1] = q2;
@@ -451,28 +458,32 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
 
     /* theta1 */
     const double v1 = T21 * T21 + T11 * T11;
+    const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / sqrt(v1);
-    const double c1 = T11 * v2;
-    const double s1 = T21 * v2;
+    const double v2 = 1.0 / v1;
+    const double v3 = w1 * v2;
+    const double c1 = T11 * v3;
+    const double s1 = T21 * v3;
 
     /* r3 */
-    const double r3 = c1 * T24 - s1 * T14;
+    const double r3 = w1 * (v2 * (T11 * T24 - T21 * T14));
 
     /* is the pose one that the arm can take? */
-    const double v3 = ((fabs(T34 - (d1 + r2)) <= pose_slack1) & ((fabs(T33) <= pose_slack) &
-        ((fabs(1.0 + T32) <= pose_slack) & ((fabs(T31) <= pose_slack) & ((fabs(T24 - c1 * r3) <=
-        pose_slack1) & ((fabs(T23 - c1) <= pose_slack) & ((fabs(T22) <= pose_slack) & ((fabs(T21 -
-        s1) <= pose_slack) & ((fabs(T14 + s1 * r3) <= pose_slack1) & ((fabs(s1 + T13) <= pose_slack)
-        & ((fabs(T11 - c1) <= pose_slack) & (fabs(T12) <= pose_slack)))))))))))) ? 0.0 : sqrt(-1.0);
+    const double v4 = sqrt(-1.0);
+    const double v5 = (maximum_double(fabs(T14 + s1 * r3), maximum_double(fabs(T34 - (d1 + r2)),
+        fabs(T24 - c1 * r3))) <= pose_slack1) ? 0.0 : v4;
+    const double v6 = (maximum_double(fabs(T12), maximum_double(fabs(T11 - c1),
+        maximum_double(fabs(s1 + T13), maximum_double(fabs(T21 - s1), maximum_double(fabs(T22),
+        maximum_double(fabs(T23 - c1), maximum_double(fabs(T31), maximum_double(fabs(T33), fabs(1.0
+        + T32))))))))) <= pose_slack) ? 0.0 : v4;
 
     /* joint values */
-    const double q2 = r2 + v3;
-    const double q3 = r3 + v3;
+    const double q2 = v6 + (r2 + v5);
+    const double q3 = v6 + (r3 + v5);
 
     const four packed1 = atan2_four((four){ T21, T21, T21, T21 }, (four){ T11, T11, T11, T11 });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four q1 = v3 + angle1;
+    const four q1 = v6 + (v5 + angle1);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

@@ -266,28 +266,32 @@ def _regular(pose, q, status):
 
     # theta1, type 3: U0[1, 3] and U0[2, 3]
     v1 = T21 * T21 + T11 * T11
+    w1 = math.sqrt(v1)
     doubt1 = v1 <= m1
-    v2 = 1.0 / math.sqrt(v1)
-    c1 = T11 * v2
-    s1 = T21 * v2
+    v2 = 1.0 / v1
+    v3 = w1 * v2
+    c1 = T11 * v3
+    s1 = T21 * v3
 
     # r3, type 1: U1[2, 4]
-    r3 = c1 * T24 - s1 * T14
+    r3 = w1 * (v2 * (T11 * T24 - T21 * T14))
 
     # is the pose one that the arm can take?
-    v3 = (
-        0.0 if (abs(T34 - (d1 + r2)) <= pose_slack1 and (abs(T33) <= pose_slack and (abs(1.0 + T32)
-        <= pose_slack and (abs(T31) <= pose_slack and (abs(T24 - c1 * r3) <= pose_slack1 and
-        (abs(T23 - c1) <= pose_slack and (abs(T22) <= pose_slack and (abs(T21 - s1) <= pose_slack
-        and (abs(T14 + s1 * r3) <= pose_slack1 and (abs(s1 + T13) <= pose_slack and (abs(T11 - c1)
-        <= pose_slack and abs(T12) <= pose_slack))))))))))) else math.sqrt(-1.0)
+    v4 = math.sqrt(-1.0)
+    v5 = (
+        0.0 if max(abs(T14 + s1 * r3), max(abs(T34 - (d1 + r2)), abs(T24 - c1 * r3))) <= pose_slack1
+        else v4
+    )
+    v6 = (
+        0.0 if max(abs(T12), max(abs(T11 - c1), max(abs(s1 + T13), max(abs(T21 - s1), max(abs(T22),
+        max(abs(T23 - c1), max(abs(T31), max(abs(T33), abs(1.0 + T32))))))))) <= pose_slack else v4
     )
 
     # joint values
     angle1 = _atan2(T21, T11)
-    q1 = v3 + angle1
-    q2 = r2 + v3
-    q3 = r3 + v3
+    q1 = v6 + (v5 + angle1)
+    q2 = v6 + (r2 + v5)
+    q3 = v6 + (r3 + v5)
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -425,9 +429,9 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [736, 768, 800],
+    [768, 800, 832],
 ])
-_KINDS = np.array([832])
+_KINDS = np.array([864])
 _LEFT_OVER = 255
 
 
@@ -438,7 +442,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(864)
+    work = np.empty(896)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -476,43 +480,49 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             r2 = T34 - d1
             v1 = T21 * T21 + T11 * T11
+            w1 = math.sqrt(v1)
             doubt1 = v1 <= m1
-            v2 = 1.0 / math.sqrt(v1)
-            c1 = T11 * v2
-            s1 = T21 * v2
-            r3 = c1 * T24 - s1 * T14
-            v3 = (
-                0.0 if (abs(T34 - (d1 + r2)) <= pose_slack1 and (abs(T33) <= pose_slack and (abs(1.0
-                + T32) <= pose_slack and (abs(T31) <= pose_slack and (abs(T24 - c1 * r3) <=
-                pose_slack1 and (abs(T23 - c1) <= pose_slack and (abs(T22) <= pose_slack and
-                (abs(T21 - s1) <= pose_slack and (abs(T14 + s1 * r3) <= pose_slack1 and (abs(s1 +
-                T13) <= pose_slack and (abs(T11 - c1) <= pose_slack and abs(T12) <=
-                pose_slack))))))))))) else math.sqrt(-1.0)
+            v2 = 1.0 / v1
+            v3 = w1 * v2
+            c1 = T11 * v3
+            s1 = T21 * v3
+            r3 = w1 * (v2 * (T11 * T24 - T21 * T14))
+            v4 = math.sqrt(-1.0)
+            v5 = (
+                0.0 if max(abs(T14 + s1 * r3), max(abs(T34 - (d1 + r2)), abs(T24 - c1 * r3))) <=
+                pose_slack1 else v4
             )
-            q2 = r2 + v3
-            q3 = r3 + v3
+            v6 = (
+                0.0 if max(abs(T12), max(abs(T11 - c1), max(abs(s1 + T13), max(abs(T21 - s1),
+                max(abs(T22), max(abs(T23 - c1), max(abs(T31), max(abs(T33), abs(1.0 + T32)))))))))
+                <= pose_slack else v4
+            )
+            q2 = v6 + (r2 + v5)
+            q3 = v6 + (r3 + v5)
             work[544 + k] = doubt1
-            work[576 + k] = v3
-            work[608 + k] = q2
-            work[640 + k] = q3
-            work[672 + k] = T21
-            work[704 + k] = T11
-        for k in range(672, 704):
+            work[576 + k] = v5
+            work[608 + k] = v6
+            work[640 + k] = q2
+            work[672 + k] = q3
+            work[704 + k] = T21
+            work[736 + k] = T11
+        for k in range(704, 736):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
             doubt1 = work[544 + k] != 0.0
-            v3 = work[576 + k]
-            q2 = work[608 + k]
-            q3 = work[640 + k]
-            angle1 = work[672 + k]
-            q1 = v3 + angle1
-            _736 = q1
-            work[736 + k] = _736
-            _768 = q2
+            v5 = work[576 + k]
+            v6 = work[608 + k]
+            q2 = work[640 + k]
+            q3 = work[672 + k]
+            angle1 = work[704 + k]
+            q1 = v6 + (v5 + angle1)
+            _768 = q1
             work[768 + k] = _768
-            _800 = q3
+            _800 = q2
             work[800 + k] = _800
-            work[832 + k] = UNREACHABLE if _736 != _736 else OK
+            _832 = q3
+            work[832 + k] = _832
+            work[864 + k] = UNREACHABLE if _768 != _768 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

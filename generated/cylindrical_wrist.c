@@ -16,6 +16,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef CYLINDRICAL_WRIST_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -34,21 +37,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -80,7 +83,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -124,7 +127,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -150,8 +153,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef CYLINDRICAL_WRIST_LIBM
 #define atan2_wide atan2
 #else
@@ -161,7 +164,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -457,36 +460,31 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
 
     /* theta1, r3 */
     const wide wy = T24 - d6 * T23;
-    const wide v1 = d6 * T13 - T14;
-    const wide v2 = v1 * v1 + wy * wy;
-    const wide q3_pp = sqrt_wide(v2);
-    const wide factor1 = 1.0 / q3_pp;
-    const wide c1 = wy * factor1;
-    const wide s1 = v1 * factor1;
-    const wide angle1 = atan2_wide(v1, wy);
-    const wide q1_mp = angle1 - copysign_wide(all_wide(half_turn), v1) * h1;
+    const wide s1 = d6 * T13 - T14;
+    const wide v1 = s1 * s1 + wy * wy;
+    const wide q3_pp = sqrt_wide(v1);
+    const wide factor1 = q3_pp * (1.0 / v1);
+    const wide angle1 = atan2_wide(s1, wy);
+    const wide q1_mp = angle1 - copysign_wide(all_wide(half_turn), s1) * h1;
 
     /* theta4 */
-    const wide X4 = T13 * c1 + T23 * s1;
-    const wide v3 = T33 * T33 + X4 * X4;
-    const wide w4 = sqrt_wide(v3);
-    const wide factor4 = 1.0 / w4;
-    const wide v4 = X4 * factor4;
-    const wide s4 = T33 * factor4;
-    const wide angle1_ = atan2_wide(T33, -X4);
+    const wide X4 = wy * T13 + T23 * s1;
+    const wide v2 = factor1 * X4;
+    const wide v3 = T33 * T33 + factor1 * (X4 * v2);
+    const wide angle1_ = atan2_wide(T33, -v2);
     const wide q4_pm = angle1_ - h1 * copysign_wide(all_wide(half_turn), T33);
 
     /* theta5 */
-    const wide angle1__ = atan2_wide(-w4, T23 * c1 - T13 * s1);
-    const wide q5_mp = h1 * copysign_wide(all_wide(half_turn), -w4) - angle1__;
+    const wide angle1__ = atan2_wide(-sqrt_wide(v3), factor1 * (T23 * wy - T13 * s1));
+    const wide q5_mp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v3)) - angle1__;
 
     /* theta6 */
-    const wide v5 = v4 * T31 - s4 * (c1 * T11 + s1 * T21);
-    const wide angle1___ = atan2_wide(v5, v4 * T32 - s4 * (c1 * T12 + s1 * T22));
-    const wide q6_pm = angle1___ - h1 * copysign_wide(all_wide(half_turn), v5);
+    const wide v4 = X4 * T31 - T33 * (wy * T11 + s1 * T21);
+    const wide angle1___ = atan2_wide(v4, X4 * T32 - T33 * (wy * T12 + s1 * T22));
+    const wide q6_pm = angle1___ - h1 * copysign_wide(all_wide(half_turn), v4);
 
     /* joint values */
-    const wide_mask doubt1 = (v2 <= m1) | (v3 <= m3);
+    const wide_mask doubt1 = (v1 <= m1) | (v3 <= m3);
 
     q[0] = angle1;
     q[1] = q2_pp;
@@ -537,46 +535,41 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
 
     /* theta1, r3 */
     const double wy = T24 - d6 * T23;
-    const double v1 = d6 * T13 - T14;
-    const double v2 = v1 * v1 + wy * wy;
-    const double w3 = sqrt(v2);
-    const double factor1 = 1.0 / w3;
-    const double c1 = wy * factor1;
-    const double s1 = v1 * factor1;
-    const double v3 = copysign(half_turn, v1);
-    const four v4 = e1 - 1.0;
+    const double s1 = d6 * T13 - T14;
+    const double v1 = s1 * s1 + wy * wy;
+    const double w3 = sqrt(v1);
+    const double factor1 = w3 * (1.0 / v1);
+    const double v2 = copysign(half_turn, s1);
+    const four v3 = e1 - 1.0;
 
     /* theta4 */
-    const double X4 = T13 * c1 + T23 * s1;
-    const double v5 = T33 * T33 + X4 * X4;
-    const double w4 = sqrt(v5);
-    const double factor4 = 1.0 / w4;
-    const double v6 = X4 * factor4;
-    const double s4 = T33 * factor4;
-    const double v7 = copysign(half_turn, T33);
+    const double X4 = wy * T13 + T23 * s1;
+    const double v4 = factor1 * X4;
+    const double v5 = T33 * T33 + factor1 * (X4 * v4);
+    const double v6 = copysign(half_turn, T33);
 
     /* theta5 */
-    const double v9 = copysign(half_turn, -w4);
+    const double v8 = copysign(half_turn, -sqrt(v5));
 
     /* theta6 */
-    const double v10 = v6 * T31 - s4 * (c1 * T11 + s1 * T21);
-    const double v11 = copysign(half_turn, v10);
+    const double v9 = X4 * T31 - T33 * (wy * T11 + s1 * T21);
+    const double v10 = copysign(half_turn, v9);
 
     /* joint values */
     const four q3 = e1 * w3;
-    const int doubt1 = (v2 <= m1) | (v5 <= m3);
+    const int doubt1 = (v1 <= m1) | (v5 <= m3);
 
-    const four packed1 = atan2_four((four){ v1, T33, -w4, v10 }, (four){ wy, -X4, T23 * c1 - T13 *
-        s1, v6 * T32 - s4 * (c1 * T12 + s1 * T22) });
+    const four packed1 = atan2_four((four){ s1, T33, -sqrt(v5), v9 }, (four){ wy, -v4, factor1 *
+        (T23 * wy - T13 * s1), X4 * T32 - T33 * (wy * T12 + s1 * T22) });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle1___ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four q1 = angle1 + v3 * (m2 * v4);
-    const four v8 = e1 * angle1_;
-    const four q4 = v8 + v7 * (m2 * (e2 - e1));
-    const four q5_ = e1 * angle1__ + v9 * (m2 * -v4);
-    const four q6 = angle1___ + v11 * (m2 * (e1 * e2 - 1.0));
+    const four q1 = angle1 + v2 * (m2 * v3);
+    const four v7 = e1 * angle1_;
+    const four q4 = v7 + v6 * (m2 * (e2 - e1));
+    const four q5_ = e1 * angle1__ + v8 * (m2 * -v3);
+    const four q6 = angle1___ + v10 * (m2 * (e1 * e2 - 1.0));
     const four q5 = e2 * q5_;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))

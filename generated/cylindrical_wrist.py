@@ -374,36 +374,31 @@ def _regular(pose, q, status):
 
     # theta1, r3, type 4: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
     wy = T24 - d6 * T23
-    v1 = d6 * T13 - T14
-    v2 = v1 * v1 + wy * wy
-    q3_pp = math.sqrt(v2)
-    factor1 = 1.0 / q3_pp
-    c1 = wy * factor1
-    s1 = v1 * factor1
-    angle1 = _atan2(v1, wy)
-    q1_mp = angle1 - math.copysign(half_turn, v1) * h1
+    s1 = d6 * T13 - T14
+    v1 = s1 * s1 + wy * wy
+    q3_pp = math.sqrt(v1)
+    factor1 = q3_pp * (1.0 / v1)
+    angle1 = _atan2(s1, wy)
+    q1_mp = angle1 - math.copysign(half_turn, s1) * h1
 
     # theta4, type 2: U4[3, 3]
-    X4 = T13 * c1 + T23 * s1
-    v3 = T33 * T33 + X4 * X4
-    w4 = math.sqrt(v3)
-    factor4 = 1.0 / w4
-    v4 = X4 * factor4
-    s4 = T33 * factor4
-    angle1_ = _atan2(T33, -X4)
+    X4 = wy * T13 + T23 * s1
+    v2 = factor1 * X4
+    v3 = T33 * T33 + factor1 * (X4 * v2)
+    angle1_ = _atan2(T33, -v2)
     q4_pm = angle1_ - h1 * math.copysign(half_turn, T33)
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1__ = _atan2(-w4, T23 * c1 - T13 * s1)
-    q5_mp = h1 * math.copysign(half_turn, -w4) - angle1__
+    angle1__ = _atan2(-math.sqrt(v3), factor1 * (T23 * wy - T13 * s1))
+    q5_mp = h1 * math.copysign(half_turn, -math.sqrt(v3)) - angle1__
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v5 = v4 * T31 - s4 * (c1 * T11 + s1 * T21)
-    angle1___ = _atan2(v5, v4 * T32 - s4 * (c1 * T12 + s1 * T22))
-    q6_pm = angle1___ - h1 * math.copysign(half_turn, v5)
+    v4 = X4 * T31 - T33 * (wy * T11 + s1 * T21)
+    angle1___ = _atan2(v4, X4 * T32 - T33 * (wy * T12 + s1 * T22))
+    q6_pm = angle1___ - h1 * math.copysign(half_turn, v4)
 
     # joint values
-    doubt1 = v2 <= m1 or v3 <= m3
+    doubt1 = v1 <= m1 or v3 <= m3
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -619,52 +614,47 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             q2_pp = T34 - d6 * T33 - d1
             wy = T24 - d6 * T23
-            v1 = d6 * T13 - T14
-            v2 = v1 * v1 + wy * wy
-            q3_pp = math.sqrt(v2)
-            factor1 = 1.0 / q3_pp
-            c1 = wy * factor1
-            s1 = v1 * factor1
-            X4 = T13 * c1 + T23 * s1
-            v3 = T33 * T33 + X4 * X4
-            w4 = math.sqrt(v3)
-            factor4 = 1.0 / w4
-            v4 = X4 * factor4
-            s4 = T33 * factor4
-            v5 = v4 * T31 - s4 * (c1 * T11 + s1 * T21)
-            doubt1 = v2 <= m1 or v3 <= m3
+            s1 = d6 * T13 - T14
+            v1 = s1 * s1 + wy * wy
+            q3_pp = math.sqrt(v1)
+            factor1 = q3_pp * (1.0 / v1)
+            X4 = wy * T13 + T23 * s1
+            v2 = factor1 * X4
+            v3 = T33 * T33 + factor1 * (X4 * v2)
+            v4 = X4 * T31 - T33 * (wy * T11 + s1 * T21)
+            doubt1 = v1 <= m1 or v3 <= m3
             work[544 + k] = q2_pp
-            work[576 + k] = v1
+            work[576 + k] = s1
             work[608 + k] = q3_pp
-            work[640 + k] = w4
-            work[672 + k] = v5
+            work[640 + k] = v3
+            work[672 + k] = v4
             work[704 + k] = doubt1
-            work[736 + k] = v1
+            work[736 + k] = s1
             work[768 + k] = T33
-            work[800 + k] = -w4
-            work[832 + k] = v5
+            work[800 + k] = -math.sqrt(v3)
+            work[832 + k] = v4
             work[864 + k] = wy
-            work[896 + k] = -X4
-            work[928 + k] = T23 * c1 - T13 * s1
-            work[960 + k] = v4 * T32 - s4 * (c1 * T12 + s1 * T22)
+            work[896 + k] = -v2
+            work[928 + k] = factor1 * (T23 * wy - T13 * s1)
+            work[960 + k] = X4 * T32 - T33 * (wy * T12 + s1 * T22)
         for k in range(736, 864):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
             T33 = work[320 + k]
             q2_pp = work[544 + k]
-            v1 = work[576 + k]
+            s1 = work[576 + k]
             q3_pp = work[608 + k]
-            w4 = work[640 + k]
-            v5 = work[672 + k]
+            v3 = work[640 + k]
+            v4 = work[672 + k]
             doubt1 = work[704 + k] != 0.0
             angle1 = work[736 + k]
             angle1_ = work[768 + k]
             angle1__ = work[800 + k]
             angle1___ = work[832 + k]
-            q1_mp = angle1 - math.copysign(half_turn, v1) * h1
+            q1_mp = angle1 - math.copysign(half_turn, s1) * h1
             q4_pm = angle1_ - h1 * math.copysign(half_turn, T33)
-            q5_mp = h1 * math.copysign(half_turn, -w4) - angle1__
-            q6_pm = angle1___ - h1 * math.copysign(half_turn, v5)
+            q5_mp = h1 * math.copysign(half_turn, -math.sqrt(v3)) - angle1__
+            q6_pm = angle1___ - h1 * math.copysign(half_turn, v4)
             _992 = angle1
             work[992 + k] = _992
             _1024 = q2_pp

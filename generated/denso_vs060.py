@@ -534,9 +534,7 @@ def _regular(pose, q, status):
     wy = T24 - d6 * T23
     v1 = X1 * X1 + wy * wy
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = X1 * factor1
-    s1 = wy * factor1
+    v2 = 1.0 / v1
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
@@ -576,12 +574,12 @@ def _regular(pose, q, status):
     s23_pm = c3_m * S2_pm + s3_m * C2_pm
     s23_mp = c3_p * S2_pm + s3_p * C2_mp
     s23_mm = c3_m * S2_pp + s3_m * C2_mm
-    v13 = T23 * s1 - T13 * v2
+    v13 = w1 * (v2 * (T23 * wy - T13 * X1))
     c4_pp = T33 * s23_pp + c23_pp * v13
     c4_pm = T33 * s23_pm + c23_pm * v13
     c4_mp = T33 * s23_mp - c23_mp * v13
     c4_mm = T33 * s23_mm - c23_mm * v13
-    v14 = T23 * v2 + T13 * s1
+    v14 = w1 * (v2 * (T13 * wy + X1 * T23))
     v15 = v14 * v14
     v16 = factor2 * c4_pp
     v17 = factor2 * c4_pm
@@ -603,10 +601,10 @@ def _regular(pose, q, status):
     q4_mmm = angle1___ - v25
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v26 = s1 * T12 + v2 * T22
-    v27 = s1 * T22 - v2 * T12
-    v28 = s1 * T11 + v2 * T21
-    v29 = s1 * T21 - v2 * T11
+    v26 = w1 * (v2 * (X1 * T22 + wy * T12))
+    v27 = w1 * (v2 * (wy * T22 - X1 * T12))
+    v28 = w1 * (v2 * (X1 * T21 + wy * T11))
+    v29 = w1 * (v2 * (wy * T21 - X1 * T11))
     v30 = c4_pp * v28 - v14 * (s23_pp * T31 + c23_pp * v29)
     v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29)
     v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28
@@ -935,9 +933,7 @@ def _in_tiles(T, q, status):
             wy = T24 - d6 * T23
             v1 = X1 * X1 + wy * wy
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = X1 * factor1
-            s1 = wy * factor1
+            v2 = 1.0 / v1
             Z1_3 = T34 - d6 * T33 - d1
             N3 = v1 + Z1_3 * Z1_3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
@@ -971,12 +967,12 @@ def _in_tiles(T, q, status):
             s23_pm = c3_m * S2_pm + s3_m * C2_pm
             s23_mp = c3_p * S2_pm + s3_p * C2_mp
             s23_mm = c3_m * S2_pp + s3_m * C2_mm
-            v13 = T23 * s1 - T13 * v2
+            v13 = w1 * (v2 * (T23 * wy - T13 * X1))
             c4_pp = T33 * s23_pp + c23_pp * v13
             c4_pm = T33 * s23_pm + c23_pm * v13
             c4_mp = T33 * s23_mp - c23_mp * v13
             c4_mm = T33 * s23_mm - c23_mm * v13
-            v14 = T23 * v2 + T13 * s1
+            v14 = w1 * (v2 * (T13 * wy + X1 * T23))
             v15 = v14 * v14
             v16 = factor2 * c4_pp
             v17 = factor2 * c4_pm
@@ -988,10 +984,10 @@ def _in_tiles(T, q, status):
             v23 = v15 + factor2 * (c4_mm * v19)
             v24 = math.copysign(half_turn, -v14) * h1
             v25 = math.copysign(half_turn, v14) * h1
-            v26 = s1 * T12 + v2 * T22
-            v27 = s1 * T22 - v2 * T12
-            v28 = s1 * T11 + v2 * T21
-            v29 = s1 * T21 - v2 * T11
+            v26 = w1 * (v2 * (X1 * T22 + wy * T12))
+            v27 = w1 * (v2 * (wy * T22 - X1 * T12))
+            v28 = w1 * (v2 * (X1 * T21 + wy * T11))
+            v29 = w1 * (v2 * (wy * T21 - X1 * T11))
             v30 = c4_pp * v28 - v14 * (s23_pp * T31 + c23_pp * v29)
             v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29)
             v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef DOOSAN_M1013_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef DOOSAN_M1013_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -343,17 +346,9 @@ static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 0.8064516129032259; /* a coefficient of S2 */
 static const double m2 = 0.057999193548387; /* a coefficient of S2 */
 static const double m3 = 4.8892683465610004e-48; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 0.08367360140283196; /* a coefficient of v8 */
-static const double m5 = 1.163442225320598; /* a coefficient of v8 */
-static const double m6 = 0.8107807814236438; /* a coefficient of v8 */
-static const double m7 = 0.06432826475849722; /* a coefficient of v8 */
-static const double m8 = 0.8944543828264757; /* a coefficient of v8 */
-static const double m9 = 0.7271071800208119; /* a coefficient of s23 */
-static const double m10 = 1.6215615628472875; /* a coefficient of s23 */
-static const double m13 = 1e-24; /* free_limit^2 */
-static const double m15 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 0.0643282647584972; /* m11 + m12 */
-static const double h2 = 1.0; /* 2 * m14 */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double m6 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m5 */
 
 const char *const doosan_m1013_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -566,157 +561,166 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide v6 = w3 - w3;
     const wide v7 = k4 * (N3 - k5);
+    const wide s3 = k6 * v7;
+    const wide v8 = k4 * w3;
+    const wide v9 = k6 * v8;
 
     /* theta2 */
-    const wide v8 = m2 + m1 * N3;
-    const wide v9 = Z1_3 * v8;
-    const wide v10 = w3 * (m1 * w1);
-    const wide S2_pp = v9 - v10;
-    const wide S2_pm = v9 + v10;
-    const wide v11 = w3 * (m1 * Z1_3);
-    const wide v12 = w3 * (m1 * -Z1_3);
-    const wide v13 = w1 * v8;
-    const wide C2_pp = v11 + v13;
-    const wide C2_pm = v12 + v13;
-    const wide C2_mp = v11 - v13;
-    const wide C2_mm = v12 - v13;
-    const wide v14 = S2_pp * S2_pp;
-    const wide v15 = v14 + C2_pp * C2_pp;
-    const wide v16 = S2_pm * S2_pm;
-    const wide v17 = v16 + C2_pm * C2_pm;
-    const wide v18 = v16 + C2_mp * C2_mp;
-    const wide v19 = v14 + C2_mm * C2_mm;
-    const wide factor2_pp = 1.0 / sqrt_wide(v15);
-    const wide factor2_pm = 1.0 / sqrt_wide(v17);
-    const wide factor2_mp = 1.0 / sqrt_wide(v18);
-    const wide factor2_mm = 1.0 / sqrt_wide(v19);
+    const wide X1_2 = a2 + d4 * s3;
+    const wide Y1_2 = d4 * v9;
+    const wide v10 = Z1_3 * X1_2;
+    const wide v11 = w1 * Y1_2;
+    const wide v12 = v10 - v11;
+    const wide v13 = v10 + v11;
+    const wide v14 = m2 + m1 * N3;
+    const wide v15 = Z1_3 * v14;
+    const wide v16 = w3 * (m1 * w1);
+    const wide S2_pp = v15 - v16;
+    const wide S2_pm = v15 + v16;
+    const wide v17 = w1 * X1_2;
+    const wide v18 = Z1_3 * Y1_2;
+    const wide v19 = v17 + v18;
+    const wide v20 = v17 - v18;
+    const wide v21 = w3 * (m1 * Z1_3);
+    const wide v22 = w3 * (m1 * -Z1_3);
+    const wide v23 = w1 * v14;
+    const wide C2_pp = v21 + v23;
+    const wide C2_pm = v22 + v23;
+    const wide C2_mp = v21 - v23;
+    const wide C2_mm = v22 - v23;
+    const wide v24 = S2_pp * S2_pp;
+    const wide v25 = v24 + C2_pp * C2_pp;
+    const wide v26 = S2_pm * S2_pm;
+    const wide v27 = v26 + C2_pm * C2_pm;
+    const wide v28 = v26 + C2_mp * C2_mp;
+    const wide v29 = v24 + C2_mm * C2_mm;
+    const wide w2_pp = sqrt_wide(v25);
+    const wide w2_pm = sqrt_wide(v27);
+    const wide w2_mp = sqrt_wide(v28);
+    const wide w2_mm = sqrt_wide(v29);
+    const wide v30 = 1.0 / v25;
+    const wide v31 = 1.0 / v27;
+    const wide v32 = 1.0 / v28;
+    const wide v33 = 1.0 / v29;
 
     /* theta4 */
-    const wide v20 = m5 * N3;
-    const wide v21 = m4 + v20;
-    const wide v22 = m6 - v20;
-    const wide v23 = Z1_3 * (m8 * N3 - m7);
-    const wide v24 = v23 + w3 * (w1 * (v21 + v22));
-    const wide v25 = factor2_pp * v24;
-    const wide v26 = v23 + w3 * (w1 * (-v22 - v21));
-    const wide v27 = factor2_pm * v26;
-    const wide v28 = factor2_mp * v26;
-    const wide v29 = factor2_mm * v24;
-    const wide v30 = v20 - m9;
-    const wide v31 = m10 - v20;
-    const wide v32 = m8 * (Z1_3 * w3);
-    const wide v33 = m8 * (w3 * -Z1_3);
-    const wide v34 = w1 * (N3 * (v30 + v31) - h1);
-    const wide s23_pp = factor2_pp * (v34 - v32);
-    const wide s23_pm = factor2_pm * (v34 - v33);
-    const wide v35 = w1 * (h1 + N3 * (-v30 + -v31));
-    const wide s23_mp = factor2_mp * (v35 - v32);
-    const wide s23_mm = factor2_mm * (v35 - v33);
-    const wide v36 = T23 * s1_p - T13 * v3;
-    const wide v37 = T23 * s1_m - T13 * v4;
-    const wide X4_pp = v25 * v36 - T33 * s23_pp;
-    const wide X4_pm = v27 * v36 - T33 * s23_pm;
-    const wide X4_mp = v28 * v37 - T33 * s23_mp;
-    const wide X4_mm = v29 * v37 - T33 * s23_mm;
+    const wide v34 = v9 * v19 + s3 * v12;
+    const wide v35 = w2_pp * (v30 * v34);
+    const wide v36 = s3 * v13;
+    const wide v37 = w2_pm * (v31 * (v36 - v9 * v20));
+    const wide v38 = w2_mp * (v32 * (v36 + v9 * -v20));
+    const wide v39 = w2_mm * (v33 * v34);
+    const wide v40 = s3 * v19 - v9 * v12;
+    const wide s23_pp = w2_pp * (v30 * v40);
+    const wide v41 = v9 * v13;
+    const wide s23_pm = w2_pm * (v31 * (s3 * v20 + v41));
+    const wide s23_mp = w2_mp * (v32 * (s3 * -v20 - v41));
+    const wide s23_mm = w2_mm * (v33 * -v40);
+    const wide v42 = T23 * s1_p - T13 * v3;
+    const wide v43 = T23 * s1_m - T13 * v4;
+    const wide X4_pp = v35 * v42 - T33 * s23_pp;
+    const wide X4_pm = v37 * v42 - T33 * s23_pm;
+    const wide X4_mp = v38 * v43 - T33 * s23_mp;
+    const wide X4_mm = v39 * v43 - T33 * s23_mm;
     const wide Y4_p = T13 * s1_p + T23 * v3;
     const wide Y4_m = T13 * s1_m + T23 * v4;
-    const wide v38 = Y4_p * Y4_p;
-    const wide v39 = Y4_m * Y4_m;
-    const wide v40 = v38 + X4_pp * X4_pp;
-    const wide v41 = v38 + X4_pm * X4_pm;
-    const wide v42 = v39 + X4_mp * X4_mp;
-    const wide v43 = v39 + X4_mm * X4_mm;
+    const wide v44 = Y4_p * Y4_p;
+    const wide v45 = Y4_m * Y4_m;
+    const wide v46 = v44 + X4_pp * X4_pp;
+    const wide v47 = v44 + X4_pm * X4_pm;
+    const wide v48 = v45 + X4_mp * X4_mp;
+    const wide v49 = v45 + X4_mm * X4_mm;
 
     /* theta6 */
-    const wide v44 = v3 * T22 + s1_p * T12;
-    const wide v45 = v4 * T22 + s1_m * T12;
-    const wide v46 = s1_p * T22 - v3 * T12;
-    const wide v47 = s1_m * T22 - v4 * T12;
-    const wide v48 = v3 * T21 + s1_p * T11;
-    const wide v49 = v4 * T21 + s1_m * T11;
-    const wide v50 = s1_p * T21 - v3 * T11;
-    const wide v51 = s1_m * T21 - v4 * T11;
-    const wide s6_pp = Y4_p * (s23_pp * T31 - v25 * v50) - v48 * -X4_pp;
-    const wide s6_pm = Y4_p * (s23_pm * T31 - v27 * v50) - v48 * -X4_pm;
-    const wide s6_mp = Y4_m * (s23_mp * T31 - v28 * v51) - v49 * -X4_mp;
-    const wide s6_mm = Y4_m * (s23_mm * T31 - v29 * v51) - v49 * -X4_mm;
-    const wide angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - v25 * v46) - v44 * -X4_pp);
-    const wide angle1_ = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - v27 * v46) - v44 * -X4_pm);
-    const wide angle1__ = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - v28 * v47) - v45 * -X4_mp);
-    const wide angle1___ = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - v29 * v47) - v45 * -X4_mm);
-    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h2;
-    const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), s6_pm) * h2;
-    const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), s6_mp) * h2;
-    const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), s6_mm) * h2;
+    const wide v50 = v3 * T22 + s1_p * T12;
+    const wide v51 = v4 * T22 + s1_m * T12;
+    const wide v52 = s1_p * T22 - v3 * T12;
+    const wide v53 = s1_m * T22 - v4 * T12;
+    const wide v54 = v3 * T21 + s1_p * T11;
+    const wide v55 = v4 * T21 + s1_m * T11;
+    const wide v56 = s1_p * T21 - v3 * T11;
+    const wide v57 = s1_m * T21 - v4 * T11;
+    const wide s6_pp = Y4_p * (s23_pp * T31 - v35 * v56) - v54 * -X4_pp;
+    const wide s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm;
+    const wide s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp;
+    const wide s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm;
+    const wide angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp);
+    const wide angle1_ = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm);
+    const wide angle1__ = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp);
+    const wide angle1___ = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm);
+    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
+    const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), s6_pm) * h1;
+    const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), s6_mp) * h1;
+    const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), s6_mm) * h1;
 
     /* joint values */
     const wide angle1____ = atan2_wide(S2_pp, C2_pp);
-    const wide v52 = angle1____ - offset2;
+    const wide v58 = angle1____ - offset2;
     const wide angle1_____ = atan2_wide(S2_pm, C2_pm);
-    const wide v53 = angle1_____ - offset2;
+    const wide v59 = angle1_____ - offset2;
     const wide angle1______ = atan2_wide(S2_pm, C2_mp);
-    const wide v54 = angle1______ - offset2;
+    const wide v60 = angle1______ - offset2;
     const wide angle1_______ = atan2_wide(S2_pp, C2_mm);
-    const wide v55 = angle1_______ - offset2;
-    const wide q2_ppp = v52 + pick_wide(v52 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q2_pmp = v53 + pick_wide(v53 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q2_mpp = v54 + pick_wide(v54 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q2_mmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide angle1________ = atan2_wide(v7, -(k4 * w3));
-    const wide v56 = angle1________ - offset3;
-    const wide v57 = h2 * copysign_wide(all_wide(half_turn), v7) - angle1________ - offset3;
+    const wide v61 = angle1_______ - offset2;
+    const wide q2_ppp = v58 + pick_wide(v58 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2_pmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2_mpp = v60 + pick_wide(v60 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2_mmp = v61 + pick_wide(v61 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide angle1________ = atan2_wide(v7, -v8);
+    const wide v62 = angle1________ - offset3;
+    const wide v63 = h1 * copysign_wide(all_wide(half_turn), v7) - angle1________ - offset3;
     const wide angle1_________ = atan2_wide(Y4_p, -X4_pp);
     const wide angle1__________ = atan2_wide(Y4_p, -X4_pm);
     const wide angle1___________ = atan2_wide(Y4_m, -X4_mp);
     const wide angle1____________ = atan2_wide(Y4_m, -X4_mm);
-    const wide v58 = h2 * copysign_wide(all_wide(half_turn), Y4_p);
-    const wide v59 = h2 * copysign_wide(all_wide(half_turn), Y4_m);
-    const wide v60 = angle1_________ - offset4;
-    const wide v61 = angle1_________ - v58 - offset4;
-    const wide v62 = angle1__________ - offset4;
-    const wide v63 = angle1__________ - v58 - offset4;
-    const wide v64 = angle1___________ - offset4;
-    const wide v65 = angle1___________ - v59 - offset4;
-    const wide v66 = angle1____________ - offset4;
-    const wide v67 = angle1____________ - v59 - offset4;
-    const wide q4_ppp = v60 + pick_wide(v60 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q4_ppm = v61 + pick_wide(v61 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q4_pmp = v62 + pick_wide(v62 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q4_pmm = v63 + pick_wide(v63 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q4_mpp = v64 + pick_wide(v64 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q4_mpm = v65 + pick_wide(v65 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q4_mmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q4_mmm = v67 + pick_wide(v67 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide angle1_____________ = atan2_wide(sqrt_wide(v40), -(T33 * v25 + s23_pp * v36));
-    const wide angle1______________ = atan2_wide(sqrt_wide(v41), -(T33 * v27 + s23_pm * v36));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v42), -(T33 * v28 + s23_mp * v37));
-    const wide angle1________________ = atan2_wide(sqrt_wide(v43), -(T33 * v29 + s23_mm * v37));
-    const wide v68 = angle1_____________ - offset5;
-    const wide v69 = offset5 + angle1_____________;
-    const wide v70 = angle1______________ - offset5;
-    const wide v71 = offset5 + angle1______________;
-    const wide v72 = angle1_______________ - offset5;
-    const wide v73 = offset5 + angle1_______________;
-    const wide v74 = angle1________________ - offset5;
-    const wide v75 = offset5 + angle1________________;
-    const wide q5_ppp = v68 + pick_wide(v68 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v69 <= -half_turn, all_wide(m15), all_wide(0.0)) - v69;
-    const wide q5_pmp = v70 + pick_wide(v70 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v71 <= -half_turn, all_wide(m15), all_wide(0.0)) - v71;
-    const wide q5_mpp = v72 + pick_wide(v72 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v73 <= -half_turn, all_wide(m15), all_wide(0.0)) - v73;
-    const wide q5_mmp = v74 + pick_wide(v74 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v75 <= -half_turn, all_wide(m15), all_wide(0.0)) - v75;
+    const wide v64 = h1 * copysign_wide(all_wide(half_turn), Y4_p);
+    const wide v65 = h1 * copysign_wide(all_wide(half_turn), Y4_m);
+    const wide v66 = angle1_________ - offset4;
+    const wide v67 = angle1_________ - v64 - offset4;
+    const wide v68 = angle1__________ - offset4;
+    const wide v69 = angle1__________ - v64 - offset4;
+    const wide v70 = angle1___________ - offset4;
+    const wide v71 = angle1___________ - v65 - offset4;
+    const wide v72 = angle1____________ - offset4;
+    const wide v73 = angle1____________ - v65 - offset4;
+    const wide q4_ppp = v66 + pick_wide(v66 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_ppm = v67 + pick_wide(v67 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_pmp = v68 + pick_wide(v68 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_pmm = v69 + pick_wide(v69 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mpp = v70 + pick_wide(v70 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mpm = v71 + pick_wide(v71 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mmp = v72 + pick_wide(v72 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mmm = v73 + pick_wide(v73 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide angle1_____________ = atan2_wide(sqrt_wide(v46), -(T33 * v35 + s23_pp * v42));
+    const wide angle1______________ = atan2_wide(sqrt_wide(v47), -(T33 * v37 + s23_pm * v42));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v48), -(T33 * v38 + s23_mp * v43));
+    const wide angle1________________ = atan2_wide(sqrt_wide(v49), -(T33 * v39 + s23_mm * v43));
+    const wide v74 = angle1_____________ - offset5;
+    const wide v75 = offset5 + angle1_____________;
+    const wide v76 = angle1______________ - offset5;
+    const wide v77 = offset5 + angle1______________;
+    const wide v78 = angle1_______________ - offset5;
+    const wide v79 = offset5 + angle1_______________;
+    const wide v80 = angle1________________ - offset5;
+    const wide v81 = offset5 + angle1________________;
+    const wide q5_ppp = v74 + pick_wide(v74 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v75 <= -half_turn, all_wide(m6), all_wide(0.0)) - v75;
+    const wide q5_pmp = v76 + pick_wide(v76 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v77 <= -half_turn, all_wide(m6), all_wide(0.0)) - v77;
+    const wide q5_mpp = v78 + pick_wide(v78 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v79 <= -half_turn, all_wide(m6), all_wide(0.0)) - v79;
+    const wide q5_mmp = v80 + pick_wide(v80 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v81 <= -half_turn, all_wide(m6), all_wide(0.0)) - v81;
     const wide angle1_________________ = atan2_wide(s1_p, -v3);
     const wide q1_ppp = v6 + angle1_________________;
     const wide angle1__________________ = atan2_wide(s1_m, -v4);
     const wide q1_mpp = v6 + angle1__________________;
-    const wide q3_ppp = v1 + (v56 + pick_wide(v56 <= -half_turn, all_wide(m15), all_wide(0.0)));
-    const wide q3_pmp = v1 + (v57 + pick_wide(v57 <= -half_turn, all_wide(m15), all_wide(0.0)));
-    const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((v43 <= m13) |
-        ((v19 <= m3) | ((v42 <= m13) | ((v18 <= m3) | ((v41 <= m13) | ((v17 <= m3) | ((v40 <= m13) |
+    const wide q3_ppp = v1 + (v62 + pick_wide(v62 <= -half_turn, all_wide(m6), all_wide(0.0)));
+    const wide q3_pmp = v1 + (v63 + pick_wide(v63 <= -half_turn, all_wide(m6), all_wide(0.0)));
+    const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((v49 <= m4) |
+        ((v29 <= m3) | ((v48 <= m4) | ((v28 <= m3) | ((v47 <= m4) | ((v27 <= m3) | ((v46 <= m4) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | (v15 <= m3))))))))));
+        longest3_apart)) == 0)) | (v25 <= m3))))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -779,9 +783,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 }
 
 #if LANES > 1
-static const double m11 = 0.05831054301920694; /* a coefficient of s23 */
-static const double m12 = 0.006017721739290271; /* a coefficient of s23 */
-static const double m14 = 0.5; /* 1 / 2 */
+static const double m5 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -812,76 +814,78 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
     const double v5 = w3 - w3;
     const double v6 = k4 * (N3 - k5);
+    const double s3 = k6 * v6;
+    const double v7 = k4 * w3;
+    const double v8 = k6 * v7;
 
     /* theta2 */
-    const four v7 = e1 * e2;
-    const double v8 = m2 + m1 * N3;
-    const double v9 = Z1_3 * v8;
-    const four S2 = v9 - w3 * (m1 * (w1 * v7));
-    const four v10 = e2 * Z1_3;
-    const four v11 = w3 * (m1 * v10);
-    const four v12 = w1 * (e1 * v8);
-    const four C2 = v11 + v12;
-    const four v13 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v13);
+    const double X1_2 = a2 + d4 * s3;
+    const double Y1_2 = d4 * v8;
+    const double v9 = Z1_3 * X1_2;
+    const double v10 = w1 * Y1_2;
+    const four v11 = e1 * e2;
+    const four v12 = v9 - v10 * v11;
+    const double v13 = m2 + m1 * N3;
+    const double v14 = Z1_3 * v13;
+    const four S2 = v14 - w3 * (m1 * (w1 * v11));
+    const double v15 = w1 * X1_2;
+    const double v16 = Z1_3 * Y1_2;
+    const four v17 = e1 * v15;
+    const four v18 = e2 * v16;
+    const four v19 = v17 + v18;
+    const four v20 = w3 * (m1 * (e2 * Z1_3));
+    const four v21 = w1 * (e1 * v13);
+    const four C2 = v20 + v21;
+    const four v22 = S2 * S2 + C2 * C2;
+    const four w2 = sqrt_four(v22);
+    const four v23 = 1.0 / v22;
 
     /* theta4 */
-    const double v14 = m5 * N3;
-    const double v15 = m4 + v14;
-    const four v16 = e1 * v15;
-    const double v17 = m6 - v14;
-    const double v18 = Z1_3 * (m8 * N3 - m7);
-    const four v19 = factor2 * (v18 + w3 * (w1 * (e2 * v16 + v7 * v17)));
-    const double v20 = v14 - m9;
-    const four v21 = e1 * v20;
-    const double v22 = m10 - v14;
-    const four v23 = e2 * v22;
-    const four v24 = m11 * e1;
-    const four v25 = m12 * e2;
-    const four v26 = m8 * (w3 * v10);
-    const four s23 = factor2 * (w1 * (N3 * (v21 + v7 * v23) - (v24 + v7 * v25)) - v26);
-    const four v27 = T23 * s1 - T13 * v3;
-    const four X4 = v19 * v27 - T33 * s23;
+    const four v24 = e2 * v8;
+    const four v25 = w2 * (v23 * (v19 * v24 + s3 * v12));
+    const four s23 = w2 * (v23 * (s3 * v19 - v12 * v24));
+    const four v26 = T23 * s1 - T13 * v3;
+    const four X4 = v25 * v26 - T33 * s23;
     const four Y4 = T13 * s1 + T23 * v3;
-    const four v28 = Y4 * Y4;
-    const four v29 = v28 + X4 * X4;
+    const four v27 = Y4 * Y4;
+    const four v28 = v27 + X4 * X4;
 
     /* theta6 */
-    const four v30 = v3 * T22 + s1 * T12;
-    const four v31 = s1 * T22 - v3 * T12;
-    const four v32 = v3 * T21 + s1 * T11;
-    const four v33 = s1 * T21 - v3 * T11;
-    const four s6 = Y4 * (s23 * T31 - v19 * v33) - v32 * -X4;
+    const four v29 = v3 * T22 + s1 * T12;
+    const four v30 = s1 * T22 - v3 * T12;
+    const four v31 = v3 * T21 + s1 * T11;
+    const four v32 = s1 * T21 - v3 * T11;
+    const four s6 = Y4 * (s23 * T31 - v25 * v32) - v31 * -X4;
 
     /* joint values */
-    const double v35 = copysign(half_turn, v6);
-    const four v37 = h1 * copysign_four(all_four(half_turn), Y4);
-    const four_mask doubt2 = (v13 <= m3) | (v29 <= m13);
+    const double v34 = copysign(half_turn, v6);
+    const four v36 = h1 * copysign_four(all_four(half_turn), Y4);
+    const four_mask doubt2 = (v22 <= m3) | (v28 <= m4);
     const int doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | (((shortest3_reach <=
         N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
-    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v19 * v31) - v30 * -X4);
+    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v25 * v30) - v29 * -X4);
     const four angle1_ = atan2_four(S2, C2);
     const four angle1___ = atan2_four(Y4, -X4);
-    const four angle1____ = atan2_four(sqrt_four(v29), -(T33 * v19 + s23 * v27));
+    const four angle1____ = atan2_four(sqrt_four(v28), -(T33 * v25 + s23 * v26));
     const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
-        __builtin_shufflevector(-v3, all_four(-(k4 * w3)), 0, 5, 2, 3));
+        __builtin_shufflevector(-v3, all_four(-v7), 0, 5, 2, 3));
     const four angle1_____ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
-    const four v34 = angle1_ - offset2;
-    const four q2_p = v34 + pick_four(v34 <= -half_turn, all_four(m15), all_four(0.0));
-    const four v36 = e2 * angle1__ + v35 * (m14 * (1.0 - e2)) - offset3;
-    const four v38 = angle1___ - offset4;
-    const four v39 = angle1___ - v37 - offset4;
-    const four q4_p = v38 + pick_four(v38 <= -half_turn, all_four(m15), all_four(0.0));
-    const four q4_m = v39 + pick_four(v39 <= -half_turn, all_four(m15), all_four(0.0));
-    const four v40 = angle1____ - offset5;
-    const four v41 = offset5 + angle1____;
-    const four q5_p = v40 + pick_four(v40 <= -half_turn, all_four(m15), all_four(0.0));
-    const four q5_m = pick_four(-v41 <= -half_turn, all_four(m15), all_four(0.0)) - v41;
+    const four v33 = angle1_ - offset2;
+    const four q2_p = v33 + pick_four(v33 <= -half_turn, all_four(m6), all_four(0.0));
+    const four v35 = e2 * angle1__ + v34 * (m5 * (1.0 - e2)) - offset3;
+    const four v37 = angle1___ - offset4;
+    const four v38 = angle1___ - v36 - offset4;
+    const four q4_p = v37 + pick_four(v37 <= -half_turn, all_four(m6), all_four(0.0));
+    const four q4_m = v38 + pick_four(v38 <= -half_turn, all_four(m6), all_four(0.0));
+    const four v39 = angle1____ - offset5;
+    const four v40 = offset5 + angle1____;
+    const four q5_p = v39 + pick_four(v39 <= -half_turn, all_four(m6), all_four(0.0));
+    const four q5_m = pick_four(-v40 <= -half_turn, all_four(m6), all_four(0.0)) - v40;
     const four q1_p = v5 + angle1_____;
-    const four q3_p = v1 + (v36 + pick_four(v36 <= -half_turn, all_four(m15), all_four(0.0)));
+    const four q3_p = v1 + (v35 + pick_four(v35 <= -half_turn, all_four(m6), all_four(0.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

@@ -83,17 +83,9 @@ half_turn = 3.141592653589793  # pi [rad]
 m1 = 0.8064516129032259  # a coefficient of S2
 m2 = 0.057999193548387  # a coefficient of S2
 m3 = 4.8892683465610004e-48  # free_limit_squared2^2 [m^4]
-m4 = 0.08367360140283196  # a coefficient of v8
-m5 = 1.163442225320598  # a coefficient of v8
-m6 = 0.8107807814236438  # a coefficient of v8
-m7 = 0.06432826475849722  # a coefficient of v8
-m8 = 0.8944543828264757  # a coefficient of v8
-m9 = 0.7271071800208119  # a coefficient of s23
-m10 = 1.6215615628472875  # a coefficient of s23
-m13 = 1e-24  # free_limit^2
-m15 = 6.283185307179586  # 2 * half_turn
-h1 = 0.0643282647584972  # m11 + m12
-h2 = 1.0  # 2 * m14
+m4 = 1e-24  # free_limit^2
+m6 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m5
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -548,158 +540,166 @@ def _regular(pose, q, status):
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     v6 = w3 - w3
     v7 = k4 * (N3 - k5)
+    s3 = k6 * v7
+    v8 = k4 * w3
+    v9 = k6 * v8
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v8 = m2 + m1 * N3
-    v9 = Z1_3 * v8
-    v10 = w3 * (m1 * w1)
-    S2_pp = v9 - v10
-    S2_pm = v9 + v10
-    v11 = w3 * (m1 * Z1_3)
-    v12 = w3 * (m1 * -Z1_3)
-    v13 = w1 * v8
-    C2_pp = v11 + v13
-    C2_pm = v12 + v13
-    C2_mp = v11 - v13
-    C2_mm = v12 - v13
-    v14 = S2_pp * S2_pp
-    v15 = v14 + C2_pp * C2_pp
-    v16 = S2_pm * S2_pm
-    v17 = v16 + C2_pm * C2_pm
-    v18 = v16 + C2_mp * C2_mp
-    v19 = v14 + C2_mm * C2_mm
-    factor2_pp = 1.0 / math.sqrt(v15)
-    factor2_pm = 1.0 / math.sqrt(v17)
-    factor2_mp = 1.0 / math.sqrt(v18)
-    factor2_mm = 1.0 / math.sqrt(v19)
+    X1_2 = a2 + d4 * s3
+    Y1_2 = d4 * v9
+    v10 = Z1_3 * X1_2
+    v11 = w1 * Y1_2
+    v12 = v10 - v11
+    v13 = v10 + v11
+    v14 = m2 + m1 * N3
+    v15 = Z1_3 * v14
+    v16 = w3 * (m1 * w1)
+    S2_pp = v15 - v16
+    S2_pm = v15 + v16
+    v17 = w1 * X1_2
+    v18 = Z1_3 * Y1_2
+    v19 = v17 + v18
+    v20 = v17 - v18
+    v21 = w3 * (m1 * Z1_3)
+    v22 = w3 * (m1 * -Z1_3)
+    v23 = w1 * v14
+    C2_pp = v21 + v23
+    C2_pm = v22 + v23
+    C2_mp = v21 - v23
+    C2_mm = v22 - v23
+    v24 = S2_pp * S2_pp
+    v25 = v24 + C2_pp * C2_pp
+    v26 = S2_pm * S2_pm
+    v27 = v26 + C2_pm * C2_pm
+    v28 = v26 + C2_mp * C2_mp
+    v29 = v24 + C2_mm * C2_mm
+    w2_pp = math.sqrt(v25)
+    w2_pm = math.sqrt(v27)
+    w2_mp = math.sqrt(v28)
+    w2_mm = math.sqrt(v29)
+    v30 = 1.0 / v25
+    v31 = 1.0 / v27
+    v32 = 1.0 / v28
+    v33 = 1.0 / v29
 
     # theta4, type 2: U4[3, 3]
-    v20 = m5 * N3
-    v21 = m4 + v20
-    v22 = m6 - v20
-    v23 = Z1_3 * (m8 * N3 - m7)
-    v24 = v23 + w3 * (w1 * (v21 + v22))
-    v25 = factor2_pp * v24
-    v26 = v23 + w3 * (w1 * (-v22 - v21))
-    v27 = factor2_pm * v26
-    v28 = factor2_mp * v26
-    v29 = factor2_mm * v24
-    v30 = v20 - m9
-    v31 = m10 - v20
-    v32 = m8 * (Z1_3 * w3)
-    v33 = m8 * (w3 * -Z1_3)
-    v34 = w1 * (N3 * (v30 + v31) - h1)
-    s23_pp = factor2_pp * (v34 - v32)
-    s23_pm = factor2_pm * (v34 - v33)
-    v35 = w1 * (h1 + N3 * (-v30 + -v31))
-    s23_mp = factor2_mp * (v35 - v32)
-    s23_mm = factor2_mm * (v35 - v33)
-    v36 = T23 * s1_p - T13 * v3
-    v37 = T23 * s1_m - T13 * v4
-    X4_pp = v25 * v36 - T33 * s23_pp
-    X4_pm = v27 * v36 - T33 * s23_pm
-    X4_mp = v28 * v37 - T33 * s23_mp
-    X4_mm = v29 * v37 - T33 * s23_mm
+    v34 = v9 * v19 + s3 * v12
+    v35 = w2_pp * (v30 * v34)
+    v36 = s3 * v13
+    v37 = w2_pm * (v31 * (v36 - v9 * v20))
+    v38 = w2_mp * (v32 * (v36 + v9 * -v20))
+    v39 = w2_mm * (v33 * v34)
+    v40 = s3 * v19 - v9 * v12
+    s23_pp = w2_pp * (v30 * v40)
+    v41 = v9 * v13
+    s23_pm = w2_pm * (v31 * (s3 * v20 + v41))
+    s23_mp = w2_mp * (v32 * (s3 * -v20 - v41))
+    s23_mm = w2_mm * (v33 * -v40)
+    v42 = T23 * s1_p - T13 * v3
+    v43 = T23 * s1_m - T13 * v4
+    X4_pp = v35 * v42 - T33 * s23_pp
+    X4_pm = v37 * v42 - T33 * s23_pm
+    X4_mp = v38 * v43 - T33 * s23_mp
+    X4_mm = v39 * v43 - T33 * s23_mm
     Y4_p = T13 * s1_p + T23 * v3
     Y4_m = T13 * s1_m + T23 * v4
-    v38 = Y4_p * Y4_p
-    v39 = Y4_m * Y4_m
-    v40 = v38 + X4_pp * X4_pp
-    v41 = v38 + X4_pm * X4_pm
-    v42 = v39 + X4_mp * X4_mp
-    v43 = v39 + X4_mm * X4_mm
+    v44 = Y4_p * Y4_p
+    v45 = Y4_m * Y4_m
+    v46 = v44 + X4_pp * X4_pp
+    v47 = v44 + X4_pm * X4_pm
+    v48 = v45 + X4_mp * X4_mp
+    v49 = v45 + X4_mm * X4_mm
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v44 = v3 * T22 + s1_p * T12
-    v45 = v4 * T22 + s1_m * T12
-    v46 = s1_p * T22 - v3 * T12
-    v47 = s1_m * T22 - v4 * T12
-    v48 = v3 * T21 + s1_p * T11
-    v49 = v4 * T21 + s1_m * T11
-    v50 = s1_p * T21 - v3 * T11
-    v51 = s1_m * T21 - v4 * T11
-    s6_pp = Y4_p * (s23_pp * T31 - v25 * v50) - v48 * -X4_pp
-    s6_pm = Y4_p * (s23_pm * T31 - v27 * v50) - v48 * -X4_pm
-    s6_mp = Y4_m * (s23_mp * T31 - v28 * v51) - v49 * -X4_mp
-    s6_mm = Y4_m * (s23_mm * T31 - v29 * v51) - v49 * -X4_mm
-    angle1 = _atan2(s6_pp, Y4_p * (s23_pp * T32 - v25 * v46) - v44 * -X4_pp)
-    angle1_ = _atan2(s6_pm, Y4_p * (s23_pm * T32 - v27 * v46) - v44 * -X4_pm)
-    angle1__ = _atan2(s6_mp, Y4_m * (s23_mp * T32 - v28 * v47) - v45 * -X4_mp)
-    angle1___ = _atan2(s6_mm, Y4_m * (s23_mm * T32 - v29 * v47) - v45 * -X4_mm)
-    q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h2
-    q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h2
-    q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h2
-    q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h2
+    v50 = v3 * T22 + s1_p * T12
+    v51 = v4 * T22 + s1_m * T12
+    v52 = s1_p * T22 - v3 * T12
+    v53 = s1_m * T22 - v4 * T12
+    v54 = v3 * T21 + s1_p * T11
+    v55 = v4 * T21 + s1_m * T11
+    v56 = s1_p * T21 - v3 * T11
+    v57 = s1_m * T21 - v4 * T11
+    s6_pp = Y4_p * (s23_pp * T31 - v35 * v56) - v54 * -X4_pp
+    s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm
+    s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp
+    s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm
+    angle1 = _atan2(s6_pp, Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp)
+    angle1_ = _atan2(s6_pm, Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm)
+    angle1__ = _atan2(s6_mp, Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp)
+    angle1___ = _atan2(s6_mm, Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm)
+    q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
+    q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
+    q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
+    q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
 
     # joint values
     angle1____ = _atan2(S2_pp, C2_pp)
-    v52 = angle1____ - offset2
+    v58 = angle1____ - offset2
     angle1_____ = _atan2(S2_pm, C2_pm)
-    v53 = angle1_____ - offset2
+    v59 = angle1_____ - offset2
     angle1______ = _atan2(S2_pm, C2_mp)
-    v54 = angle1______ - offset2
+    v60 = angle1______ - offset2
     angle1_______ = _atan2(S2_pp, C2_mm)
-    v55 = angle1_______ - offset2
-    q2_ppp = v52 + (m15 if v52 <= -half_turn else 0.0)
-    q2_pmp = v53 + (m15 if v53 <= -half_turn else 0.0)
-    q2_mpp = v54 + (m15 if v54 <= -half_turn else 0.0)
-    q2_mmp = v55 + (m15 if v55 <= -half_turn else 0.0)
-    angle1________ = _atan2(v7, -(k4 * w3))
-    v56 = angle1________ - offset3
-    v57 = h2 * math.copysign(half_turn, v7) - angle1________ - offset3
+    v61 = angle1_______ - offset2
+    q2_ppp = v58 + (m6 if v58 <= -half_turn else 0.0)
+    q2_pmp = v59 + (m6 if v59 <= -half_turn else 0.0)
+    q2_mpp = v60 + (m6 if v60 <= -half_turn else 0.0)
+    q2_mmp = v61 + (m6 if v61 <= -half_turn else 0.0)
+    angle1________ = _atan2(v7, -v8)
+    v62 = angle1________ - offset3
+    v63 = h1 * math.copysign(half_turn, v7) - angle1________ - offset3
     angle1_________ = _atan2(Y4_p, -X4_pp)
     angle1__________ = _atan2(Y4_p, -X4_pm)
     angle1___________ = _atan2(Y4_m, -X4_mp)
     angle1____________ = _atan2(Y4_m, -X4_mm)
-    v58 = h2 * math.copysign(half_turn, Y4_p)
-    v59 = h2 * math.copysign(half_turn, Y4_m)
-    v60 = angle1_________ - offset4
-    v61 = angle1_________ - v58 - offset4
-    v62 = angle1__________ - offset4
-    v63 = angle1__________ - v58 - offset4
-    v64 = angle1___________ - offset4
-    v65 = angle1___________ - v59 - offset4
-    v66 = angle1____________ - offset4
-    v67 = angle1____________ - v59 - offset4
-    q4_ppp = v60 + (m15 if v60 <= -half_turn else 0.0)
-    q4_ppm = v61 + (m15 if v61 <= -half_turn else 0.0)
-    q4_pmp = v62 + (m15 if v62 <= -half_turn else 0.0)
-    q4_pmm = v63 + (m15 if v63 <= -half_turn else 0.0)
-    q4_mpp = v64 + (m15 if v64 <= -half_turn else 0.0)
-    q4_mpm = v65 + (m15 if v65 <= -half_turn else 0.0)
-    q4_mmp = v66 + (m15 if v66 <= -half_turn else 0.0)
-    q4_mmm = v67 + (m15 if v67 <= -half_turn else 0.0)
-    angle1_____________ = _atan2(math.sqrt(v40), -(T33 * v25 + s23_pp * v36))
-    angle1______________ = _atan2(math.sqrt(v41), -(T33 * v27 + s23_pm * v36))
-    angle1_______________ = _atan2(math.sqrt(v42), -(T33 * v28 + s23_mp * v37))
-    angle1________________ = _atan2(math.sqrt(v43), -(T33 * v29 + s23_mm * v37))
-    v68 = angle1_____________ - offset5
-    v69 = offset5 + angle1_____________
-    v70 = angle1______________ - offset5
-    v71 = offset5 + angle1______________
-    v72 = angle1_______________ - offset5
-    v73 = offset5 + angle1_______________
-    v74 = angle1________________ - offset5
-    v75 = offset5 + angle1________________
-    q5_ppp = v68 + (m15 if v68 <= -half_turn else 0.0)
-    q5_ppm = (m15 if -v69 <= -half_turn else 0.0) - v69
-    q5_pmp = v70 + (m15 if v70 <= -half_turn else 0.0)
-    q5_pmm = (m15 if -v71 <= -half_turn else 0.0) - v71
-    q5_mpp = v72 + (m15 if v72 <= -half_turn else 0.0)
-    q5_mpm = (m15 if -v73 <= -half_turn else 0.0) - v73
-    q5_mmp = v74 + (m15 if v74 <= -half_turn else 0.0)
-    q5_mmm = (m15 if -v75 <= -half_turn else 0.0) - v75
+    v64 = h1 * math.copysign(half_turn, Y4_p)
+    v65 = h1 * math.copysign(half_turn, Y4_m)
+    v66 = angle1_________ - offset4
+    v67 = angle1_________ - v64 - offset4
+    v68 = angle1__________ - offset4
+    v69 = angle1__________ - v64 - offset4
+    v70 = angle1___________ - offset4
+    v71 = angle1___________ - v65 - offset4
+    v72 = angle1____________ - offset4
+    v73 = angle1____________ - v65 - offset4
+    q4_ppp = v66 + (m6 if v66 <= -half_turn else 0.0)
+    q4_ppm = v67 + (m6 if v67 <= -half_turn else 0.0)
+    q4_pmp = v68 + (m6 if v68 <= -half_turn else 0.0)
+    q4_pmm = v69 + (m6 if v69 <= -half_turn else 0.0)
+    q4_mpp = v70 + (m6 if v70 <= -half_turn else 0.0)
+    q4_mpm = v71 + (m6 if v71 <= -half_turn else 0.0)
+    q4_mmp = v72 + (m6 if v72 <= -half_turn else 0.0)
+    q4_mmm = v73 + (m6 if v73 <= -half_turn else 0.0)
+    angle1_____________ = _atan2(math.sqrt(v46), -(T33 * v35 + s23_pp * v42))
+    angle1______________ = _atan2(math.sqrt(v47), -(T33 * v37 + s23_pm * v42))
+    angle1_______________ = _atan2(math.sqrt(v48), -(T33 * v38 + s23_mp * v43))
+    angle1________________ = _atan2(math.sqrt(v49), -(T33 * v39 + s23_mm * v43))
+    v74 = angle1_____________ - offset5
+    v75 = offset5 + angle1_____________
+    v76 = angle1______________ - offset5
+    v77 = offset5 + angle1______________
+    v78 = angle1_______________ - offset5
+    v79 = offset5 + angle1_______________
+    v80 = angle1________________ - offset5
+    v81 = offset5 + angle1________________
+    q5_ppp = v74 + (m6 if v74 <= -half_turn else 0.0)
+    q5_ppm = (m6 if -v75 <= -half_turn else 0.0) - v75
+    q5_pmp = v76 + (m6 if v76 <= -half_turn else 0.0)
+    q5_pmm = (m6 if -v77 <= -half_turn else 0.0) - v77
+    q5_mpp = v78 + (m6 if v78 <= -half_turn else 0.0)
+    q5_mpm = (m6 if -v79 <= -half_turn else 0.0) - v79
+    q5_mmp = v80 + (m6 if v80 <= -half_turn else 0.0)
+    q5_mmm = (m6 if -v81 <= -half_turn else 0.0) - v81
     angle1_________________ = _atan2(s1_p, -v3)
     q1_ppp = v6 + angle1_________________
     angle1__________________ = _atan2(s1_m, -v4)
     q1_mpp = v6 + angle1__________________
-    q3_ppp = v1 + (v56 + (m15 if v56 <= -half_turn else 0.0))
-    q3_pmp = v1 + (v57 + (m15 if v57 <= -half_turn else 0.0))
+    q3_ppp = v1 + (v62 + (m6 if v62 <= -half_turn else 0.0))
+    q3_pmp = v1 + (v63 + (m6 if v63 <= -half_turn else 0.0))
     doubt1 = (
-        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v43 <= m13 or (v19 <= m3 or (v42 <= m13
-        or (v18 <= m3 or (v41 <= m13 or (v17 <= m3 or (v40 <= m13 or (shortest3_reach <= N3 and N3
-        <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or v15 <=
-        m3)))))))))
+        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v49 <= m4 or (v29 <= m3 or (v48 <= m4
+        or (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or (shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or v25 <= m3)))))))))
     )
     # a joint is free, or branches meet
     if doubt1:
@@ -963,81 +963,90 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
             v6 = w3 - w3
             v7 = k4 * (N3 - k5)
-            v8 = m2 + m1 * N3
-            v9 = Z1_3 * v8
-            v10 = w3 * (m1 * w1)
-            S2_pp = v9 - v10
-            S2_pm = v9 + v10
-            v11 = w3 * (m1 * Z1_3)
-            v12 = w3 * (m1 * -Z1_3)
-            v13 = w1 * v8
-            C2_pp = v11 + v13
-            C2_pm = v12 + v13
-            C2_mp = v11 - v13
-            C2_mm = v12 - v13
-            v14 = S2_pp * S2_pp
-            v15 = v14 + C2_pp * C2_pp
-            v16 = S2_pm * S2_pm
-            v17 = v16 + C2_pm * C2_pm
-            v18 = v16 + C2_mp * C2_mp
-            v19 = v14 + C2_mm * C2_mm
-            factor2_pp = 1.0 / math.sqrt(v15)
-            factor2_pm = 1.0 / math.sqrt(v17)
-            factor2_mp = 1.0 / math.sqrt(v18)
-            factor2_mm = 1.0 / math.sqrt(v19)
-            v20 = m5 * N3
-            v21 = m4 + v20
-            v22 = m6 - v20
-            v23 = Z1_3 * (m8 * N3 - m7)
-            v24 = v23 + w3 * (w1 * (v21 + v22))
-            v25 = factor2_pp * v24
-            v26 = v23 + w3 * (w1 * (-v22 - v21))
-            v27 = factor2_pm * v26
-            v28 = factor2_mp * v26
-            v29 = factor2_mm * v24
-            v30 = v20 - m9
-            v31 = m10 - v20
-            v32 = m8 * (Z1_3 * w3)
-            v33 = m8 * (w3 * -Z1_3)
-            v34 = w1 * (N3 * (v30 + v31) - h1)
-            s23_pp = factor2_pp * (v34 - v32)
-            s23_pm = factor2_pm * (v34 - v33)
-            v35 = w1 * (h1 + N3 * (-v30 + -v31))
-            s23_mp = factor2_mp * (v35 - v32)
-            s23_mm = factor2_mm * (v35 - v33)
-            v36 = T23 * s1_p - T13 * v3
-            v37 = T23 * s1_m - T13 * v4
-            X4_pp = v25 * v36 - T33 * s23_pp
-            X4_pm = v27 * v36 - T33 * s23_pm
-            X4_mp = v28 * v37 - T33 * s23_mp
-            X4_mm = v29 * v37 - T33 * s23_mm
+            s3 = k6 * v7
+            v8 = k4 * w3
+            v9 = k6 * v8
+            X1_2 = a2 + d4 * s3
+            Y1_2 = d4 * v9
+            v10 = Z1_3 * X1_2
+            v11 = w1 * Y1_2
+            v12 = v10 - v11
+            v13 = v10 + v11
+            v14 = m2 + m1 * N3
+            v15 = Z1_3 * v14
+            v16 = w3 * (m1 * w1)
+            S2_pp = v15 - v16
+            S2_pm = v15 + v16
+            v17 = w1 * X1_2
+            v18 = Z1_3 * Y1_2
+            v19 = v17 + v18
+            v20 = v17 - v18
+            v21 = w3 * (m1 * Z1_3)
+            v22 = w3 * (m1 * -Z1_3)
+            v23 = w1 * v14
+            C2_pp = v21 + v23
+            C2_pm = v22 + v23
+            C2_mp = v21 - v23
+            C2_mm = v22 - v23
+            v24 = S2_pp * S2_pp
+            v25 = v24 + C2_pp * C2_pp
+            v26 = S2_pm * S2_pm
+            v27 = v26 + C2_pm * C2_pm
+            v28 = v26 + C2_mp * C2_mp
+            v29 = v24 + C2_mm * C2_mm
+            w2_pp = math.sqrt(v25)
+            w2_pm = math.sqrt(v27)
+            w2_mp = math.sqrt(v28)
+            w2_mm = math.sqrt(v29)
+            v30 = 1.0 / v25
+            v31 = 1.0 / v27
+            v32 = 1.0 / v28
+            v33 = 1.0 / v29
+            v34 = v9 * v19 + s3 * v12
+            v35 = w2_pp * (v30 * v34)
+            v36 = s3 * v13
+            v37 = w2_pm * (v31 * (v36 - v9 * v20))
+            v38 = w2_mp * (v32 * (v36 + v9 * -v20))
+            v39 = w2_mm * (v33 * v34)
+            v40 = s3 * v19 - v9 * v12
+            s23_pp = w2_pp * (v30 * v40)
+            v41 = v9 * v13
+            s23_pm = w2_pm * (v31 * (s3 * v20 + v41))
+            s23_mp = w2_mp * (v32 * (s3 * -v20 - v41))
+            s23_mm = w2_mm * (v33 * -v40)
+            v42 = T23 * s1_p - T13 * v3
+            v43 = T23 * s1_m - T13 * v4
+            X4_pp = v35 * v42 - T33 * s23_pp
+            X4_pm = v37 * v42 - T33 * s23_pm
+            X4_mp = v38 * v43 - T33 * s23_mp
+            X4_mm = v39 * v43 - T33 * s23_mm
             Y4_p = T13 * s1_p + T23 * v3
             Y4_m = T13 * s1_m + T23 * v4
-            v38 = Y4_p * Y4_p
-            v39 = Y4_m * Y4_m
-            v40 = v38 + X4_pp * X4_pp
-            v41 = v38 + X4_pm * X4_pm
-            v42 = v39 + X4_mp * X4_mp
-            v43 = v39 + X4_mm * X4_mm
-            v44 = v3 * T22 + s1_p * T12
-            v45 = v4 * T22 + s1_m * T12
-            v46 = s1_p * T22 - v3 * T12
-            v47 = s1_m * T22 - v4 * T12
-            v48 = v3 * T21 + s1_p * T11
-            v49 = v4 * T21 + s1_m * T11
-            v50 = s1_p * T21 - v3 * T11
-            v51 = s1_m * T21 - v4 * T11
-            s6_pp = Y4_p * (s23_pp * T31 - v25 * v50) - v48 * -X4_pp
-            s6_pm = Y4_p * (s23_pm * T31 - v27 * v50) - v48 * -X4_pm
-            s6_mp = Y4_m * (s23_mp * T31 - v28 * v51) - v49 * -X4_mp
-            s6_mm = Y4_m * (s23_mm * T31 - v29 * v51) - v49 * -X4_mm
-            v58 = h2 * math.copysign(half_turn, Y4_p)
-            v59 = h2 * math.copysign(half_turn, Y4_m)
+            v44 = Y4_p * Y4_p
+            v45 = Y4_m * Y4_m
+            v46 = v44 + X4_pp * X4_pp
+            v47 = v44 + X4_pm * X4_pm
+            v48 = v45 + X4_mp * X4_mp
+            v49 = v45 + X4_mm * X4_mm
+            v50 = v3 * T22 + s1_p * T12
+            v51 = v4 * T22 + s1_m * T12
+            v52 = s1_p * T22 - v3 * T12
+            v53 = s1_m * T22 - v4 * T12
+            v54 = v3 * T21 + s1_p * T11
+            v55 = v4 * T21 + s1_m * T11
+            v56 = s1_p * T21 - v3 * T11
+            v57 = s1_m * T21 - v4 * T11
+            s6_pp = Y4_p * (s23_pp * T31 - v35 * v56) - v54 * -X4_pp
+            s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm
+            s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp
+            s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm
+            v64 = h1 * math.copysign(half_turn, Y4_p)
+            v65 = h1 * math.copysign(half_turn, Y4_m)
             doubt1 = (
-                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v43 <= m13 or (v19 <= m3 or
-                (v42 <= m13 or (v18 <= m3 or (v41 <= m13 or (v17 <= m3 or (v40 <= m13 or
-                (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart) or v15 <= m3)))))))))
+                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v49 <= m4 or (v29 <= m3 or (v48
+                <= m4 or (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or (shortest3_reach <=
+                N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)
+                or v25 <= m3)))))))))
             )
             work[544 + k] = v1
             work[576 + k] = v6
@@ -1046,8 +1055,8 @@ def _in_tiles(T, q, status):
             work[672 + k] = s6_pm
             work[704 + k] = s6_mp
             work[736 + k] = s6_mm
-            work[768 + k] = v58
-            work[800 + k] = v59
+            work[768 + k] = v64
+            work[800 + k] = v65
             work[832 + k] = doubt1
             work[864 + k] = s6_pp
             work[896 + k] = s6_pm
@@ -1062,29 +1071,29 @@ def _in_tiles(T, q, status):
             work[1184 + k] = Y4_p
             work[1216 + k] = Y4_m
             work[1248 + k] = Y4_m
-            work[1280 + k] = math.sqrt(v40)
-            work[1312 + k] = math.sqrt(v41)
-            work[1344 + k] = math.sqrt(v42)
-            work[1376 + k] = math.sqrt(v43)
+            work[1280 + k] = math.sqrt(v46)
+            work[1312 + k] = math.sqrt(v47)
+            work[1344 + k] = math.sqrt(v48)
+            work[1376 + k] = math.sqrt(v49)
             work[1408 + k] = s1_p
             work[1440 + k] = s1_m
-            work[1472 + k] = Y4_p * (s23_pp * T32 - v25 * v46) - v44 * -X4_pp
-            work[1504 + k] = Y4_p * (s23_pm * T32 - v27 * v46) - v44 * -X4_pm
-            work[1536 + k] = Y4_m * (s23_mp * T32 - v28 * v47) - v45 * -X4_mp
-            work[1568 + k] = Y4_m * (s23_mm * T32 - v29 * v47) - v45 * -X4_mm
+            work[1472 + k] = Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp
+            work[1504 + k] = Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm
+            work[1536 + k] = Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp
+            work[1568 + k] = Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm
             work[1600 + k] = C2_pp
             work[1632 + k] = C2_pm
             work[1664 + k] = C2_mp
             work[1696 + k] = C2_mm
-            work[1728 + k] = -(k4 * w3)
+            work[1728 + k] = -v8
             work[1760 + k] = -X4_pp
             work[1792 + k] = -X4_pm
             work[1824 + k] = -X4_mp
             work[1856 + k] = -X4_mm
-            work[1888 + k] = -(T33 * v25 + s23_pp * v36)
-            work[1920 + k] = -(T33 * v27 + s23_pm * v36)
-            work[1952 + k] = -(T33 * v28 + s23_mp * v37)
-            work[1984 + k] = -(T33 * v29 + s23_mm * v37)
+            work[1888 + k] = -(T33 * v35 + s23_pp * v42)
+            work[1920 + k] = -(T33 * v37 + s23_pm * v42)
+            work[1952 + k] = -(T33 * v38 + s23_mp * v43)
+            work[1984 + k] = -(T33 * v39 + s23_mm * v43)
             work[2016 + k] = -v3
             work[2048 + k] = -v4
         for k in range(864, 1472):
@@ -1097,8 +1106,8 @@ def _in_tiles(T, q, status):
             s6_pm = work[672 + k]
             s6_mp = work[704 + k]
             s6_mm = work[736 + k]
-            v58 = work[768 + k]
-            v59 = work[800 + k]
+            v64 = work[768 + k]
+            v65 = work[800 + k]
             doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
             angle1_ = work[896 + k]
@@ -1119,56 +1128,56 @@ def _in_tiles(T, q, status):
             angle1________________ = work[1376 + k]
             angle1_________________ = work[1408 + k]
             angle1__________________ = work[1440 + k]
-            q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h2
-            q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h2
-            q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h2
-            q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h2
-            v52 = angle1____ - offset2
-            v53 = angle1_____ - offset2
-            v54 = angle1______ - offset2
-            v55 = angle1_______ - offset2
-            q2_ppp = v52 + (m15 if v52 <= -half_turn else 0.0)
-            q2_pmp = v53 + (m15 if v53 <= -half_turn else 0.0)
-            q2_mpp = v54 + (m15 if v54 <= -half_turn else 0.0)
-            q2_mmp = v55 + (m15 if v55 <= -half_turn else 0.0)
-            v56 = angle1________ - offset3
-            v57 = h2 * math.copysign(half_turn, v7) - angle1________ - offset3
-            v60 = angle1_________ - offset4
-            v61 = angle1_________ - v58 - offset4
-            v62 = angle1__________ - offset4
-            v63 = angle1__________ - v58 - offset4
-            v64 = angle1___________ - offset4
-            v65 = angle1___________ - v59 - offset4
-            v66 = angle1____________ - offset4
-            v67 = angle1____________ - v59 - offset4
-            q4_ppp = v60 + (m15 if v60 <= -half_turn else 0.0)
-            q4_ppm = v61 + (m15 if v61 <= -half_turn else 0.0)
-            q4_pmp = v62 + (m15 if v62 <= -half_turn else 0.0)
-            q4_pmm = v63 + (m15 if v63 <= -half_turn else 0.0)
-            q4_mpp = v64 + (m15 if v64 <= -half_turn else 0.0)
-            q4_mpm = v65 + (m15 if v65 <= -half_turn else 0.0)
-            q4_mmp = v66 + (m15 if v66 <= -half_turn else 0.0)
-            q4_mmm = v67 + (m15 if v67 <= -half_turn else 0.0)
-            v68 = angle1_____________ - offset5
-            v69 = offset5 + angle1_____________
-            v70 = angle1______________ - offset5
-            v71 = offset5 + angle1______________
-            v72 = angle1_______________ - offset5
-            v73 = offset5 + angle1_______________
-            v74 = angle1________________ - offset5
-            v75 = offset5 + angle1________________
-            q5_ppp = v68 + (m15 if v68 <= -half_turn else 0.0)
-            q5_ppm = (m15 if -v69 <= -half_turn else 0.0) - v69
-            q5_pmp = v70 + (m15 if v70 <= -half_turn else 0.0)
-            q5_pmm = (m15 if -v71 <= -half_turn else 0.0) - v71
-            q5_mpp = v72 + (m15 if v72 <= -half_turn else 0.0)
-            q5_mpm = (m15 if -v73 <= -half_turn else 0.0) - v73
-            q5_mmp = v74 + (m15 if v74 <= -half_turn else 0.0)
-            q5_mmm = (m15 if -v75 <= -half_turn else 0.0) - v75
+            q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
+            q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
+            q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
+            q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
+            v58 = angle1____ - offset2
+            v59 = angle1_____ - offset2
+            v60 = angle1______ - offset2
+            v61 = angle1_______ - offset2
+            q2_ppp = v58 + (m6 if v58 <= -half_turn else 0.0)
+            q2_pmp = v59 + (m6 if v59 <= -half_turn else 0.0)
+            q2_mpp = v60 + (m6 if v60 <= -half_turn else 0.0)
+            q2_mmp = v61 + (m6 if v61 <= -half_turn else 0.0)
+            v62 = angle1________ - offset3
+            v63 = h1 * math.copysign(half_turn, v7) - angle1________ - offset3
+            v66 = angle1_________ - offset4
+            v67 = angle1_________ - v64 - offset4
+            v68 = angle1__________ - offset4
+            v69 = angle1__________ - v64 - offset4
+            v70 = angle1___________ - offset4
+            v71 = angle1___________ - v65 - offset4
+            v72 = angle1____________ - offset4
+            v73 = angle1____________ - v65 - offset4
+            q4_ppp = v66 + (m6 if v66 <= -half_turn else 0.0)
+            q4_ppm = v67 + (m6 if v67 <= -half_turn else 0.0)
+            q4_pmp = v68 + (m6 if v68 <= -half_turn else 0.0)
+            q4_pmm = v69 + (m6 if v69 <= -half_turn else 0.0)
+            q4_mpp = v70 + (m6 if v70 <= -half_turn else 0.0)
+            q4_mpm = v71 + (m6 if v71 <= -half_turn else 0.0)
+            q4_mmp = v72 + (m6 if v72 <= -half_turn else 0.0)
+            q4_mmm = v73 + (m6 if v73 <= -half_turn else 0.0)
+            v74 = angle1_____________ - offset5
+            v75 = offset5 + angle1_____________
+            v76 = angle1______________ - offset5
+            v77 = offset5 + angle1______________
+            v78 = angle1_______________ - offset5
+            v79 = offset5 + angle1_______________
+            v80 = angle1________________ - offset5
+            v81 = offset5 + angle1________________
+            q5_ppp = v74 + (m6 if v74 <= -half_turn else 0.0)
+            q5_ppm = (m6 if -v75 <= -half_turn else 0.0) - v75
+            q5_pmp = v76 + (m6 if v76 <= -half_turn else 0.0)
+            q5_pmm = (m6 if -v77 <= -half_turn else 0.0) - v77
+            q5_mpp = v78 + (m6 if v78 <= -half_turn else 0.0)
+            q5_mpm = (m6 if -v79 <= -half_turn else 0.0) - v79
+            q5_mmp = v80 + (m6 if v80 <= -half_turn else 0.0)
+            q5_mmm = (m6 if -v81 <= -half_turn else 0.0) - v81
             q1_ppp = v6 + angle1_________________
             q1_mpp = v6 + angle1__________________
-            q3_ppp = v1 + (v56 + (m15 if v56 <= -half_turn else 0.0))
-            q3_pmp = v1 + (v57 + (m15 if v57 <= -half_turn else 0.0))
+            q3_ppp = v1 + (v62 + (m6 if v62 <= -half_turn else 0.0))
+            q3_pmp = v1 + (v63 + (m6 if v63 <= -half_turn else 0.0))
             _2080 = q1_ppp
             work[2080 + k] = _2080
             _2112 = q2_ppp

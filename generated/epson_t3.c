@@ -21,6 +21,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef EPSON_T3_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -38,21 +41,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -84,7 +87,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -128,7 +131,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -154,8 +157,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef EPSON_T3_LIBM
 #define atan2_wide atan2
 #else
@@ -165,7 +168,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -339,9 +342,7 @@ static const double high3 = 1e-09; /* highest value of joint 3 */
 static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
 static const double m2 = 2.2222222222222223; /* a coefficient of S1 */
 static const double m3 = 0.04444444444444444; /* a coefficient of S1 */
-static const double m4 = 2.8571428571428577; /* a coefficient of c12 */
-static const double m5 = 0.057142857142857155; /* a coefficient of c12 */
-static const double m6 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const epson_t3_branches[2] = {
     "down", "up",
@@ -458,7 +459,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta12m4 */
     const wide v1 = T21 * T21 + T11 * T11;
-    const wide v2 = 1.0 / sqrt_wide(v1);
+    const wide v2 = sqrt_wide(v1) * (1.0 / v1);
     const wide c12m4 = T11 * v2;
     const wide s12m4 = T21 * v2;
     const wide angle1 = atan2_wide(T21, T11);
@@ -471,54 +472,35 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     /* theta1 */
     const wide v3 = m3 + m2 * N2;
     const wide v4 = T24 * v3;
-    const wide v5 = w2 * (m2 * T14);
-    const wide S1_p = v4 - v5;
-    const wide S1_m = v4 + v5;
-    const wide v6 = T14 * v3;
+    const wide v5 = T14 * v3;
+    const wide v6 = w2 * (m2 * T14);
     const wide v7 = w2 * (m2 * T24);
-    const wide C1_p = v6 + v7;
-    const wide C1_m = v6 - v7;
-    const wide factor1 = 1.0 / N2;
-    const wide angle1__ = atan2_wide(S1_p, C1_p);
-    const wide angle1___ = atan2_wide(S1_m, C1_m);
+    const wide angle1__ = atan2_wide(v4 - v6, v5 + v7);
+    const wide angle1___ = atan2_wide(v4 + v6, v5 - v7);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = m4 * N2 - m5;
-    const wide v9 = T14 * v8;
-    const wide v10 = T24 * v8;
-    const double v11 = sqrt(-1.0);
-    const wide v12 = pick_wide((abs_wide(1.0 + T33) <= pose_slack) & ((abs_wide(T32) <= pose_slack)
-        & ((abs_wide(T31) <= pose_slack) & ((abs_wide(T23) <= pose_slack) & ((abs_wide(c12m4 + T22)
-        <= pose_slack) & ((abs_wide(T21 - s12m4) <= pose_slack) & ((abs_wide(T13) <= pose_slack) &
-        ((abs_wide(T11 - c12m4) <= pose_slack) & (abs_wide(T12 - s12m4) <= pose_slack)))))))),
-        all_wide(0.0), all_wide(v11));
-    const wide v13 = w2 * (m4 * T24);
-    const wide v14 = w2 * (m4 * T14);
-    const wide v15 = pick_wide((abs_wide(T14 - factor1 * (a2 * (v9 - v13) + a1 * C1_p)) <=
-        pose_slack1) & (abs_wide(T24 - factor1 * (a2 * (v10 + v14) + a1 * S1_p)) <= pose_slack1),
-        all_wide(0.0), all_wide(v11));
-    const wide v16 = pick_wide((abs_wide(T14 - factor1 * (a2 * (v9 + v13) + a1 * C1_m)) <=
-        pose_slack1) & (abs_wide(T24 - factor1 * (a2 * (v10 - v14) + a1 * S1_m)) <= pose_slack1),
-        all_wide(0.0), all_wide(v11));
+    const wide v8 = pick_wide(maximum_wide(abs_wide(T12 - s12m4), maximum_wide(abs_wide(T11 -
+        c12m4), maximum_wide(abs_wide(T13), maximum_wide(abs_wide(T21 - s12m4),
+        maximum_wide(abs_wide(c12m4 + T22), maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T31),
+        maximum_wide(abs_wide(1.0 + T33), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0),
+        all_wide(sqrt(-1.0)));
 
     /* joint values */
-    const wide v17 = angle1_ + angle1__ - angle1;
-    const wide v18 = angle1___ - angle1_ - angle1;
-    const wide_mask v19 = (T34 < low3) | (high3 < T34);
-    const wide q1_p = v15 + (angle1__ + v12);
-    const wide q1_m = v16 + (angle1___ + v12);
-    const wide q2_p = v15 + (angle1_ + v12);
-    const wide q2_m = v16 + (v12 - angle1_);
-    const wide v20 = v12 + (T34 + (w2 - w2));
-    const wide q3_p = v15 + v20;
-    const wide q3_m = v16 + v20;
-    const wide q4_p = v15 + (v12 + (v17 - pick_wide(half_turn < v17, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v17 <= -half_turn, all_wide(m6), all_wide(0.0))));
-    const wide q4_m = v16 + (v12 + (v18 - pick_wide(half_turn < v18, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v18 <= -half_turn, all_wide(m6), all_wide(0.0))));
-    const wide_mask outside_p = v19 | (((angle1__ < low1) | (high1 < angle1__)) | ((angle1_ < low2)
+    const wide v9 = angle1_ + angle1__ - angle1;
+    const wide v10 = angle1___ - angle1_ - angle1;
+    const wide_mask v11 = (T34 < low3) | (high3 < T34);
+    const wide q1_p = angle1__ + v8;
+    const wide q1_m = angle1___ + v8;
+    const wide q2_p = angle1_ + v8;
+    const wide q2_m = v8 - angle1_;
+    const wide q3_p = v8 + (T34 + (w2 - w2));
+    const wide q4_p = v8 + (v9 - pick_wide(half_turn < v9, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v9 <= -half_turn, all_wide(m4), all_wide(0.0)));
+    const wide q4_m = v8 + (v10 - pick_wide(half_turn < v10, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v10 <= -half_turn, all_wide(m4), all_wide(0.0)));
+    const wide_mask outside_p = v11 | (((angle1__ < low1) | (high1 < angle1__)) | ((angle1_ < low2)
         | (high2 < angle1_)));
-    const wide_mask outside_m = v19 | (((angle1___ < low1) | (high1 < angle1___)) | ((-angle1_ <
+    const wide_mask outside_m = v11 | (((angle1___ < low1) | (high1 < angle1___)) | ((-angle1_ <
         low2) | (high2 < -angle1_)));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
@@ -531,7 +513,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     kind[0] = kind_of(q[0] != q[0], outside_p);
     q[4] = q1_m;
     q[5] = q2_m;
-    q[6] = q3_m;
+    q[6] = q3_p;
     q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], outside_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -550,7 +532,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* theta12m4 */
     const double v1 = T21 * T21 + T11 * T11;
-    const double v2 = 1.0 / sqrt(v1);
+    const double v2 = sqrt(v1) * (1.0 / v1);
     const double c12m4 = T11 * v2;
     const double s12m4 = T21 * v2;
 
@@ -559,54 +541,41 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
 
     /* theta1 */
-    const four v3 = e1 * T14;
-    const double v4 = m3 + m2 * N2;
-    const double v5 = T24 * v4;
-    const four S1 = v5 - w2 * (m2 * v3);
-    const four v6 = e1 * T24;
-    const double v7 = T14 * v4;
-    const four C1 = v7 + w2 * (m2 * v6);
-    const double factor1 = 1.0 / N2;
+    const double v3 = m3 + m2 * N2;
+    const double v4 = T24 * v3;
+    const double v5 = T14 * v3;
 
     /* is the pose one that the arm can take? */
-    const double v8 = m4 * N2 - m5;
-    const double v9 = T14 * v8;
-    const double v10 = T24 * v8;
-    const double v11 = sqrt(-1.0);
-    const double v12 = ((fabs(1.0 + T33) <= pose_slack) & ((fabs(T32) <= pose_slack) & ((fabs(T31)
-        <= pose_slack) & ((fabs(T23) <= pose_slack) & ((fabs(c12m4 + T22) <= pose_slack) &
-        ((fabs(T21 - s12m4) <= pose_slack) & ((fabs(T13) <= pose_slack) & ((fabs(T11 - c12m4) <=
-        pose_slack) & (fabs(T12 - s12m4) <= pose_slack))))))))) ? 0.0 : v11;
-    const four v13 = pick_four((abs_four(T14 - factor1 * (a2 * (v9 - w2 * (m4 * v6)) + a1 * C1)) <=
-        pose_slack1) & (abs_four(T24 - factor1 * (a2 * (v10 + w2 * (m4 * v3)) + a1 * S1)) <=
-        pose_slack1), all_four(0.0), all_four(v11));
+    const double v6 = (maximum_double(fabs(T12 - s12m4), maximum_double(fabs(T11 - c12m4),
+        maximum_double(fabs(T13), maximum_double(fabs(T21 - s12m4), maximum_double(fabs(c12m4 +
+        T22), maximum_double(fabs(T23), maximum_double(fabs(T31), maximum_double(fabs(1.0 + T33),
+        fabs(T32))))))))) <= pose_slack) ? 0.0 : sqrt(-1.0);
 
     /* joint values */
-    const int v16 = (T34 < low3) | (high3 < T34);
-    const double v17 = v12 + (T34 + (w2 - w2));
-    const four q3 = v13 + v17;
+    const int v9 = (T34 < low3) | (high3 < T34);
+    const double q3 = v6 + (T34 + (w2 - w2));
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
         N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) | (v1 <= m1));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S1,
-        all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(C1, all_four(T11), 0, 1, 6, 3), all_four(N2
-        - k1), 0, 1, 2, 7));
+    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w2 * (m2 *
+        (e1 * T14)), all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(v5 + w2 * (m2 * (e1 * T24)), all_four(T11),
+        0, 1, 6, 3), all_four(N2 - k1), 0, 1, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v14 = e1 * angle1_;
-    const four v15 = angle1__ + v14 - angle1;
-    const four q1 = v13 + (angle1__ + v12);
-    const four q2 = v13 + (v12 + v14);
-    const four q4 = v13 + (v12 + (v15 - pick_four(half_turn < v15, all_four(m6), all_four(0.0)) +
-        pick_four(v15 <= -half_turn, all_four(m6), all_four(0.0))));
-    const four_mask outside = where_four(v16) | (((angle1__ < low1) | (high1 < angle1__)) | ((v14 <
-        low2) | (high2 < v14)));
+    const four v7 = e1 * angle1_;
+    const four v8 = angle1__ + v7 - angle1;
+    const four q1 = angle1__ + v6;
+    const four q2 = v6 + v7;
+    const four q4 = v6 + (v8 - pick_four(half_turn < v8, all_four(m4), all_four(0.0)) + pick_four(v8
+        <= -half_turn, all_four(m4), all_four(0.0)));
+    const four_mask outside = where_four(v9) | (((angle1__ < low1) | (high1 < angle1__)) | ((v7 <
+        low2) | (high2 < v7)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
+    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, all_four(q3), q4);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
     const unsigned long long outside1 = (bits_four(outside) * 0x81ull & 0x101ull);
     const unsigned long long kind1 = none1 * EPSON_T3_UNREACHABLE + (outside1 & ~none1) *

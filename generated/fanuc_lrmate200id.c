@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef FANUC_LRMATE200ID_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -40,21 +43,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -86,7 +89,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -130,7 +133,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -156,8 +159,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef FANUC_LRMATE200ID_LIBM
 #define atan2_wide atan2
 #else
@@ -167,7 +170,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -559,9 +562,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1 = d6 * T21 - T24;
     const wide v1 = t14 * t14 + Y1 * Y1;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
-    const wide v2 = t14 * factor1;
-    const wide s1 = Y1 * factor1;
+    const wide v2 = 1.0 / v1;
     const wide angle1 = atan2_wide(Y1, -t14);
     const wide q1__m = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1;
 
@@ -616,12 +617,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v27 = w3_m * (factor2_m * (v23 + m5 * v4));
     const wide s2m3_mp = v25 + v27;
     const wide s2m3_mm = v25 - v27;
-    const wide v28 = T21 * s1 - T11 * v2;
+    const wide v28 = w1 * (v2 * (T21 * Y1 - T11 * t14));
     const wide X4_pp = c2m3_pp * v28 - T31 * s2m3_pp;
     const wide X4_pm = c2m3_pm * v28 - T31 * s2m3_pm;
     const wide v29 = c2m3_mp * v28 + T31 * s2m3_mp;
     const wide v30 = c2m3_mm * v28 + T31 * s2m3_mm;
-    const wide Y4 = T11 * s1 + T21 * v2;
+    const wide Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21));
     const wide v31 = Y4 * Y4;
     const wide v32 = v31 + X4_pp * X4_pp;
     const wide v33 = v31 + X4_pm * X4_pm;
@@ -639,10 +640,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q4_mmm = angle1______ - v37;
 
     /* theta6 */
-    const wide v38 = v2 * T22 + s1 * T12;
-    const wide v39 = s1 * T22 - v2 * T12;
-    const wide v40 = v2 * T23 + s1 * T13;
-    const wide v41 = s1 * T23 - v2 * T13;
+    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12));
+    const wide v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const wide v40 = w1 * (v2 * (t14 * T23 + Y1 * T13));
+    const wide v41 = w1 * (v2 * (Y1 * T23 - t14 * T13));
     const wide v42 = Y4 * (s2m3_pp * T33 - c2m3_pp * v41) - -X4_pp * v40;
     const wide v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40;
     const wide v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41);
@@ -807,9 +808,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = t14 * t14 + Y1 * Y1;
     const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double factor1 = 1.0 / w1;
-    const double v2 = t14 * factor1;
-    const double s1 = Y1 * factor1;
+    const double v2 = 1.0 / v1;
     const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
@@ -837,9 +836,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v15 = v14 + m5 * v4;
     const four v16 = v4 * v11 - Z1_3 * v12;
     const four s2m3 = v16 + w3 * (factor2 * (e2 * v15));
-    const double v17 = T21 * s1 - T11 * v2;
+    const double v17 = w1 * (v2 * (T21 * Y1 - T11 * t14));
     const four X4 = e1 * (c2m3 * v17) - T31 * s2m3;
-    const double Y4 = T11 * s1 + T21 * v2;
+    const double Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21));
     const double v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m9;
@@ -847,10 +846,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v21 = copysign_four(all_four(half_turn), v20) * h1;
 
     /* theta6 */
-    const double v22 = v2 * T22 + s1 * T12;
-    const double v23 = s1 * T22 - v2 * T12;
-    const double v24 = v2 * T23 + s1 * T13;
-    const double v25 = s1 * T23 - v2 * T13;
+    const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12));
+    const double v23 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const double v24 = w1 * (v2 * (t14 * T23 + Y1 * T13));
+    const double v25 = w1 * (v2 * (Y1 * T23 - t14 * T13));
     const four v26 = e1 * (Y4 * (s2m3 * T33 - e1 * (c2m3 * v25)) - -X4 * v24);
 
     /* joint values */

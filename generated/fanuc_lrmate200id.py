@@ -529,9 +529,7 @@ def _regular(pose, q, status):
     Y1 = d6 * T21 - T24
     v1 = t14 * t14 + Y1 * Y1
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = t14 * factor1
-    s1 = Y1 * factor1
+    v2 = 1.0 / v1
     angle1 = _atan2(Y1, -t14)
     q1__m = angle1 - math.copysign(half_turn, Y1) * h1
 
@@ -586,12 +584,12 @@ def _regular(pose, q, status):
     v27 = w3_m * (factor2_m * (v23 + m5 * v4))
     s2m3_mp = v25 + v27
     s2m3_mm = v25 - v27
-    v28 = T21 * s1 - T11 * v2
+    v28 = w1 * (v2 * (T21 * Y1 - T11 * t14))
     X4_pp = c2m3_pp * v28 - T31 * s2m3_pp
     X4_pm = c2m3_pm * v28 - T31 * s2m3_pm
     v29 = c2m3_mp * v28 + T31 * s2m3_mp
     v30 = c2m3_mm * v28 + T31 * s2m3_mm
-    Y4 = T11 * s1 + T21 * v2
+    Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21))
     v31 = Y4 * Y4
     v32 = v31 + X4_pp * X4_pp
     v33 = v31 + X4_pm * X4_pm
@@ -609,10 +607,10 @@ def _regular(pose, q, status):
     q4_mmm = angle1______ - v37
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v38 = v2 * T22 + s1 * T12
-    v39 = s1 * T22 - v2 * T12
-    v40 = v2 * T23 + s1 * T13
-    v41 = s1 * T23 - v2 * T13
+    v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
+    v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
+    v40 = w1 * (v2 * (t14 * T23 + Y1 * T13))
+    v41 = w1 * (v2 * (Y1 * T23 - t14 * T13))
     v42 = Y4 * (s2m3_pp * T33 - c2m3_pp * v41) - -X4_pp * v40
     v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40
     v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41)
@@ -945,9 +943,7 @@ def _in_tiles(T, q, status):
             Y1 = d6 * T21 - T24
             v1 = t14 * t14 + Y1 * Y1
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = t14 * factor1
-            s1 = Y1 * factor1
+            v2 = 1.0 / v1
             Z1_3 = T34 - d6 * T31 - d1
             v3 = a1 + w1
             v4 = a1 - w1
@@ -988,12 +984,12 @@ def _in_tiles(T, q, status):
             v27 = w3_m * (factor2_m * (v23 + m5 * v4))
             s2m3_mp = v25 + v27
             s2m3_mm = v25 - v27
-            v28 = T21 * s1 - T11 * v2
+            v28 = w1 * (v2 * (T21 * Y1 - T11 * t14))
             X4_pp = c2m3_pp * v28 - T31 * s2m3_pp
             X4_pm = c2m3_pm * v28 - T31 * s2m3_pm
             v29 = c2m3_mp * v28 + T31 * s2m3_mp
             v30 = c2m3_mm * v28 + T31 * s2m3_mm
-            Y4 = T11 * s1 + T21 * v2
+            Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21))
             v31 = Y4 * Y4
             v32 = v31 + X4_pp * X4_pp
             v33 = v31 + X4_pm * X4_pm
@@ -1001,10 +997,10 @@ def _in_tiles(T, q, status):
             v35 = v31 + v30 * v30
             v36 = h1 * math.copysign(half_turn, Y4)
             v37 = h1 * math.copysign(half_turn, -Y4)
-            v38 = v2 * T22 + s1 * T12
-            v39 = s1 * T22 - v2 * T12
-            v40 = v2 * T23 + s1 * T13
-            v41 = s1 * T23 - v2 * T13
+            v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
+            v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
+            v40 = w1 * (v2 * (t14 * T23 + Y1 * T13))
+            v41 = w1 * (v2 * (Y1 * T23 - t14 * T13))
             v42 = Y4 * (s2m3_pp * T33 - c2m3_pp * v41) - -X4_pp * v40
             v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40
             v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41)

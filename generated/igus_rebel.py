@@ -521,9 +521,7 @@ def _regular(pose, q, status):
     Y1 = d6 * T23 - T24
     v1 = wx * wx + Y1 * Y1
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = wx * factor1
-    s1 = Y1 * factor1
+    v2 = 1.0 / v1
     angle1 = _atan2(Y1, -wx)
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
@@ -571,12 +569,12 @@ def _regular(pose, q, status):
     v25 = w3_m * (factor2_m * (v21 + m5 * v4))
     s23_mp = v23 - v25
     s23_mm = v23 + v25
-    v26 = T23 * s1 - T13 * v2
+    v26 = w1 * (v2 * (T23 * Y1 - T13 * wx))
     X4_pp = T33 * s23_pp - c23_pp * v26
     X4_pm = T33 * s23_pm - c23_pm * v26
     X4_mp = T33 * s23_mp + c23_mp * v26
     X4_mm = T33 * s23_mm + c23_mm * v26
-    Y4 = T13 * s1 + T23 * v2
+    Y4 = w1 * (v2 * (T13 * Y1 + wx * T23))
     v27 = Y4 * Y4
     v28 = v27 + X4_pp * X4_pp
     v29 = v27 + X4_pm * X4_pm
@@ -594,10 +592,10 @@ def _regular(pose, q, status):
     q4_mmm = angle1____ - v33
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v34 = v2 * T22 + s1 * T12
-    v35 = s1 * T22 - v2 * T12
-    v36 = v2 * T21 + s1 * T11
-    v37 = s1 * T21 - v2 * T11
+    v34 = w1 * (v2 * (wx * T22 + Y1 * T12))
+    v35 = w1 * (v2 * (Y1 * T22 - wx * T12))
+    v36 = w1 * (v2 * (wx * T21 + Y1 * T11))
+    v37 = w1 * (v2 * (Y1 * T21 - wx * T11))
     v38 = Y4 * (c23_pp * v37 - s23_pp * T31) - -X4_pp * v36
     v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36
     v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36
@@ -908,9 +906,7 @@ def _in_tiles(T, q, status):
             Y1 = d6 * T23 - T24
             v1 = wx * wx + Y1 * Y1
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = wx * factor1
-            s1 = Y1 * factor1
+            v2 = 1.0 / v1
             Z1_3 = T34 - d6 * T33 - d1
             v3 = a1 + w1
             v4 = a1 - w1
@@ -951,12 +947,12 @@ def _in_tiles(T, q, status):
             v25 = w3_m * (factor2_m * (v21 + m5 * v4))
             s23_mp = v23 - v25
             s23_mm = v23 + v25
-            v26 = T23 * s1 - T13 * v2
+            v26 = w1 * (v2 * (T23 * Y1 - T13 * wx))
             X4_pp = T33 * s23_pp - c23_pp * v26
             X4_pm = T33 * s23_pm - c23_pm * v26
             X4_mp = T33 * s23_mp + c23_mp * v26
             X4_mm = T33 * s23_mm + c23_mm * v26
-            Y4 = T13 * s1 + T23 * v2
+            Y4 = w1 * (v2 * (T13 * Y1 + wx * T23))
             v27 = Y4 * Y4
             v28 = v27 + X4_pp * X4_pp
             v29 = v27 + X4_pm * X4_pm
@@ -964,10 +960,10 @@ def _in_tiles(T, q, status):
             v31 = v27 + X4_mm * X4_mm
             v32 = math.copysign(half_turn, Y4) * h1
             v33 = math.copysign(half_turn, -Y4) * h1
-            v34 = v2 * T22 + s1 * T12
-            v35 = s1 * T22 - v2 * T12
-            v36 = v2 * T21 + s1 * T11
-            v37 = s1 * T21 - v2 * T11
+            v34 = w1 * (v2 * (wx * T22 + Y1 * T12))
+            v35 = w1 * (v2 * (Y1 * T22 - wx * T12))
+            v36 = w1 * (v2 * (wx * T21 + Y1 * T11))
+            v37 = w1 * (v2 * (Y1 * T21 - wx * T11))
             v38 = Y4 * (c23_pp * v37 - s23_pp * T31) - -X4_pp * v36
             v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36
             v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef KATANA_400_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef KATANA_400_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -340,16 +343,9 @@ static const double m3 = 9.999999999999998e-49; /* free_limit_squared^2 */
 static const double m4 = 2.631578947368421; /* a coefficient of S2 */
 static const double m5 = 0.04415526315789473; /* a coefficient of S2 */
 static const double m6 = 2.1106015755686556e-49; /* free_limit_squared2^2 [m^4] */
-static const double m7 = 49.8216385340481; /* a coefficient of c23 */
-static const double m8 = 3.5971223021582728; /* a coefficient of c23 */
-static const double m9 = 0.8359572729627931; /* a coefficient of s23 */
-static const double m10 = 2.76116502919548; /* a coefficient of s23 */
-static const double m11 = 0.06035611510791366; /* a coefficient of s23 */
-static const double m12 = 0.2323961218836565; /* a coefficient of v10 */
-static const double m13 = 6.925207756232686; /* a coefficient of v10 */
-static const double m14 = 0.7676038781163435; /* a coefficient of v10 */
-static const double m15 = 0.0019496872645429362; /* a coefficient of v10 */
-static const double m16 = 6.283185307179586; /* 2 * half_turn */
+static const double m7 = 0.19; /* a coefficient of v10 */
+static const double m8 = 0.139; /* a coefficient of v10 */
+static const double m9 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const katana_400_branches[4] = {
@@ -510,150 +506,161 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     /* theta1 */
     const wide v1 = T14 * T14 + T24 * T24;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
+    const wide v2 = 1.0 / v1;
+    const wide factor1 = w1 * v2;
     const wide c1 = T14 * factor1;
     const wide s1 = T24 * factor1;
     const wide angle1 = atan2_wide(T24, T14);
 
     /* theta234 */
-    const wide Z2_234 = c1 * T13 + s1 * T23;
-    const wide v2 = T33 * T33 + Z2_234 * Z2_234;
-    const wide factor234 = 1.0 / sqrt_wide(v2);
-    const wide c234 = T33 * factor234;
-    const wide v3 = Z2_234 * factor234;
+    const wide Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23));
+    const wide v3 = T33 * T33 + Z2_234 * Z2_234;
+    const wide factor234 = sqrt_wide(v3) * (1.0 / v3);
     const wide angle1_ = atan2_wide(-Z2_234, T33);
 
     /* theta5 */
-    const wide Z1_5 = s1 * T12 - c1 * T22;
-    const wide Z2_5 = s1 * T11 - c1 * T21;
+    const wide Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22));
+    const wide Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21));
     const wide v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
-    const wide v5 = 1.0 / sqrt_wide(v4);
+    const wide v5 = sqrt_wide(v4) * (1.0 / v4);
     const wide v6 = Z1_5 * v5;
     const wide v7 = Z2_5 * v5;
     const wide angle1__ = atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const wide v8 = d5 * c234;
+    const wide v8 = factor234 * (d5 * T33);
     const wide Z1_3 = T34 - d1 - v8;
-    const wide v9 = d5 * v3;
+    const wide v9 = factor234 * (d5 * Z2_234);
     const wide Z2_3 = w1 - v9;
     const wide N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const wide K3 = N3 - k1;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide v10 = w3 - w3;
-    const wide angle1___ = atan2_wide(w3, N3 - k1);
+    const wide s3 = k2 * w3;
+    const wide c3 = k2 * K3;
+    const wide angle1___ = atan2_wide(w3, K3);
 
     /* theta2 */
-    const wide v11 = m5 + m4 * N3;
-    const wide v12 = Z1_3 * v11;
-    const wide S2_pp = v12 - w3 * (m4 * Z2_3);
-    const wide S2_pm = v12 - w3 * (m4 * -Z2_3);
-    const wide v13 = w3 * (m4 * Z1_3);
-    const wide v14 = w3 * (m4 * -Z1_3);
-    const wide v15 = Z2_3 * v11;
-    const wide C2_pp = v13 + v15;
-    const wide C2_pm = v14 + v15;
-    const wide C2_mp = v13 - v15;
-    const wide C2_mm = v14 - v15;
-    const wide v16 = S2_pp * S2_pp;
-    const wide v17 = v16 + C2_pp * C2_pp;
-    const wide v18 = S2_pm * S2_pm;
-    const wide v19 = v18 + C2_pm * C2_pm;
-    const wide v20 = v18 + C2_mp * C2_mp;
-    const wide v21 = v16 + C2_mm * C2_mm;
-    const wide factor2_pp = 1.0 / sqrt_wide(v17);
-    const wide factor2_pm = 1.0 / sqrt_wide(v19);
-    const wide factor2_mp = 1.0 / sqrt_wide(v20);
-    const wide factor2_mm = 1.0 / sqrt_wide(v21);
+    const wide X1_2 = a2 + a3 * c3;
+    const wide Y1_2 = a3 * s3;
+    const wide v11 = Z1_3 * X1_2;
+    const wide v12 = Z2_3 * Y1_2;
+    const wide v13 = v11 - v12;
+    const wide v14 = v11 + v12;
+    const wide v15 = m5 + m4 * N3;
+    const wide v16 = Z1_3 * v15;
+    const wide S2_pp = v16 - w3 * (m4 * Z2_3);
+    const wide S2_pm = v16 - w3 * (m4 * -Z2_3);
+    const wide v17 = Z2_3 * X1_2;
+    const wide v18 = Z1_3 * Y1_2;
+    const wide v19 = v17 + v18;
+    const wide v20 = v17 - v18;
+    const wide v21 = w3 * (m4 * Z1_3);
+    const wide v22 = w3 * (m4 * -Z1_3);
+    const wide v23 = Z2_3 * v15;
+    const wide C2_pp = v21 + v23;
+    const wide C2_pm = v22 + v23;
+    const wide C2_mp = v21 - v23;
+    const wide C2_mm = v22 - v23;
+    const wide v24 = S2_pp * S2_pp;
+    const wide v25 = v24 + C2_pp * C2_pp;
+    const wide v26 = S2_pm * S2_pm;
+    const wide v27 = v26 + C2_pm * C2_pm;
+    const wide v28 = v26 + C2_mp * C2_mp;
+    const wide v29 = v24 + C2_mm * C2_mm;
+    const wide w2_pp = sqrt_wide(v25);
+    const wide w2_pm = sqrt_wide(v27);
+    const wide w2_mp = sqrt_wide(v28);
+    const wide w2_mm = sqrt_wide(v29);
+    const wide v30 = 1.0 / v25;
+    const wide v31 = 1.0 / v27;
+    const wide v32 = 1.0 / v28;
+    const wide v33 = 1.0 / v29;
     const wide angle1____ = atan2_wide(S2_pp, C2_pp);
     const wide angle1_____ = atan2_wide(S2_pm, C2_pm);
     const wide angle1______ = atan2_wide(S2_pm, C2_mp);
     const wide angle1_______ = atan2_wide(S2_pp, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const wide v22 = c1 * c234;
-    const wide v23 = m7 * N3;
-    const wide v24 = m9 + v23;
-    const wide v25 = m10 - v23;
-    const wide v26 = Z1_3 * (m8 * N3 - m11);
-    const wide v27 = m13 * N3;
-    const wide v28 = m12 + v27;
-    const wide v29 = m14 - v27;
-    const wide v30 = Z2_3 * (N3 * (v28 + v29));
-    const wide v31 = v9 + factor2_pp * v30;
-    const wide v32 = v9 + factor2_pm * v30;
-    const wide v33 = Z2_3 * (N3 * (-v29 - v28) + (-m15 - -m15));
-    const wide v34 = factor2_mp * v33 - v9;
-    const wide v35 = factor2_mm * v33 - v9;
-    const wide v36 = s1 * c234;
-    const wide v37 = d1 + v8;
-    const double v38 = sqrt(-1.0);
-    const wide v39 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v3 * v7) <=
-        pose_slack) & ((abs_wide(T31 - v3 * v6) <= pose_slack) & ((abs_wide(T23 - s1 * v3) <=
-        pose_slack) & ((abs_wide(T22 - (v7 * v36 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 + (v6 *
-        v36 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * v3) <= pose_slack) & ((abs_wide(T11 -
-        (s1 * v7 - v6 * v22)) <= pose_slack) & (abs_wide(T12 - (s1 * v6 + v7 * v22)) <=
-        pose_slack)))))))), all_wide(0.0), all_wide(v38));
-    const wide v40 = v26 + w3 * (Z2_3 * (v24 + v25));
-    const wide v41 = pick_wide((abs_wide(T34 - (a3 * (factor2_pp * v40) + (v37 + a2 * (S2_pp *
-        factor2_pp)))) <= pose_slack1) & ((abs_wide(T14 - c1 * v31) <= pose_slack1) & (abs_wide(T24
-        - s1 * v31) <= pose_slack1)), all_wide(0.0), all_wide(v38));
-    const wide v42 = v26 + w3 * (Z2_3 * (-v25 - v24));
-    const wide v43 = pick_wide((abs_wide(T34 - (a3 * (factor2_pm * v42) + (v37 + a2 * (S2_pm *
-        factor2_pm)))) <= pose_slack1) & ((abs_wide(T14 - c1 * v32) <= pose_slack1) & (abs_wide(T24
-        - s1 * v32) <= pose_slack1)), all_wide(0.0), all_wide(v38));
-    const wide v44 = pick_wide((abs_wide(T34 - (a3 * (factor2_mp * v42) + (v37 + a2 * (S2_pm *
-        factor2_mp)))) <= pose_slack1) & ((abs_wide(T14 + c1 * v34) <= pose_slack1) & (abs_wide(T24
-        + s1 * v34) <= pose_slack1)), all_wide(0.0), all_wide(v38));
-    const wide v45 = pick_wide((abs_wide(T34 - (a3 * (factor2_mm * v40) + (v37 + a2 * (S2_pp *
-        factor2_mm)))) <= pose_slack1) & ((abs_wide(T14 + c1 * v35) <= pose_slack1) & (abs_wide(T24
-        + s1 * v35) <= pose_slack1)), all_wide(0.0), all_wide(v38));
+    const wide v34 = c1 * T33;
+    const wide v35 = m7 + m8 * c3;
+    const wide v36 = v19 * v35 - m8 * (s3 * v13);
+    const wide v37 = v9 + w2_pp * (v30 * v36);
+    const wide v38 = m8 * (s3 * v14);
+    const wide v39 = v9 + w2_pm * (v31 * (v20 * v35 + v38));
+    const wide v40 = w2_mp * (v32 * (-v20 * v35 - v38)) - v9;
+    const wide v41 = w2_mm * (v33 * -v36) - v9;
+    const wide v42 = s1 * T33;
+    const wide v43 = d1 + v8;
+    const double v44 = sqrt(-1.0);
+    const wide v45 = pick_wide(maximum_wide(abs_wide(T12 - (s1 * v6 + factor234 * (v7 * v34))),
+        maximum_wide(abs_wide(T11 - (s1 * v7 - factor234 * (v6 * v34))), maximum_wide(abs_wide(T13 -
+        factor234 * (c1 * Z2_234)), maximum_wide(abs_wide(T21 + (c1 * v7 + factor234 * (v6 * v42))),
+        maximum_wide(abs_wide(T22 - (factor234 * (v7 * v42) - c1 * v6)), maximum_wide(abs_wide(T23 -
+        factor234 * (s1 * Z2_234)), maximum_wide(abs_wide(T31 - factor234 * (Z2_234 * v6)),
+        maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32 + factor234 * (Z2_234 *
+        v7)))))))))) <= pose_slack, all_wide(0.0), all_wide(v44));
+    const wide v46 = s3 * v19 + c3 * v13;
+    const wide v47 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v37), maximum_wide(abs_wide(T34 -
+        (a3 * (w2_pp * (v30 * v46)) + (v43 + a2 * (S2_pp * (w2_pp * v30))))), abs_wide(T14 - c1 *
+        v37))) <= pose_slack1, all_wide(0.0), all_wide(v44));
+    const wide v48 = c3 * v14;
+    const wide v49 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v39), maximum_wide(abs_wide(T34 -
+        (a3 * (w2_pm * (v31 * (v48 - s3 * v20))) + (v43 + a2 * (S2_pm * (w2_pm * v31))))),
+        abs_wide(T14 - c1 * v39))) <= pose_slack1, all_wide(0.0), all_wide(v44));
+    const wide v50 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v40), maximum_wide(abs_wide(T34 -
+        (a3 * (w2_mp * (v32 * (v48 + s3 * -v20))) + (v43 + a2 * (S2_pm * (w2_mp * v32))))),
+        abs_wide(T14 + c1 * v40))) <= pose_slack1, all_wide(0.0), all_wide(v44));
+    const wide v51 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v41), maximum_wide(abs_wide(T34 -
+        (a3 * (w2_mm * (v33 * v46)) + (v43 + a2 * (S2_pp * (w2_mm * v33))))), abs_wide(T14 + c1 *
+        v41))) <= pose_slack1, all_wide(0.0), all_wide(v44));
 
     /* joint values */
-    const wide v46 = angle1_ - (angle1___ + angle1____) - offset4;
-    const wide v47 = angle1_ - (angle1_____ - angle1___) - offset4;
-    const wide v48 = offset4 + (angle1_ + (angle1___ + angle1______));
-    const wide v49 = offset4 + (angle1_ + (angle1_______ - angle1___));
-    const wide v50 = v46 - pick_wide(half_turn < v46, all_wide(m16), all_wide(0.0)) + pick_wide(v46
-        <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide v51 = v47 - pick_wide(half_turn < v47, all_wide(m16), all_wide(0.0)) + pick_wide(v47
-        <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide v52 = pick_wide(-v48 <= -half_turn, all_wide(m16), all_wide(0.0)) - (v48 +
-        pick_wide(half_turn < -v48, all_wide(m16), all_wide(0.0)));
-    const wide v53 = pick_wide(-v49 <= -half_turn, all_wide(m16), all_wide(0.0)) - (v49 +
-        pick_wide(half_turn < -v49, all_wide(m16), all_wide(0.0)));
-    const wide v54 = v39 + (angle1 + v10);
-    const wide v55 = v39 + (v10 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
-    const wide q1_pp = v41 + v54;
-    const wide q1_pm = v43 + v54;
-    const wide q1_mp = v44 + v55;
-    const wide q1_mm = v45 + v55;
-    const wide q2_pp = v41 + (angle1____ + v39);
-    const wide q2_pm = v43 + (angle1_____ + v39);
-    const wide q2_mp = v44 + (angle1______ + v39);
-    const wide q2_mm = v45 + (angle1_______ + v39);
-    const wide v56 = angle1___ + v39;
-    const wide v57 = v39 - angle1___;
-    const wide q3_pp = v41 + v56;
-    const wide q3_pm = v43 + v57;
-    const wide q3_mp = v44 + v56;
-    const wide q3_mm = v45 + v57;
-    const wide q4_pp = v41 + (v39 + (v50 - pick_wide(half_turn < v50, all_wide(m16),
+    const wide v52 = angle1_ - (angle1___ + angle1____) - offset4;
+    const wide v53 = angle1_ - (angle1_____ - angle1___) - offset4;
+    const wide v54 = offset4 + (angle1_ + (angle1___ + angle1______));
+    const wide v55 = offset4 + (angle1_ + (angle1_______ - angle1___));
+    const wide v56 = v52 - pick_wide(half_turn < v52, all_wide(m9), all_wide(0.0)) + pick_wide(v52
+        <= -half_turn, all_wide(m9), all_wide(0.0));
+    const wide v57 = v53 - pick_wide(half_turn < v53, all_wide(m9), all_wide(0.0)) + pick_wide(v53
+        <= -half_turn, all_wide(m9), all_wide(0.0));
+    const wide v58 = pick_wide(-v54 <= -half_turn, all_wide(m9), all_wide(0.0)) - (v54 +
+        pick_wide(half_turn < -v54, all_wide(m9), all_wide(0.0)));
+    const wide v59 = pick_wide(-v55 <= -half_turn, all_wide(m9), all_wide(0.0)) - (v55 +
+        pick_wide(half_turn < -v55, all_wide(m9), all_wide(0.0)));
+    const wide v60 = v45 + (angle1 + v10);
+    const wide v61 = v45 + (v10 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
+    const wide q1_pp = v47 + v60;
+    const wide q1_pm = v49 + v60;
+    const wide q1_mp = v50 + v61;
+    const wide q1_mm = v51 + v61;
+    const wide q2_pp = v47 + (angle1____ + v45);
+    const wide q2_pm = v49 + (angle1_____ + v45);
+    const wide q2_mp = v50 + (angle1______ + v45);
+    const wide q2_mm = v51 + (angle1_______ + v45);
+    const wide v62 = angle1___ + v45;
+    const wide v63 = v45 - angle1___;
+    const wide q3_pp = v47 + v62;
+    const wide q3_pm = v49 + v63;
+    const wide q3_mp = v50 + v62;
+    const wide q3_mm = v51 + v63;
+    const wide q4_pp = v47 + (v45 + (v56 - pick_wide(half_turn < v56, all_wide(m9),
         all_wide(0.0))));
-    const wide q4_pm = v43 + (v39 + (v51 - pick_wide(half_turn < v51, all_wide(m16),
+    const wide q4_pm = v49 + (v45 + (v57 - pick_wide(half_turn < v57, all_wide(m9),
         all_wide(0.0))));
-    const wide q4_mp = v44 + (v39 + (v52 - pick_wide(half_turn < v52, all_wide(m16),
+    const wide q4_mp = v50 + (v45 + (v58 - pick_wide(half_turn < v58, all_wide(m9),
         all_wide(0.0))));
-    const wide q4_mm = v45 + (v39 + (v53 - pick_wide(half_turn < v53, all_wide(m16),
+    const wide q4_mm = v51 + (v45 + (v59 - pick_wide(half_turn < v59, all_wide(m9),
         all_wide(0.0))));
-    const wide v58 = v39 + (angle1__ + v10);
-    const wide v59 = v39 + (v10 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -Z2_5)));
-    const wide q5_pp = v41 + v58;
-    const wide q5_pm = v43 + v58;
-    const wide q5_mp = v44 + v59;
-    const wide q5_mm = v45 + v59;
-    const wide_mask doubt1 = (v2 <= m3) | ((v1 <= m1) | ((v4 <= m3) | ((((shortest3_reach <= N3) &
-        (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v21
-        <= m6) | ((v20 <= m6) | ((v17 <= m6) | (v19 <= m6)))))));
+    const wide v64 = v45 + (angle1__ + v10);
+    const wide v65 = v45 + (v10 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -Z2_5)));
+    const wide q5_pp = v47 + v64;
+    const wide q5_pm = v49 + v64;
+    const wide q5_mp = v50 + v65;
+    const wide q5_mm = v51 + v65;
+    const wide_mask doubt1 = (v3 <= m3) | ((v1 <= m1) | ((v4 <= m3) | ((((shortest3_reach <= N3) &
+        (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v29
+        <= m6) | ((v28 <= m6) | ((v25 <= m6) | (v27 <= m6)))))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -698,102 +705,107 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* theta1 */
     const double v1 = T14 * T14 + T24 * T24;
     const double w1 = sqrt(v1);
-    const double factor1 = 1.0 / w1;
+    const double v2 = 1.0 / v1;
+    const double factor1 = w1 * v2;
     const double c1 = T14 * factor1;
     const double s1 = T24 * factor1;
-    const double v2 = copysign(half_turn, T24);
-    const four v3 = m2 * (e1 - 1.0);
+    const double v3 = copysign(half_turn, T24);
+    const four v4 = m2 * (e1 - 1.0);
 
     /* theta234 */
-    const double Z2_234 = c1 * T13 + s1 * T23;
-    const double v4 = T33 * T33 + Z2_234 * Z2_234;
-    const double factor234 = 1.0 / sqrt(v4);
-    const double c234 = T33 * factor234;
-    const double v5 = Z2_234 * factor234;
+    const double Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23));
+    const double v5 = T33 * T33 + Z2_234 * Z2_234;
+    const double factor234 = sqrt(v5) * (1.0 / v5);
 
     /* theta5 */
-    const double Z1_5 = s1 * T12 - c1 * T22;
-    const double Z2_5 = s1 * T11 - c1 * T21;
+    const double Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22));
+    const double Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21));
     const double v6 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
-    const double v7 = 1.0 / sqrt(v6);
+    const double v7 = sqrt(v6) * (1.0 / v6);
     const double v8 = Z1_5 * v7;
     const double v9 = Z2_5 * v7;
     const double v10 = copysign(half_turn, -Z2_5);
 
     /* theta3 */
-    const double v11 = d5 * c234;
+    const double v11 = factor234 * (d5 * T33);
     const double Z1_3 = T34 - d1 - v11;
-    const double v12 = d5 * v5;
+    const double v12 = factor234 * (d5 * Z2_234);
     const double Z2_3 = w1 - v12;
     const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
+    const double K3 = N3 - k1;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
     const double v13 = w3 - w3;
+    const double s3 = k2 * w3;
+    const double c3 = k2 * K3;
 
     /* theta2 */
-    const four v14 = e1 * e2;
-    const double v15 = m5 + m4 * N3;
-    const double v16 = Z1_3 * v15;
-    const four S2 = v16 - w3 * (m4 * (Z2_3 * v14));
-    const four v17 = w3 * (m4 * (e2 * Z1_3));
-    const four v18 = Z2_3 * (e1 * v15);
-    const four C2 = v17 + v18;
-    const four v19 = S2 * S2 + C2 * C2;
-    const four_mask doubt2 = v19 <= m6;
-    const four factor2 = 1.0 / sqrt_four(v19);
+    const double X1_2 = a2 + a3 * c3;
+    const double Y1_2 = a3 * s3;
+    const double v14 = Z1_3 * X1_2;
+    const double v15 = Z2_3 * Y1_2;
+    const four v16 = e1 * e2;
+    const four v17 = v14 - v15 * v16;
+    const double v18 = m5 + m4 * N3;
+    const double v19 = Z1_3 * v18;
+    const four S2 = v19 - w3 * (m4 * (Z2_3 * v16));
+    const double v20 = Z2_3 * X1_2;
+    const double v21 = Z1_3 * Y1_2;
+    const four v22 = e1 * v20;
+    const four v23 = e2 * v21;
+    const four v24 = v22 + v23;
+    const four v25 = w3 * (m4 * (e2 * Z1_3));
+    const four v26 = Z2_3 * (e1 * v18);
+    const four C2 = v25 + v26;
+    const four v27 = S2 * S2 + C2 * C2;
+    const four w2 = sqrt_four(v27);
+    const four_mask doubt2 = v27 <= m6;
+    const four v28 = 1.0 / v27;
 
     /* is the pose one that the arm can take? */
-    const double v20 = c1 * c234;
-    const double v21 = m7 * N3;
-    const double v22 = m9 + v21;
-    const four v23 = e1 * v22;
-    const double v24 = m10 - v21;
-    const double v25 = Z1_3 * (m8 * N3 - m11);
-    const four v26 = e1 * v12;
-    const double v27 = m13 * N3;
-    const double v28 = m12 + v27;
-    const four v29 = e1 * v28;
-    const double v30 = m14 - v27;
-    const four v31 = e2 * v30;
-    const four v32 = m15 * e1;
-    const four v33 = m15 * e2;
-    const four v34 = v26 + factor2 * (Z2_3 * (N3 * (v29 + v14 * v31) + (v32 - v14 * v33)));
-    const double v35 = s1 * c234;
-    const double v36 = d1 + v11;
-    const double v37 = sqrt(-1.0);
-    const double v38 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T32 + v5 * v9) <= pose_slack) &
-        ((fabs(T31 - v5 * v8) <= pose_slack) & ((fabs(T23 - s1 * v5) <= pose_slack) & ((fabs(T22 -
-        (v9 * v35 - c1 * v8)) <= pose_slack) & ((fabs(T21 + (v8 * v35 + c1 * v9)) <= pose_slack) &
-        ((fabs(T13 - c1 * v5) <= pose_slack) & ((fabs(T11 - (s1 * v9 - v8 * v20)) <= pose_slack) &
-        (fabs(T12 - (s1 * v8 + v9 * v20)) <= pose_slack))))))))) ? 0.0 : v37;
-    const four v39 = pick_four((abs_four(T34 - (a3 * (factor2 * (v25 + w3 * (Z2_3 * (e2 * v23 + v14
-        * v24)))) + (v36 + a2 * (S2 * factor2)))) <= pose_slack1) & ((abs_four(T14 - e1 * (c1 *
-        v34)) <= pose_slack1) & (abs_four(T24 - e1 * (s1 * v34)) <= pose_slack1)), all_four(0.0),
-        all_four(v37));
+    const double v29 = c1 * T33;
+    const four v30 = e2 * s3;
+    const four v31 = e1 * v12;
+    const double v32 = m7 + m8 * c3;
+    const four v33 = v31 + w2 * (v28 * (v24 * v32 - m8 * (v17 * v30)));
+    const double v34 = s1 * T33;
+    const double v35 = d1 + v11;
+    const double v36 = sqrt(-1.0);
+    const double v37 = (maximum_double(fabs(T12 - (s1 * v8 + factor234 * (v9 * v29))),
+        maximum_double(fabs(T11 - (s1 * v9 - factor234 * (v8 * v29))), maximum_double(fabs(T13 -
+        factor234 * (c1 * Z2_234)), maximum_double(fabs(T21 + (c1 * v9 + factor234 * (v8 * v34))),
+        maximum_double(fabs(T22 - (factor234 * (v9 * v34) - c1 * v8)), maximum_double(fabs(T23 -
+        factor234 * (s1 * Z2_234)), maximum_double(fabs(T31 - factor234 * (Z2_234 * v8)),
+        maximum_double(fabs(T33 - T33 * factor234), fabs(T32 + factor234 * (Z2_234 * v9)))))))))) <=
+        pose_slack) ? 0.0 : v36;
+    const four v38 = pick_four(maximum_four(abs_four(T24 - e1 * (s1 * v33)),
+        maximum_four(abs_four(T34 - (a3 * (w2 * (v28 * (v24 * v30 + c3 * v17))) + (v35 + a2 * (S2 *
+        (w2 * v28))))), abs_four(T14 - e1 * (c1 * v33)))) <= pose_slack1, all_four(0.0),
+        all_four(v36));
 
     /* joint values */
-    const int doubt1 = (v4 <= m3) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
+    const int doubt1 = (v5 <= m3) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v6 <= m3)));
 
     const four angle1____ = atan2_four(S2, C2);
-    const four packed2 = atan2_four((four){ T24, -Z2_234, -Z2_5, w3 }, (four){ T14, T33, -Z1_5, N3 -
-        k1 });
+    const four packed2 = atan2_four((four){ T24, -Z2_234, -Z2_5, w3 }, (four){ T14, T33, -Z1_5, K3
+        });
     const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
     const four angle1_ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle1__ = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
     const four angle1___ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v40 = e2 * angle1___;
-    const four v41 = e1 * angle1_;
-    const four v42 = v41 - (angle1____ + v40) - offset4;
-    const four v43 = v42 - pick_four(half_turn < v42, all_four(m16), all_four(0.0)) + pick_four(v42
-        <= -half_turn, all_four(m16), all_four(0.0));
-    const four v44 = v38 + (v13 + (angle1 + v2 * v3));
-    const four q1 = v39 + v44;
-    const four q2 = v39 + (angle1____ + v38);
-    const four v45 = v38 + v40;
-    const four q3 = v39 + v45;
-    const four q4 = v39 + (v38 + (v43 - pick_four(half_turn < v43, all_four(m16), all_four(0.0))));
-    const four v46 = v38 + (v13 + (angle1__ + v3 * v10));
-    const four q5 = v39 + v46;
+    const four v39 = e2 * angle1___;
+    const four v40 = e1 * angle1_;
+    const four v41 = v40 - (angle1____ + v39) - offset4;
+    const four v42 = v41 - pick_four(half_turn < v41, all_four(m9), all_four(0.0)) + pick_four(v41
+        <= -half_turn, all_four(m9), all_four(0.0));
+    const four v43 = v37 + (v13 + (angle1 + v3 * v4));
+    const four q1 = v38 + v43;
+    const four q2 = v38 + (angle1____ + v37);
+    const four v44 = v37 + v39;
+    const four q3 = v38 + v44;
+    const four q4 = v38 + (v37 + (v42 - pick_four(half_turn < v42, all_four(m9), all_four(0.0))));
+    const four v45 = v37 + (v13 + (angle1__ + v4 * v10));
+    const four q5 = v38 + v45;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

@@ -75,16 +75,9 @@ m3 = 9.999999999999998e-49  # free_limit_squared^2
 m4 = 2.631578947368421  # a coefficient of S2
 m5 = 0.04415526315789473  # a coefficient of S2
 m6 = 2.1106015755686556e-49  # free_limit_squared2^2 [m^4]
-m7 = 49.8216385340481  # a coefficient of c23
-m8 = 3.5971223021582728  # a coefficient of c23
-m9 = 0.8359572729627931  # a coefficient of s23
-m10 = 2.76116502919548  # a coefficient of s23
-m11 = 0.06035611510791366  # a coefficient of s23
-m12 = 0.2323961218836565  # a coefficient of v10
-m13 = 6.925207756232686  # a coefficient of v10
-m14 = 0.7676038781163435  # a coefficient of v10
-m15 = 0.0019496872645429362  # a coefficient of v10
-m16 = 6.283185307179586  # 2 * half_turn
+m7 = 0.19  # a coefficient of v10
+m8 = 0.139  # a coefficient of v10
+m9 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -598,152 +591,158 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[3, 4]
     v1 = T14 * T14 + T24 * T24
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
+    v2 = 1.0 / v1
+    factor1 = w1 * v2
     c1 = T14 * factor1
     s1 = T24 * factor1
     angle1 = _atan2(T24, T14)
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    Z2_234 = c1 * T13 + s1 * T23
-    v2 = T33 * T33 + Z2_234 * Z2_234
-    factor234 = 1.0 / math.sqrt(v2)
-    c234 = T33 * factor234
-    v3 = Z2_234 * factor234
+    Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23))
+    v3 = T33 * T33 + Z2_234 * Z2_234
+    factor234 = math.sqrt(v3) * (1.0 / v3)
     angle1_ = _atan2(-Z2_234, T33)
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
-    Z1_5 = s1 * T12 - c1 * T22
-    Z2_5 = s1 * T11 - c1 * T21
+    Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22))
+    Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21))
     v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-    v5 = 1.0 / math.sqrt(v4)
+    v5 = math.sqrt(v4) * (1.0 / v4)
     v6 = Z1_5 * v5
     v7 = Z2_5 * v5
     angle1__ = _atan2(-Z2_5, -Z1_5)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v8 = d5 * c234
+    v8 = factor234 * (d5 * T33)
     Z1_3 = T34 - d1 - v8
-    v9 = d5 * v3
+    v9 = factor234 * (d5 * Z2_234)
     Z2_3 = w1 - v9
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+    K3 = N3 - k1
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     v10 = w3 - w3
-    angle1___ = _atan2(w3, N3 - k1)
+    s3 = k2 * w3
+    c3 = k2 * K3
+    angle1___ = _atan2(w3, K3)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v11 = m5 + m4 * N3
-    v12 = Z1_3 * v11
-    S2_pp = v12 - w3 * (m4 * Z2_3)
-    S2_pm = v12 - w3 * (m4 * -Z2_3)
-    v13 = w3 * (m4 * Z1_3)
-    v14 = w3 * (m4 * -Z1_3)
-    v15 = Z2_3 * v11
-    C2_pp = v13 + v15
-    C2_pm = v14 + v15
-    C2_mp = v13 - v15
-    C2_mm = v14 - v15
-    v16 = S2_pp * S2_pp
-    v17 = v16 + C2_pp * C2_pp
-    v18 = S2_pm * S2_pm
-    v19 = v18 + C2_pm * C2_pm
-    v20 = v18 + C2_mp * C2_mp
-    v21 = v16 + C2_mm * C2_mm
-    factor2_pp = 1.0 / math.sqrt(v17)
-    factor2_pm = 1.0 / math.sqrt(v19)
-    factor2_mp = 1.0 / math.sqrt(v20)
-    factor2_mm = 1.0 / math.sqrt(v21)
+    X1_2 = a2 + a3 * c3
+    Y1_2 = a3 * s3
+    v11 = Z1_3 * X1_2
+    v12 = Z2_3 * Y1_2
+    v13 = v11 - v12
+    v14 = v11 + v12
+    v15 = m5 + m4 * N3
+    v16 = Z1_3 * v15
+    S2_pp = v16 - w3 * (m4 * Z2_3)
+    S2_pm = v16 - w3 * (m4 * -Z2_3)
+    v17 = Z2_3 * X1_2
+    v18 = Z1_3 * Y1_2
+    v19 = v17 + v18
+    v20 = v17 - v18
+    v21 = w3 * (m4 * Z1_3)
+    v22 = w3 * (m4 * -Z1_3)
+    v23 = Z2_3 * v15
+    C2_pp = v21 + v23
+    C2_pm = v22 + v23
+    C2_mp = v21 - v23
+    C2_mm = v22 - v23
+    v24 = S2_pp * S2_pp
+    v25 = v24 + C2_pp * C2_pp
+    v26 = S2_pm * S2_pm
+    v27 = v26 + C2_pm * C2_pm
+    v28 = v26 + C2_mp * C2_mp
+    v29 = v24 + C2_mm * C2_mm
+    w2_pp = math.sqrt(v25)
+    w2_pm = math.sqrt(v27)
+    w2_mp = math.sqrt(v28)
+    w2_mm = math.sqrt(v29)
+    v30 = 1.0 / v25
+    v31 = 1.0 / v27
+    v32 = 1.0 / v28
+    v33 = 1.0 / v29
     angle1____ = _atan2(S2_pp, C2_pp)
     angle1_____ = _atan2(S2_pm, C2_pm)
     angle1______ = _atan2(S2_pm, C2_mp)
     angle1_______ = _atan2(S2_pp, C2_mm)
 
     # is the pose one that the arm can take?
-    v22 = c1 * c234
-    v23 = m7 * N3
-    v24 = m9 + v23
-    v25 = m10 - v23
-    v26 = Z1_3 * (m8 * N3 - m11)
-    v27 = m13 * N3
-    v28 = m12 + v27
-    v29 = m14 - v27
-    v30 = Z2_3 * (N3 * (v28 + v29))
-    v31 = v9 + factor2_pp * v30
-    v32 = v9 + factor2_pm * v30
-    v33 = Z2_3 * (N3 * (-v29 - v28) + (-m15 - -m15))
-    v34 = factor2_mp * v33 - v9
-    v35 = factor2_mm * v33 - v9
-    v36 = s1 * c234
-    v37 = d1 + v8
-    v38 = math.sqrt(-1.0)
-    v39 = (
-        0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32 + v3 * v7) <= pose_slack and (abs(T31 -
-        v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22 - (v7 * v36 - c1 *
-        v6)) <= pose_slack and (abs(T21 + (v6 * v36 + c1 * v7)) <= pose_slack and (abs(T13 - c1 *
-        v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 * v22)) <= pose_slack and abs(T12 - (s1 * v6
-        + v7 * v22)) <= pose_slack)))))))) else v38
-    )
-    v40 = v26 + w3 * (Z2_3 * (v24 + v25))
-    v41 = (
-        0.0 if (abs(T34 - (a3 * (factor2_pp * v40) + (v37 + a2 * (S2_pp * factor2_pp)))) <=
-        pose_slack1 and (abs(T14 - c1 * v31) <= pose_slack1 and abs(T24 - s1 * v31) <= pose_slack1))
-        else v38
-    )
-    v42 = v26 + w3 * (Z2_3 * (-v25 - v24))
-    v43 = (
-        0.0 if (abs(T34 - (a3 * (factor2_pm * v42) + (v37 + a2 * (S2_pm * factor2_pm)))) <=
-        pose_slack1 and (abs(T14 - c1 * v32) <= pose_slack1 and abs(T24 - s1 * v32) <= pose_slack1))
-        else v38
-    )
-    v44 = (
-        0.0 if (abs(T34 - (a3 * (factor2_mp * v42) + (v37 + a2 * (S2_pm * factor2_mp)))) <=
-        pose_slack1 and (abs(T14 + c1 * v34) <= pose_slack1 and abs(T24 + s1 * v34) <= pose_slack1))
-        else v38
-    )
+    v34 = c1 * T33
+    v35 = m7 + m8 * c3
+    v36 = v19 * v35 - m8 * (s3 * v13)
+    v37 = v9 + w2_pp * (v30 * v36)
+    v38 = m8 * (s3 * v14)
+    v39 = v9 + w2_pm * (v31 * (v20 * v35 + v38))
+    v40 = w2_mp * (v32 * (-v20 * v35 - v38)) - v9
+    v41 = w2_mm * (v33 * -v36) - v9
+    v42 = s1 * T33
+    v43 = d1 + v8
+    v44 = math.sqrt(-1.0)
     v45 = (
-        0.0 if (abs(T34 - (a3 * (factor2_mm * v40) + (v37 + a2 * (S2_pp * factor2_mm)))) <=
-        pose_slack1 and (abs(T14 + c1 * v35) <= pose_slack1 and abs(T24 + s1 * v35) <= pose_slack1))
-        else v38
+        0.0 if max(abs(T12 - (s1 * v6 + factor234 * (v7 * v34))), max(abs(T11 - (s1 * v7 - factor234
+        * (v6 * v34))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 + (c1 * v7 + factor234
+        * (v6 * v42))), max(abs(T22 - (factor234 * (v7 * v42) - c1 * v6)), max(abs(T23 - factor234 *
+        (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 * v6)), max(abs(T33 - T33 * factor234),
+        abs(T32 + factor234 * (Z2_234 * v7)))))))))) <= pose_slack else v44
+    )
+    v46 = s3 * v19 + c3 * v13
+    v47 = (
+        0.0 if max(abs(T24 - s1 * v37), max(abs(T34 - (a3 * (w2_pp * (v30 * v46)) + (v43 + a2 *
+        (S2_pp * (w2_pp * v30))))), abs(T14 - c1 * v37))) <= pose_slack1 else v44
+    )
+    v48 = c3 * v14
+    v49 = (
+        0.0 if max(abs(T24 - s1 * v39), max(abs(T34 - (a3 * (w2_pm * (v31 * (v48 - s3 * v20))) +
+        (v43 + a2 * (S2_pm * (w2_pm * v31))))), abs(T14 - c1 * v39))) <= pose_slack1 else v44
+    )
+    v50 = (
+        0.0 if max(abs(T24 + s1 * v40), max(abs(T34 - (a3 * (w2_mp * (v32 * (v48 + s3 * -v20))) +
+        (v43 + a2 * (S2_pm * (w2_mp * v32))))), abs(T14 + c1 * v40))) <= pose_slack1 else v44
+    )
+    v51 = (
+        0.0 if max(abs(T24 + s1 * v41), max(abs(T34 - (a3 * (w2_mm * (v33 * v46)) + (v43 + a2 *
+        (S2_pp * (w2_mm * v33))))), abs(T14 + c1 * v41))) <= pose_slack1 else v44
     )
 
     # joint values
-    v46 = angle1_ - (angle1___ + angle1____) - offset4
-    v47 = angle1_ - (angle1_____ - angle1___) - offset4
-    v48 = offset4 + (angle1_ + (angle1___ + angle1______))
-    v49 = offset4 + (angle1_ + (angle1_______ - angle1___))
-    v50 = v46 - (m16 if half_turn < v46 else 0.0) + (m16 if v46 <= -half_turn else 0.0)
-    v51 = v47 - (m16 if half_turn < v47 else 0.0) + (m16 if v47 <= -half_turn else 0.0)
-    v52 = (m16 if -v48 <= -half_turn else 0.0) - (v48 + (m16 if half_turn < -v48 else 0.0))
-    v53 = (m16 if -v49 <= -half_turn else 0.0) - (v49 + (m16 if half_turn < -v49 else 0.0))
-    v54 = v39 + (angle1 + v10)
-    v55 = v39 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
-    q1_pp = v41 + v54
-    q1_pm = v43 + v54
-    q1_mp = v44 + v55
-    q1_mm = v45 + v55
-    q2_pp = v41 + (angle1____ + v39)
-    q2_pm = v43 + (angle1_____ + v39)
-    q2_mp = v44 + (angle1______ + v39)
-    q2_mm = v45 + (angle1_______ + v39)
-    v56 = angle1___ + v39
-    v57 = v39 - angle1___
-    q3_pp = v41 + v56
-    q3_pm = v43 + v57
-    q3_mp = v44 + v56
-    q3_mm = v45 + v57
-    q4_pp = v41 + (v39 + (v50 - (m16 if half_turn < v50 else 0.0)))
-    q4_pm = v43 + (v39 + (v51 - (m16 if half_turn < v51 else 0.0)))
-    q4_mp = v44 + (v39 + (v52 - (m16 if half_turn < v52 else 0.0)))
-    q4_mm = v45 + (v39 + (v53 - (m16 if half_turn < v53 else 0.0)))
-    v58 = v39 + (angle1__ + v10)
-    v59 = v39 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
-    q5_pp = v41 + v58
-    q5_pm = v43 + v58
-    q5_mp = v44 + v59
-    q5_mm = v45 + v59
+    v52 = angle1_ - (angle1___ + angle1____) - offset4
+    v53 = angle1_ - (angle1_____ - angle1___) - offset4
+    v54 = offset4 + (angle1_ + (angle1___ + angle1______))
+    v55 = offset4 + (angle1_ + (angle1_______ - angle1___))
+    v56 = v52 - (m9 if half_turn < v52 else 0.0) + (m9 if v52 <= -half_turn else 0.0)
+    v57 = v53 - (m9 if half_turn < v53 else 0.0) + (m9 if v53 <= -half_turn else 0.0)
+    v58 = (m9 if -v54 <= -half_turn else 0.0) - (v54 + (m9 if half_turn < -v54 else 0.0))
+    v59 = (m9 if -v55 <= -half_turn else 0.0) - (v55 + (m9 if half_turn < -v55 else 0.0))
+    v60 = v45 + (angle1 + v10)
+    v61 = v45 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
+    q1_pp = v47 + v60
+    q1_pm = v49 + v60
+    q1_mp = v50 + v61
+    q1_mm = v51 + v61
+    q2_pp = v47 + (angle1____ + v45)
+    q2_pm = v49 + (angle1_____ + v45)
+    q2_mp = v50 + (angle1______ + v45)
+    q2_mm = v51 + (angle1_______ + v45)
+    v62 = angle1___ + v45
+    v63 = v45 - angle1___
+    q3_pp = v47 + v62
+    q3_pm = v49 + v63
+    q3_mp = v50 + v62
+    q3_mm = v51 + v63
+    q4_pp = v47 + (v45 + (v56 - (m9 if half_turn < v56 else 0.0)))
+    q4_pm = v49 + (v45 + (v57 - (m9 if half_turn < v57 else 0.0)))
+    q4_mp = v50 + (v45 + (v58 - (m9 if half_turn < v58 else 0.0)))
+    q4_mm = v51 + (v45 + (v59 - (m9 if half_turn < v59 else 0.0)))
+    v64 = v45 + (angle1__ + v10)
+    v65 = v45 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
+    q5_pp = v47 + v64
+    q5_pm = v49 + v64
+    q5_mp = v50 + v65
+    q5_mm = v51 + v65
     doubt1 = (
-        v2 <= m3 or (v1 <= m1 or (v4 <= m3 or (shortest3_reach <= N3 and N3 <= longest3_reach and
-        not (shortest3_apart < N3 and N3 < longest3_apart) or (v21 <= m6 or (v20 <= m6 or (v17 <= m6
-        or v19 <= m6))))))
+        v3 <= m3 or (v1 <= m1 or (v4 <= m3 or (shortest3_reach <= N3 and N3 <= longest3_reach and
+        not (shortest3_apart < N3 and N3 < longest3_apart) or (v29 <= m6 or (v28 <= m6 or (v25 <= m6
+        or v27 <= m6))))))
     )
     # a joint is free, or branches meet
     if doubt1:
@@ -954,107 +953,115 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             v1 = T14 * T14 + T24 * T24
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
+            v2 = 1.0 / v1
+            factor1 = w1 * v2
             c1 = T14 * factor1
             s1 = T24 * factor1
-            Z2_234 = c1 * T13 + s1 * T23
-            v2 = T33 * T33 + Z2_234 * Z2_234
-            factor234 = 1.0 / math.sqrt(v2)
-            c234 = T33 * factor234
-            v3 = Z2_234 * factor234
-            Z1_5 = s1 * T12 - c1 * T22
-            Z2_5 = s1 * T11 - c1 * T21
+            Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23))
+            v3 = T33 * T33 + Z2_234 * Z2_234
+            factor234 = math.sqrt(v3) * (1.0 / v3)
+            Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22))
+            Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21))
             v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-            v5 = 1.0 / math.sqrt(v4)
+            v5 = math.sqrt(v4) * (1.0 / v4)
             v6 = Z1_5 * v5
             v7 = Z2_5 * v5
-            v8 = d5 * c234
+            v8 = factor234 * (d5 * T33)
             Z1_3 = T34 - d1 - v8
-            v9 = d5 * v3
+            v9 = factor234 * (d5 * Z2_234)
             Z2_3 = w1 - v9
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
+            K3 = N3 - k1
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
             v10 = w3 - w3
-            v11 = m5 + m4 * N3
-            v12 = Z1_3 * v11
-            S2_pp = v12 - w3 * (m4 * Z2_3)
-            S2_pm = v12 - w3 * (m4 * -Z2_3)
-            v13 = w3 * (m4 * Z1_3)
-            v14 = w3 * (m4 * -Z1_3)
-            v15 = Z2_3 * v11
-            C2_pp = v13 + v15
-            C2_pm = v14 + v15
-            C2_mp = v13 - v15
-            C2_mm = v14 - v15
-            v16 = S2_pp * S2_pp
-            v17 = v16 + C2_pp * C2_pp
-            v18 = S2_pm * S2_pm
-            v19 = v18 + C2_pm * C2_pm
-            v20 = v18 + C2_mp * C2_mp
-            v21 = v16 + C2_mm * C2_mm
-            factor2_pp = 1.0 / math.sqrt(v17)
-            factor2_pm = 1.0 / math.sqrt(v19)
-            factor2_mp = 1.0 / math.sqrt(v20)
-            factor2_mm = 1.0 / math.sqrt(v21)
-            v22 = c1 * c234
-            v23 = m7 * N3
-            v24 = m9 + v23
-            v25 = m10 - v23
-            v26 = Z1_3 * (m8 * N3 - m11)
-            v27 = m13 * N3
-            v28 = m12 + v27
-            v29 = m14 - v27
-            v30 = Z2_3 * (N3 * (v28 + v29))
-            v31 = v9 + factor2_pp * v30
-            v32 = v9 + factor2_pm * v30
-            v33 = Z2_3 * (N3 * (-v29 - v28) + (-m15 - -m15))
-            v34 = factor2_mp * v33 - v9
-            v35 = factor2_mm * v33 - v9
-            v36 = s1 * c234
-            v37 = d1 + v8
-            v38 = math.sqrt(-1.0)
-            v39 = (
-                0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32 + v3 * v7) <= pose_slack and
-                (abs(T31 - v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22
-                - (v7 * v36 - c1 * v6)) <= pose_slack and (abs(T21 + (v6 * v36 + c1 * v7)) <=
-                pose_slack and (abs(T13 - c1 * v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 *
-                v22)) <= pose_slack and abs(T12 - (s1 * v6 + v7 * v22)) <= pose_slack)))))))) else
-                v38
-            )
-            v40 = v26 + w3 * (Z2_3 * (v24 + v25))
-            v41 = (
-                0.0 if (abs(T34 - (a3 * (factor2_pp * v40) + (v37 + a2 * (S2_pp * factor2_pp)))) <=
-                pose_slack1 and (abs(T14 - c1 * v31) <= pose_slack1 and abs(T24 - s1 * v31) <=
-                pose_slack1)) else v38
-            )
-            v42 = v26 + w3 * (Z2_3 * (-v25 - v24))
-            v43 = (
-                0.0 if (abs(T34 - (a3 * (factor2_pm * v42) + (v37 + a2 * (S2_pm * factor2_pm)))) <=
-                pose_slack1 and (abs(T14 - c1 * v32) <= pose_slack1 and abs(T24 - s1 * v32) <=
-                pose_slack1)) else v38
-            )
-            v44 = (
-                0.0 if (abs(T34 - (a3 * (factor2_mp * v42) + (v37 + a2 * (S2_pm * factor2_mp)))) <=
-                pose_slack1 and (abs(T14 + c1 * v34) <= pose_slack1 and abs(T24 + s1 * v34) <=
-                pose_slack1)) else v38
-            )
+            s3 = k2 * w3
+            c3 = k2 * K3
+            X1_2 = a2 + a3 * c3
+            Y1_2 = a3 * s3
+            v11 = Z1_3 * X1_2
+            v12 = Z2_3 * Y1_2
+            v13 = v11 - v12
+            v14 = v11 + v12
+            v15 = m5 + m4 * N3
+            v16 = Z1_3 * v15
+            S2_pp = v16 - w3 * (m4 * Z2_3)
+            S2_pm = v16 - w3 * (m4 * -Z2_3)
+            v17 = Z2_3 * X1_2
+            v18 = Z1_3 * Y1_2
+            v19 = v17 + v18
+            v20 = v17 - v18
+            v21 = w3 * (m4 * Z1_3)
+            v22 = w3 * (m4 * -Z1_3)
+            v23 = Z2_3 * v15
+            C2_pp = v21 + v23
+            C2_pm = v22 + v23
+            C2_mp = v21 - v23
+            C2_mm = v22 - v23
+            v24 = S2_pp * S2_pp
+            v25 = v24 + C2_pp * C2_pp
+            v26 = S2_pm * S2_pm
+            v27 = v26 + C2_pm * C2_pm
+            v28 = v26 + C2_mp * C2_mp
+            v29 = v24 + C2_mm * C2_mm
+            w2_pp = math.sqrt(v25)
+            w2_pm = math.sqrt(v27)
+            w2_mp = math.sqrt(v28)
+            w2_mm = math.sqrt(v29)
+            v30 = 1.0 / v25
+            v31 = 1.0 / v27
+            v32 = 1.0 / v28
+            v33 = 1.0 / v29
+            v34 = c1 * T33
+            v35 = m7 + m8 * c3
+            v36 = v19 * v35 - m8 * (s3 * v13)
+            v37 = v9 + w2_pp * (v30 * v36)
+            v38 = m8 * (s3 * v14)
+            v39 = v9 + w2_pm * (v31 * (v20 * v35 + v38))
+            v40 = w2_mp * (v32 * (-v20 * v35 - v38)) - v9
+            v41 = w2_mm * (v33 * -v36) - v9
+            v42 = s1 * T33
+            v43 = d1 + v8
+            v44 = math.sqrt(-1.0)
             v45 = (
-                0.0 if (abs(T34 - (a3 * (factor2_mm * v40) + (v37 + a2 * (S2_pp * factor2_mm)))) <=
-                pose_slack1 and (abs(T14 + c1 * v35) <= pose_slack1 and abs(T24 + s1 * v35) <=
-                pose_slack1)) else v38
+                0.0 if max(abs(T12 - (s1 * v6 + factor234 * (v7 * v34))), max(abs(T11 - (s1 * v7 -
+                factor234 * (v6 * v34))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 +
+                (c1 * v7 + factor234 * (v6 * v42))), max(abs(T22 - (factor234 * (v7 * v42) - c1 *
+                v6)), max(abs(T23 - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 *
+                v6)), max(abs(T33 - T33 * factor234), abs(T32 + factor234 * (Z2_234 * v7))))))))))
+                <= pose_slack else v44
+            )
+            v46 = s3 * v19 + c3 * v13
+            v47 = (
+                0.0 if max(abs(T24 - s1 * v37), max(abs(T34 - (a3 * (w2_pp * (v30 * v46)) + (v43 +
+                a2 * (S2_pp * (w2_pp * v30))))), abs(T14 - c1 * v37))) <= pose_slack1 else v44
+            )
+            v48 = c3 * v14
+            v49 = (
+                0.0 if max(abs(T24 - s1 * v39), max(abs(T34 - (a3 * (w2_pm * (v31 * (v48 - s3 *
+                v20))) + (v43 + a2 * (S2_pm * (w2_pm * v31))))), abs(T14 - c1 * v39))) <=
+                pose_slack1 else v44
+            )
+            v50 = (
+                0.0 if max(abs(T24 + s1 * v40), max(abs(T34 - (a3 * (w2_mp * (v32 * (v48 + s3 *
+                -v20))) + (v43 + a2 * (S2_pm * (w2_mp * v32))))), abs(T14 + c1 * v40))) <=
+                pose_slack1 else v44
+            )
+            v51 = (
+                0.0 if max(abs(T24 + s1 * v41), max(abs(T34 - (a3 * (w2_mm * (v33 * v46)) + (v43 +
+                a2 * (S2_pp * (w2_mm * v33))))), abs(T14 + c1 * v41))) <= pose_slack1 else v44
             )
             doubt1 = (
-                v2 <= m3 or (v1 <= m1 or (v4 <= m3 or (shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (v21 <= m6
-                or (v20 <= m6 or (v17 <= m6 or v19 <= m6))))))
+                v3 <= m3 or (v1 <= m1 or (v4 <= m3 or (shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (v29 <= m6
+                or (v28 <= m6 or (v25 <= m6 or v27 <= m6))))))
             )
             work[544 + k] = Z2_5
             work[576 + k] = v10
-            work[608 + k] = v39
-            work[640 + k] = v41
-            work[672 + k] = v43
-            work[704 + k] = v44
-            work[736 + k] = v45
+            work[608 + k] = v45
+            work[640 + k] = v47
+            work[672 + k] = v49
+            work[704 + k] = v50
+            work[736 + k] = v51
             work[768 + k] = doubt1
             work[800 + k] = T24
             work[832 + k] = -Z2_234
@@ -1067,7 +1074,7 @@ def _in_tiles(T, q, status):
             work[1056 + k] = T14
             work[1088 + k] = T33
             work[1120 + k] = -Z1_5
-            work[1152 + k] = N3 - k1
+            work[1152 + k] = K3
             work[1184 + k] = C2_pp
             work[1216 + k] = C2_pm
             work[1248 + k] = C2_mp
@@ -1078,11 +1085,11 @@ def _in_tiles(T, q, status):
             T24 = work[224 + k]
             Z2_5 = work[544 + k]
             v10 = work[576 + k]
-            v39 = work[608 + k]
-            v41 = work[640 + k]
-            v43 = work[672 + k]
-            v44 = work[704 + k]
-            v45 = work[736 + k]
+            v45 = work[608 + k]
+            v47 = work[640 + k]
+            v49 = work[672 + k]
+            v50 = work[704 + k]
+            v51 = work[736 + k]
             doubt1 = work[768 + k] != 0.0
             angle1 = work[800 + k]
             angle1_ = work[832 + k]
@@ -1092,40 +1099,40 @@ def _in_tiles(T, q, status):
             angle1_____ = work[960 + k]
             angle1______ = work[992 + k]
             angle1_______ = work[1024 + k]
-            v46 = angle1_ - (angle1___ + angle1____) - offset4
-            v47 = angle1_ - (angle1_____ - angle1___) - offset4
-            v48 = offset4 + (angle1_ + (angle1___ + angle1______))
-            v49 = offset4 + (angle1_ + (angle1_______ - angle1___))
-            v50 = v46 - (m16 if half_turn < v46 else 0.0) + (m16 if v46 <= -half_turn else 0.0)
-            v51 = v47 - (m16 if half_turn < v47 else 0.0) + (m16 if v47 <= -half_turn else 0.0)
-            v52 = (m16 if -v48 <= -half_turn else 0.0) - (v48 + (m16 if half_turn < -v48 else 0.0))
-            v53 = (m16 if -v49 <= -half_turn else 0.0) - (v49 + (m16 if half_turn < -v49 else 0.0))
-            v54 = v39 + (angle1 + v10)
-            v55 = v39 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
-            q1_pp = v41 + v54
-            q1_pm = v43 + v54
-            q1_mp = v44 + v55
-            q1_mm = v45 + v55
-            q2_pp = v41 + (angle1____ + v39)
-            q2_pm = v43 + (angle1_____ + v39)
-            q2_mp = v44 + (angle1______ + v39)
-            q2_mm = v45 + (angle1_______ + v39)
-            v56 = angle1___ + v39
-            v57 = v39 - angle1___
-            q3_pp = v41 + v56
-            q3_pm = v43 + v57
-            q3_mp = v44 + v56
-            q3_mm = v45 + v57
-            q4_pp = v41 + (v39 + (v50 - (m16 if half_turn < v50 else 0.0)))
-            q4_pm = v43 + (v39 + (v51 - (m16 if half_turn < v51 else 0.0)))
-            q4_mp = v44 + (v39 + (v52 - (m16 if half_turn < v52 else 0.0)))
-            q4_mm = v45 + (v39 + (v53 - (m16 if half_turn < v53 else 0.0)))
-            v58 = v39 + (angle1__ + v10)
-            v59 = v39 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
-            q5_pp = v41 + v58
-            q5_pm = v43 + v58
-            q5_mp = v44 + v59
-            q5_mm = v45 + v59
+            v52 = angle1_ - (angle1___ + angle1____) - offset4
+            v53 = angle1_ - (angle1_____ - angle1___) - offset4
+            v54 = offset4 + (angle1_ + (angle1___ + angle1______))
+            v55 = offset4 + (angle1_ + (angle1_______ - angle1___))
+            v56 = v52 - (m9 if half_turn < v52 else 0.0) + (m9 if v52 <= -half_turn else 0.0)
+            v57 = v53 - (m9 if half_turn < v53 else 0.0) + (m9 if v53 <= -half_turn else 0.0)
+            v58 = (m9 if -v54 <= -half_turn else 0.0) - (v54 + (m9 if half_turn < -v54 else 0.0))
+            v59 = (m9 if -v55 <= -half_turn else 0.0) - (v55 + (m9 if half_turn < -v55 else 0.0))
+            v60 = v45 + (angle1 + v10)
+            v61 = v45 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
+            q1_pp = v47 + v60
+            q1_pm = v49 + v60
+            q1_mp = v50 + v61
+            q1_mm = v51 + v61
+            q2_pp = v47 + (angle1____ + v45)
+            q2_pm = v49 + (angle1_____ + v45)
+            q2_mp = v50 + (angle1______ + v45)
+            q2_mm = v51 + (angle1_______ + v45)
+            v62 = angle1___ + v45
+            v63 = v45 - angle1___
+            q3_pp = v47 + v62
+            q3_pm = v49 + v63
+            q3_mp = v50 + v62
+            q3_mm = v51 + v63
+            q4_pp = v47 + (v45 + (v56 - (m9 if half_turn < v56 else 0.0)))
+            q4_pm = v49 + (v45 + (v57 - (m9 if half_turn < v57 else 0.0)))
+            q4_mp = v50 + (v45 + (v58 - (m9 if half_turn < v58 else 0.0)))
+            q4_mm = v51 + (v45 + (v59 - (m9 if half_turn < v59 else 0.0)))
+            v64 = v45 + (angle1__ + v10)
+            v65 = v45 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
+            q5_pp = v47 + v64
+            q5_pm = v49 + v64
+            q5_mp = v50 + v65
+            q5_mm = v51 + v65
             _1312 = q1_pp
             work[1312 + k] = _1312
             _1344 = q2_pp

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef KAWASAKI_RS007N_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -40,21 +43,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -86,7 +89,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -130,7 +133,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -156,8 +159,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef KAWASAKI_RS007N_LIBM
 #define atan2_wide atan2
 #else
@@ -167,7 +170,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -350,18 +353,9 @@ static const double m1 = 1.3642239999999997e-24; /* free_limit1^2 [m^2] */
 static const double m2 = 1.4084507042253522; /* a coefficient of S2 */
 static const double m3 = 0.020563380281690184; /* a coefficient of S2 */
 static const double m4 = 1.861107122175999e-48; /* free_limit_squared2^2 [m^4] */
-static const double m5 = 0.07723335317066737; /* a coefficient of c2m3 */
-static const double m6 = 5.289955696621042; /* a coefficient of c2m3 */
-static const double m7 = 1.4105666865040007; /* a coefficient of c2m3 */
-static const double m8 = 0.019466666666666712; /* a coefficient of c2m3 */
-static const double m9 = 1.333333333333333; /* a coefficient of c2m3 */
-static const double m10 = 1.487800039674668; /* a coefficient of v7 */
-static const double m11 = 2.821133373008001; /* a coefficient of v7 */
-static const double m14 = 1e-24; /* free_limit^2 */
-static const double m16 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 0.019466666666666712; /* m12 - m13 */
-static const double h2 = -0.019466666666666712; /* m13 - m12 */
-static const double h3 = 1.0; /* 2 * m15 */
+static const double m5 = 1e-24; /* free_limit^2 */
+static const double m7 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m6 */
 
 const char *const kawasaki_rs007n_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -566,189 +560,205 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wy = d6 * T23 - T24;
     const wide v1 = X1 * X1 + wy * wy;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
-    const wide v2 = X1 * factor1;
+    const wide v2 = 1.0 / v1;
+    const wide factor1 = w1 * v2;
+    const wide v3 = X1 * factor1;
     const wide s1 = wy * factor1;
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34);
     const wide N3 = v1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v3 = w3 - w3;
-    const wide v4 = k1 * (N3 - k2);
+    const wide v4 = w3 - w3;
+    const wide v5 = k1 * (N3 - k2);
+    const wide s3 = k3 * v5;
+    const wide v6 = k1 * w3;
+    const wide v7 = k3 * v6;
 
     /* theta2 */
-    const wide v5 = m2 * N3 - m3;
-    const wide v6 = Z1_3 * v5;
-    const wide v7 = w3 * (m2 * w1);
-    const wide S2_pp = v6 + v7;
-    const wide S2_pm = v6 - v7;
-    const wide v8 = w3 * (m2 * Z1_3);
-    const wide v9 = w1 * v5;
-    const wide v10 = w1 * -v5;
-    const wide C2_pp = v9 - v8;
-    const wide C2_pm = v8 + v9;
-    const wide C2_mp = v10 - v8;
-    const wide C2_mm = v8 + v10;
-    const wide v11 = S2_pp * S2_pp;
-    const wide v12 = v11 + C2_pp * C2_pp;
-    const wide v13 = S2_pm * S2_pm;
-    const wide v14 = v13 + C2_pm * C2_pm;
-    const wide v15 = v13 + C2_mp * C2_mp;
-    const wide v16 = v11 + C2_mm * C2_mm;
-    const wide factor2_pp = 1.0 / sqrt_wide(v12);
-    const wide factor2_pm = 1.0 / sqrt_wide(v14);
-    const wide factor2_mp = 1.0 / sqrt_wide(v15);
-    const wide factor2_mm = 1.0 / sqrt_wide(v16);
+    const wide X1_2 = a2 + d4 * s3;
+    const wide X2_2 = d4 * v7;
+    const wide v8 = Z1_3 * X1_2;
+    const wide v9 = w1 * X2_2;
+    const wide v10 = v8 + v9;
+    const wide v11 = v8 - v9;
+    const wide v12 = m2 * N3 - m3;
+    const wide v13 = Z1_3 * v12;
+    const wide v14 = w3 * (m2 * w1);
+    const wide S2_pp = v13 + v14;
+    const wide S2_pm = v13 - v14;
+    const wide v15 = w1 * X1_2;
+    const wide v16 = Z1_3 * X2_2;
+    const wide v17 = v15 - v16;
+    const wide v18 = v15 + v16;
+    const wide v19 = w3 * (m2 * Z1_3);
+    const wide v20 = w1 * v12;
+    const wide v21 = w1 * -v12;
+    const wide C2_pp = v20 - v19;
+    const wide C2_pm = v19 + v20;
+    const wide C2_mp = v21 - v19;
+    const wide C2_mm = v19 + v21;
+    const wide v22 = S2_pp * S2_pp;
+    const wide v23 = v22 + C2_pp * C2_pp;
+    const wide v24 = S2_pm * S2_pm;
+    const wide v25 = v24 + C2_pm * C2_pm;
+    const wide v26 = v24 + C2_mp * C2_mp;
+    const wide v27 = v22 + C2_mm * C2_mm;
+    const wide w2_pp = sqrt_wide(v23);
+    const wide w2_pm = sqrt_wide(v25);
+    const wide w2_mp = sqrt_wide(v26);
+    const wide w2_mm = sqrt_wide(v27);
+    const wide v28 = 1.0 / v23;
+    const wide v29 = 1.0 / v25;
+    const wide v30 = 1.0 / v26;
+    const wide v31 = 1.0 / v27;
 
     /* theta4 */
-    const wide v17 = m6 * N3;
-    const wide v18 = m5 - v17;
-    const wide v19 = v17 - m7;
-    const wide v20 = Z1_3 * (m8 + m9 * N3);
-    const wide v21 = v20 + w3 * (w1 * (v18 + v19));
-    const wide c2m3_pp = factor2_pp * v21;
-    const wide v22 = v20 + w3 * (w1 * (-v18 + -v19));
-    const wide c2m3_pm = factor2_pm * v22;
-    const wide c2m3_mp = factor2_mp * v22;
-    const wide c2m3_mm = factor2_mm * v21;
-    const wide v23 = v17 - m10;
-    const wide v24 = m11 - v17;
-    const wide v25 = m9 * (Z1_3 * w3);
-    const wide v26 = w1 * (N3 * (v23 + v24) + h1);
-    const wide v27 = factor2_pp * (v25 + v26);
-    const wide v28 = factor2_pm * (v26 - v25);
-    const wide v29 = w1 * (N3 * (-v23 + -v24) + h2);
-    const wide v30 = factor2_mp * (v25 + v29);
-    const wide v31 = factor2_mm * (v29 - v25);
-    const wide v32 = T13 * v2 + T23 * s1;
-    const wide c4_pp = T33 * v27 - c2m3_pp * v32;
-    const wide c4_pm = T33 * v28 - c2m3_pm * v32;
-    const wide c4_mp = T33 * v30 + c2m3_mp * v32;
-    const wide c4_mm = T33 * v31 + c2m3_mm * v32;
-    const wide v33 = T13 * s1 - T23 * v2;
-    const wide v34 = v33 * v33;
-    const wide v35 = v34 + c4_pp * c4_pp;
-    const wide v36 = v34 + c4_pm * c4_pm;
-    const wide v37 = v34 + c4_mp * c4_mp;
-    const wide v38 = v34 + c4_mm * c4_mm;
+    const wide v32 = s3 * v10;
+    const wide c2m3_pp = w2_pp * (v28 * (v32 - v7 * v17));
+    const wide v33 = s3 * v11 + v7 * v18;
+    const wide c2m3_pm = w2_pm * (v29 * v33);
+    const wide c2m3_mp = w2_mp * (v30 * v33);
+    const wide c2m3_mm = w2_mm * (v31 * (v32 + v7 * -v17));
+    const wide v34 = v7 * v10;
+    const wide v35 = w2_pp * (v28 * (v34 + s3 * v17));
+    const wide v36 = s3 * v18 - v7 * v11;
+    const wide v37 = w2_pm * (v29 * v36);
+    const wide v38 = w2_mp * (v30 * -v36);
+    const wide v39 = w2_mm * (v31 * (s3 * -v17 - v34));
+    const wide v40 = w1 * (v2 * (T13 * X1 + T23 * wy));
+    const wide v41 = T33 * v35 - c2m3_pp * v40;
+    const wide v42 = T33 * v37 - c2m3_pm * v40;
+    const wide v43 = T33 * v38 + c2m3_mp * v40;
+    const wide v44 = T33 * v39 + c2m3_mm * v40;
+    const wide v45 = T13 * s1 - T23 * v3;
+    const wide v46 = w1 * (v2 * (T13 * wy - X1 * T23));
+    const wide v47 = v46 * v46;
+    const wide v48 = v47 + v41 * v41;
+    const wide v49 = v47 + v42 * v42;
+    const wide v50 = v47 + v43 * v43;
+    const wide v51 = v47 + v44 * v44;
+    const wide v52 = 1.0 / v48;
+    const wide v53 = 1.0 / v49;
+    const wide v54 = 1.0 / v50;
+    const wide v55 = 1.0 / v51;
 
     /* theta6 */
-    const wide v39 = s1 * T12 - v2 * T22;
-    const wide v40 = v2 * T12 + s1 * T22;
-    const wide v41 = s1 * T11 - v2 * T21;
-    const wide v42 = v2 * T11 + s1 * T21;
+    const wide v56 = s1 * T12 - v3 * T22;
+    const wide v57 = w1 * (v2 * (X1 * T12 + wy * T22));
+    const wide v58 = s1 * T11 - v3 * T21;
+    const wide v59 = w1 * (v2 * (X1 * T11 + wy * T21));
 
     /* joint values */
     const wide angle1 = atan2_wide(wy, -X1);
-    const wide v43 = angle1 - offset1;
-    const wide v44 = angle1 - copysign_wide(all_wide(half_turn), wy) * h3 - offset1;
+    const wide v60 = angle1 - offset1;
+    const wide v61 = angle1 - copysign_wide(all_wide(half_turn), wy) * h1 - offset1;
     const wide angle1_ = atan2_wide(S2_pp, C2_pp);
-    const wide v45 = angle1_ - offset2;
+    const wide v62 = angle1_ - offset2;
     const wide angle1__ = atan2_wide(S2_pm, C2_pm);
-    const wide v46 = angle1__ - offset2;
+    const wide v63 = angle1__ - offset2;
     const wide angle1___ = atan2_wide(S2_pm, C2_mp);
-    const wide v47 = angle1___ - offset2;
+    const wide v64 = angle1___ - offset2;
     const wide angle1____ = atan2_wide(S2_pp, C2_mm);
-    const wide v48 = angle1____ - offset2;
-    const wide q2_ppp = v45 - pick_wide(half_turn < v45, all_wide(m16), all_wide(0.0));
-    const wide q2_pmp = v46 - pick_wide(half_turn < v46, all_wide(m16), all_wide(0.0));
-    const wide q2_mpp = v47 - pick_wide(half_turn < v47, all_wide(m16), all_wide(0.0));
-    const wide q2_mmp = v48 - pick_wide(half_turn < v48, all_wide(m16), all_wide(0.0));
-    const wide angle1_____ = atan2_wide(v4, -(k1 * w3));
-    const wide v49 = angle1_____ - offset3;
-    const wide v50 = h3 * copysign_wide(all_wide(half_turn), v4) - angle1_____ - offset3;
-    const wide q3_ppp = v49 + pick_wide(v49 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q3_pmp = v50 + pick_wide(v50 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide angle1______ = atan2_wide(-v33, c4_pp);
-    const wide angle1_______ = atan2_wide(-v33, c4_pm);
-    const wide angle1________ = atan2_wide(v33, c4_mp);
-    const wide angle1_________ = atan2_wide(v33, c4_mm);
-    const wide v51 = h3 * copysign_wide(all_wide(half_turn), -v33);
-    const wide v52 = h3 * copysign_wide(all_wide(half_turn), v33);
-    const wide v53 = angle1______ - offset4;
-    const wide v54 = angle1______ - v51 - offset4;
-    const wide v55 = angle1_______ - offset4;
-    const wide v56 = angle1_______ - v51 - offset4;
-    const wide v57 = angle1________ - offset4;
-    const wide v58 = angle1________ - v52 - offset4;
-    const wide v59 = angle1_________ - offset4;
-    const wide v60 = angle1_________ - v52 - offset4;
-    const wide q4_ppp = v53 + pick_wide(v53 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q4_ppm = v54 + pick_wide(v54 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q4_pmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q4_pmm = v56 + pick_wide(v56 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q4_mpp = v57 + pick_wide(v57 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q4_mpm = v58 + pick_wide(v58 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q4_mmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q4_mmm = v60 + pick_wide(v60 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide angle1__________ = atan2_wide(sqrt_wide(v35), T33 * c2m3_pp + v27 * v32);
-    const wide angle1___________ = atan2_wide(sqrt_wide(v36), T33 * c2m3_pm + v28 * v32);
-    const wide angle1____________ = atan2_wide(sqrt_wide(v37), T33 * c2m3_mp - v30 * v32);
-    const wide angle1_____________ = atan2_wide(sqrt_wide(v38), T33 * c2m3_mm - v31 * v32);
-    const wide v61 = angle1__________ - offset5;
-    const wide v62 = offset5 + angle1__________;
-    const wide v63 = angle1___________ - offset5;
-    const wide v64 = offset5 + angle1___________;
-    const wide v65 = angle1____________ - offset5;
-    const wide v66 = offset5 + angle1____________;
-    const wide v67 = angle1_____________ - offset5;
-    const wide v68 = offset5 + angle1_____________;
-    const wide q5_ppp = v61 + pick_wide(v61 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v62 <= -half_turn, all_wide(m16), all_wide(0.0)) - v62;
-    const wide q5_pmp = v63 + pick_wide(v63 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v64 <= -half_turn, all_wide(m16), all_wide(0.0)) - v64;
-    const wide q5_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v66 <= -half_turn, all_wide(m16), all_wide(0.0)) - v66;
-    const wide q5_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v68 <= -half_turn, all_wide(m16), all_wide(0.0)) - v68;
-    const wide v69 = c4_pp * v41 + -v33 * (v27 * T31 - c2m3_pp * v42);
-    const wide v70 = c4_pm * v41 + -v33 * (v28 * T31 - c2m3_pm * v42);
-    const wide angle1______________ = atan2_wide(v69, c4_pp * v39 + -v33 * (v27 * T32 - c2m3_pp *
-        v40));
-    const wide angle1_______________ = atan2_wide(v70, c4_pm * v39 + -v33 * (v28 * T32 - c2m3_pm *
-        v40));
-    const wide angle1________________ = atan2_wide(-(c4_mp * v41 + -v33 * (v30 * T31 + c2m3_mp *
-        v42)), -(c4_mp * v39 + -v33 * (v30 * T32 + c2m3_mp * v40)));
-    const wide angle1_________________ = atan2_wide(-(c4_mm * v41 + -v33 * (v31 * T31 + c2m3_mm *
-        v42)), -(c4_mm * v39 + -v33 * (v31 * T32 + c2m3_mm * v40)));
-    const wide v71 = angle1______________ - offset6;
-    const wide v72 = angle1______________ - h3 * copysign_wide(all_wide(half_turn), v69) - offset6;
-    const wide v73 = angle1_______________ - offset6;
-    const wide v74 = angle1_______________ - h3 * copysign_wide(all_wide(half_turn), v70) - offset6;
-    const wide v75 = angle1________________ - offset6;
-    const wide v76 = angle1________________ - h3 * copysign_wide(all_wide(half_turn), -(c4_mp * v41
-        + -v33 * (v30 * T31 + c2m3_mp * v42))) - offset6;
-    const wide v77 = angle1_________________ - offset6;
-    const wide v78 = angle1_________________ - h3 * copysign_wide(all_wide(half_turn), -(c4_mm * v41
-        + -v33 * (v31 * T31 + c2m3_mm * v42))) - offset6;
-    const wide q6_ppp = v71 + pick_wide(v71 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q6_ppm = v72 + pick_wide(v72 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q6_pmp = v73 + pick_wide(v73 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q6_pmm = v74 + pick_wide(v74 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q6_mpp = v75 + pick_wide(v75 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q6_mpm = v76 + pick_wide(v76 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q6_mmp = v77 + pick_wide(v77 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide q6_mmm = v78 + pick_wide(v78 <= -half_turn, all_wide(m16), all_wide(0.0));
-    const wide_mask v79 = (q3_ppp < low3) | (high3 < q3_ppp);
-    const wide_mask v80 = (q3_pmp < low3) | (high3 < q3_pmp);
-    const wide q1_ppp = v3 + (v43 - pick_wide(half_turn < v43, all_wide(m16), all_wide(0.0)));
-    const wide q1_mpp = v3 + (v44 - pick_wide(half_turn < v44, all_wide(m16), all_wide(0.0)));
-    const wide_mask v81 = v79 | ((q2_ppp < low2) | (high2 < q2_ppp));
-    const wide_mask v82 = v80 | ((q2_pmp < low2) | (high2 < q2_pmp));
-    const wide_mask v83 = v79 | ((q2_mpp < low2) | (high2 < q2_mpp));
-    const wide_mask v84 = v80 | ((q2_mmp < low2) | (high2 < q2_mmp));
-    const wide_mask outside_ppp = v81 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v81 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v82 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v82 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v83 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v83 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v84 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v84 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (v38 <= m14) | ((v16 <= m4) | ((v37 <= m14) | ((v15 <= m4) | ((v36 <=
-        m14) | ((v14 <= m4) | ((v35 <= m14) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v12 <=
+    const wide v65 = angle1____ - offset2;
+    const wide q2_ppp = v62 - pick_wide(half_turn < v62, all_wide(m7), all_wide(0.0));
+    const wide q2_pmp = v63 - pick_wide(half_turn < v63, all_wide(m7), all_wide(0.0));
+    const wide q2_mpp = v64 - pick_wide(half_turn < v64, all_wide(m7), all_wide(0.0));
+    const wide q2_mmp = v65 - pick_wide(half_turn < v65, all_wide(m7), all_wide(0.0));
+    const wide angle1_____ = atan2_wide(v5, -v6);
+    const wide v66 = angle1_____ - offset3;
+    const wide v67 = h1 * copysign_wide(all_wide(half_turn), v5) - angle1_____ - offset3;
+    const wide q3_ppp = v66 + pick_wide(v66 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q3_pmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide angle1______ = atan2_wide(-v46, v41);
+    const wide angle1_______ = atan2_wide(-v46, v42);
+    const wide angle1________ = atan2_wide(v46, v43);
+    const wide angle1_________ = atan2_wide(v46, v44);
+    const wide v68 = h1 * copysign_wide(all_wide(half_turn), -v46);
+    const wide v69 = h1 * copysign_wide(all_wide(half_turn), v46);
+    const wide v70 = angle1______ - offset4;
+    const wide v71 = angle1______ - v68 - offset4;
+    const wide v72 = angle1_______ - offset4;
+    const wide v73 = angle1_______ - v68 - offset4;
+    const wide v74 = angle1________ - offset4;
+    const wide v75 = angle1________ - v69 - offset4;
+    const wide v76 = angle1_________ - offset4;
+    const wide v77 = angle1_________ - v69 - offset4;
+    const wide q4_ppp = v70 + pick_wide(v70 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_ppm = v71 + pick_wide(v71 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_pmp = v72 + pick_wide(v72 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_pmm = v73 + pick_wide(v73 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mpp = v74 + pick_wide(v74 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mpm = v75 + pick_wide(v75 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mmp = v76 + pick_wide(v76 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mmm = v77 + pick_wide(v77 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide angle1__________ = atan2_wide(sqrt_wide(v48), T33 * c2m3_pp + v35 * v40);
+    const wide angle1___________ = atan2_wide(sqrt_wide(v49), T33 * c2m3_pm + v37 * v40);
+    const wide angle1____________ = atan2_wide(sqrt_wide(v50), T33 * c2m3_mp - v38 * v40);
+    const wide angle1_____________ = atan2_wide(sqrt_wide(v51), T33 * c2m3_mm - v39 * v40);
+    const wide v78 = angle1__________ - offset5;
+    const wide v79 = offset5 + angle1__________;
+    const wide v80 = angle1___________ - offset5;
+    const wide v81 = offset5 + angle1___________;
+    const wide v82 = angle1____________ - offset5;
+    const wide v83 = offset5 + angle1____________;
+    const wide v84 = angle1_____________ - offset5;
+    const wide v85 = offset5 + angle1_____________;
+    const wide q5_ppp = v78 + pick_wide(v78 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v79 <= -half_turn, all_wide(m7), all_wide(0.0)) - v79;
+    const wide q5_pmp = v80 + pick_wide(v80 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v81 <= -half_turn, all_wide(m7), all_wide(0.0)) - v81;
+    const wide q5_mpp = v82 + pick_wide(v82 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v83 <= -half_turn, all_wide(m7), all_wide(0.0)) - v83;
+    const wide q5_mmp = v84 + pick_wide(v84 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v85 <= -half_turn, all_wide(m7), all_wide(0.0)) - v85;
+    const wide v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59));
+    const wide v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59));
+    const wide angle1______________ = atan2_wide(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp
+        * v57)));
+    const wide angle1_______________ = atan2_wide(v87, v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm
+        * v57)));
+    const wide angle1________________ = atan2_wide(-(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp *
+        v59))), -(v54 * (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57))));
+    const wide angle1_________________ = atan2_wide(-(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm
+        * v59))), -(v55 * (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57))));
+    const wide v88 = angle1______________ - offset6;
+    const wide v89 = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v86) - offset6;
+    const wide v90 = angle1_______________ - offset6;
+    const wide v91 = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v87) - offset6;
+    const wide v92 = angle1________________ - offset6;
+    const wide v93 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), -(v54 * (v43 *
+        v58 - v45 * (v38 * T31 + c2m3_mp * v59)))) - offset6;
+    const wide v94 = angle1_________________ - offset6;
+    const wide v95 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), -(v55 * (v44
+        * v58 - v45 * (v39 * T31 + c2m3_mm * v59)))) - offset6;
+    const wide q6_ppp = v88 + pick_wide(v88 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q6_ppm = v89 + pick_wide(v89 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q6_pmp = v90 + pick_wide(v90 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q6_pmm = v91 + pick_wide(v91 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q6_mpp = v92 + pick_wide(v92 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q6_mpm = v93 + pick_wide(v93 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q6_mmp = v94 + pick_wide(v94 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q6_mmm = v95 + pick_wide(v95 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide_mask v96 = (q3_ppp < low3) | (high3 < q3_ppp);
+    const wide_mask v97 = (q3_pmp < low3) | (high3 < q3_pmp);
+    const wide q1_ppp = v4 + (v60 - pick_wide(half_turn < v60, all_wide(m7), all_wide(0.0)));
+    const wide q1_mpp = v4 + (v61 - pick_wide(half_turn < v61, all_wide(m7), all_wide(0.0)));
+    const wide_mask v98 = v96 | ((q2_ppp < low2) | (high2 < q2_ppp));
+    const wide_mask v99 = v97 | ((q2_pmp < low2) | (high2 < q2_pmp));
+    const wide_mask v100 = v96 | ((q2_mpp < low2) | (high2 < q2_mpp));
+    const wide_mask v101 = v97 | ((q2_mmp < low2) | (high2 < q2_mmp));
+    const wide_mask outside_ppp = v98 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v98 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v99 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v99 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v100 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v100 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v101 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v101 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt1 = (v51 <= m5) | ((v27 <= m4) | ((v50 <= m5) | ((v26 <= m4) | ((v49 <= m5)
+        | ((v25 <= m4) | ((v48 <= m5) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v23 <=
         m4))))))));
 
     q[0] = q1_ppp;
@@ -812,9 +822,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 }
 
 #if LANES > 1
-static const double m12 = 0.020594273622958455; /* a coefficient of v7 */
-static const double m13 = 0.001127606956291743; /* a coefficient of v7 */
-static const double m15 = 0.5; /* 1 / 2 */
+static const double m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -830,96 +838,100 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double wy = d6 * T23 - T24;
     const double v1 = X1 * X1 + wy * wy;
     const double w1 = sqrt(v1);
-    const double factor1 = 1.0 / w1;
-    const double v2 = X1 * factor1;
+    const double v2 = 1.0 / v1;
+    const double factor1 = w1 * v2;
+    const double v3 = X1 * factor1;
     const double s1 = wy * factor1;
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34);
     const double N3 = v1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v3 = w3 - w3;
-    const double v4 = k1 * (N3 - k2);
+    const double v4 = w3 - w3;
+    const double v5 = k1 * (N3 - k2);
+    const double s3 = k3 * v5;
+    const double v6 = k1 * w3;
+    const double v7 = k3 * v6;
 
     /* theta2 */
-    const four v5 = e1 * e2;
-    const double v6 = m2 * N3 - m3;
-    const double v7 = Z1_3 * v6;
-    const four S2 = v7 + w3 * (m2 * (w1 * v5));
-    const four v8 = e2 * Z1_3;
-    const four v9 = w3 * (m2 * v8);
-    const four v10 = w1 * (e1 * v6);
-    const four C2 = v10 - v9;
-    const four v11 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v11);
+    const double X1_2 = a2 + d4 * s3;
+    const double X2_2 = d4 * v7;
+    const double v8 = Z1_3 * X1_2;
+    const double v9 = w1 * X2_2;
+    const four v10 = e1 * e2;
+    const four v11 = v8 + v9 * v10;
+    const double v12 = m2 * N3 - m3;
+    const double v13 = Z1_3 * v12;
+    const four S2 = v13 + w3 * (m2 * (w1 * v10));
+    const double v14 = w1 * X1_2;
+    const double v15 = Z1_3 * X2_2;
+    const four v16 = e1 * v14;
+    const four v17 = e2 * v15;
+    const four v18 = v16 - v17;
+    const four v19 = w3 * (m2 * (e2 * Z1_3));
+    const four v20 = w1 * (e1 * v12);
+    const four C2 = v20 - v19;
+    const four v21 = S2 * S2 + C2 * C2;
+    const four w2 = sqrt_four(v21);
+    const four v22 = 1.0 / v21;
 
     /* theta4 */
-    const double v12 = m6 * N3;
-    const double v13 = m5 - v12;
-    const four v14 = e1 * v13;
-    const double v15 = v12 - m7;
-    const double v16 = Z1_3 * (m8 + m9 * N3);
-    const four c2m3 = factor2 * (v16 + w3 * (w1 * (e2 * v14 + v5 * v15)));
-    const double v17 = v12 - m10;
-    const four v18 = e1 * v17;
-    const double v19 = m11 - v12;
-    const four v20 = e2 * v19;
-    const four v21 = m12 * e1;
-    const four v22 = m13 * e2;
-    const four v23 = m9 * (w3 * v8);
-    const four v24 = factor2 * (v23 + w1 * (N3 * (v18 + v5 * v20) + (v21 - v5 * v22)));
-    const double v25 = T13 * v2 + T23 * s1;
-    const four c4 = T33 * v24 - e1 * (c2m3 * v25);
-    const double v26 = T13 * s1 - T23 * v2;
-    const double v27 = v26 * v26;
-    const four v28 = v27 + c4 * c4;
+    const four v23 = e2 * v7;
+    const four c2m3 = w2 * (v22 * (s3 * v11 - v18 * v23));
+    const four v24 = w2 * (v22 * (v11 * v23 + s3 * v18));
+    const double v25 = w1 * (v2 * (T13 * X1 + T23 * wy));
+    const four v26 = T33 * v24 - e1 * (c2m3 * v25);
+    const double v27 = T13 * s1 - T23 * v3;
+    const double v28 = w1 * (v2 * (T13 * wy - X1 * T23));
+    const double v29 = v28 * v28;
+    const four v30 = v29 + v26 * v26;
+    const four v31 = 1.0 / v30;
 
     /* theta6 */
-    const double v29 = s1 * T12 - v2 * T22;
-    const double v30 = v2 * T12 + s1 * T22;
-    const double v31 = s1 * T11 - v2 * T21;
-    const double v32 = v2 * T11 + s1 * T21;
+    const double v32 = s1 * T12 - v3 * T22;
+    const double v33 = w1 * (v2 * (X1 * T12 + wy * T22));
+    const double v34 = s1 * T11 - v3 * T21;
+    const double v35 = w1 * (v2 * (X1 * T11 + wy * T21));
 
     /* joint values */
-    const double v33 = copysign(half_turn, wy);
-    const double v36 = copysign(half_turn, v4);
-    const four v38 = e1 * -v26;
-    const four v39 = copysign_four(all_four(half_turn), v38) * h1;
-    const four v44 = e1 * (c4 * v31 + -v26 * (v24 * T31 - e1 * (c2m3 * v32)));
+    const double v36 = copysign(half_turn, wy);
+    const double v39 = copysign(half_turn, v5);
+    const four v41 = copysign_four(all_four(half_turn), -(e1 * v28)) * h1;
+    const four v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
     const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt2 = (v11 <= m4) | (v28 <= m14);
+    const four_mask doubt2 = (v21 <= m4) | (v30 <= m5);
 
     const four angle1_ = atan2_four(S2, C2);
-    const four angle1___ = atan2_four(v38, c4);
-    const four angle1____ = atan2_four(sqrt_four(v28), T33 * c2m3 + e1 * (v24 * v25));
-    const four angle1_____ = atan2_four(v44, e1 * (c4 * v29 + -v26 * (v24 * T32 - e1 * (c2m3 *
-        v30))));
-    const four packed5 = atan2_four((four){ wy, v4, wy, wy }, (four){ -X1, -(k1 * w3), -X1, -X1 });
+    const four angle1___ = atan2_four(-(e1 * v28), v26);
+    const four angle1____ = atan2_four(sqrt_four(v30), T33 * c2m3 + e1 * (v24 * v25));
+    const four angle1_____ = atan2_four(v46, e1 * (v31 * (v26 * v32 - v27 * (v24 * T32 - e1 * (c2m3
+        * v33)))));
+    const four packed5 = atan2_four((four){ wy, v5, wy, wy }, (four){ -X1, -v6, -X1, -X1 });
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four v34 = angle1 + v33 * (m15 * (e1 - 1.0)) - offset1;
-    const four v35 = angle1_ - offset2;
-    const four q2_p = v35 - pick_four(half_turn < v35, all_four(m16), all_four(0.0));
-    const four v37 = e2 * angle1__ + v36 * (m15 * (1.0 - e2)) - offset3;
-    const four q3_p = v37 + pick_four(v37 <= -half_turn, all_four(m16), all_four(0.0));
-    const four v40 = angle1___ - offset4;
-    const four v41 = angle1___ - v39 - offset4;
-    const four q4_p = v40 + pick_four(v40 <= -half_turn, all_four(m16), all_four(0.0));
-    const four q4_m = v41 + pick_four(v41 <= -half_turn, all_four(m16), all_four(0.0));
-    const four v42 = angle1____ - offset5;
-    const four v43 = offset5 + angle1____;
-    const four q5_p = v42 + pick_four(v42 <= -half_turn, all_four(m16), all_four(0.0));
-    const four q5_m = pick_four(-v43 <= -half_turn, all_four(m16), all_four(0.0)) - v43;
-    const four v45 = angle1_____ - offset6;
-    const four v46 = angle1_____ - h1 * copysign_four(all_four(half_turn), v44) - offset6;
-    const four q6_p = v45 + pick_four(v45 <= -half_turn, all_four(m16), all_four(0.0));
-    const four q6_m = v46 + pick_four(v46 <= -half_turn, all_four(m16), all_four(0.0));
-    const four_mask v47 = (q3_p < low3) | (high3 < q3_p);
-    const four q1_p = v3 + (v34 - pick_four(half_turn < v34, all_four(m16), all_four(0.0)));
-    const four_mask v48 = v47 | ((q2_p < low2) | (high2 < q2_p));
-    const four_mask outside_p = v48 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v48 | ((q5_m < low5) | (high5 < q5_m));
+    const four v37 = angle1 + v36 * (m6 * (e1 - 1.0)) - offset1;
+    const four v38 = angle1_ - offset2;
+    const four q2_p = v38 - pick_four(half_turn < v38, all_four(m7), all_four(0.0));
+    const four v40 = e2 * angle1__ + v39 * (m6 * (1.0 - e2)) - offset3;
+    const four q3_p = v40 + pick_four(v40 <= -half_turn, all_four(m7), all_four(0.0));
+    const four v42 = angle1___ - offset4;
+    const four v43 = angle1___ - v41 - offset4;
+    const four q4_p = v42 + pick_four(v42 <= -half_turn, all_four(m7), all_four(0.0));
+    const four q4_m = v43 + pick_four(v43 <= -half_turn, all_four(m7), all_four(0.0));
+    const four v44 = angle1____ - offset5;
+    const four v45 = offset5 + angle1____;
+    const four q5_p = v44 + pick_four(v44 <= -half_turn, all_four(m7), all_four(0.0));
+    const four q5_m = pick_four(-v45 <= -half_turn, all_four(m7), all_four(0.0)) - v45;
+    const four v47 = angle1_____ - offset6;
+    const four v48 = angle1_____ - h1 * copysign_four(all_four(half_turn), v46) - offset6;
+    const four q6_p = v47 + pick_four(v47 <= -half_turn, all_four(m7), all_four(0.0));
+    const four q6_m = v48 + pick_four(v48 <= -half_turn, all_four(m7), all_four(0.0));
+    const four_mask v49 = (q3_p < low3) | (high3 < q3_p);
+    const four q1_p = v4 + (v37 - pick_four(half_turn < v37, all_four(m7), all_four(0.0)));
+    const four_mask v50 = v49 | ((q2_p < low2) | (high2 < q2_p));
+    const four_mask outside_p = v50 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v50 | ((q5_m < low5) | (high5 < q5_m));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

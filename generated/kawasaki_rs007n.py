@@ -89,18 +89,9 @@ m1 = 1.3642239999999997e-24  # free_limit1^2 [m^2]
 m2 = 1.4084507042253522  # a coefficient of S2
 m3 = 0.020563380281690184  # a coefficient of S2
 m4 = 1.861107122175999e-48  # free_limit_squared2^2 [m^4]
-m5 = 0.07723335317066737  # a coefficient of c2m3
-m6 = 5.289955696621042  # a coefficient of c2m3
-m7 = 1.4105666865040007  # a coefficient of c2m3
-m8 = 0.019466666666666712  # a coefficient of c2m3
-m9 = 1.333333333333333  # a coefficient of c2m3
-m10 = 1.487800039674668  # a coefficient of v7
-m11 = 2.821133373008001  # a coefficient of v7
-m14 = 1e-24  # free_limit^2
-m16 = 6.283185307179586  # 2 * half_turn
-h1 = 0.019466666666666712  # m12 - m13
-h2 = -0.019466666666666712  # m13 - m12
-h3 = 1.0  # 2 * m15
+m5 = 1e-24  # free_limit^2
+m7 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -541,196 +532,212 @@ def _regular(pose, q, status):
     wy = d6 * T23 - T24
     v1 = X1 * X1 + wy * wy
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = X1 * factor1
+    v2 = 1.0 / v1
+    factor1 = w1 * v2
+    v3 = X1 * factor1
     s1 = wy * factor1
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = d1 + (d6 * T33 - T34)
     N3 = v1 + Z1_3 * Z1_3
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-    v3 = w3 - w3
-    v4 = k1 * (N3 - k2)
+    v4 = w3 - w3
+    v5 = k1 * (N3 - k2)
+    s3 = k3 * v5
+    v6 = k1 * w3
+    v7 = k3 * v6
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v5 = m2 * N3 - m3
-    v6 = Z1_3 * v5
-    v7 = w3 * (m2 * w1)
-    S2_pp = v6 + v7
-    S2_pm = v6 - v7
-    v8 = w3 * (m2 * Z1_3)
-    v9 = w1 * v5
-    v10 = w1 * -v5
-    C2_pp = v9 - v8
-    C2_pm = v8 + v9
-    C2_mp = v10 - v8
-    C2_mm = v8 + v10
-    v11 = S2_pp * S2_pp
-    v12 = v11 + C2_pp * C2_pp
-    v13 = S2_pm * S2_pm
-    v14 = v13 + C2_pm * C2_pm
-    v15 = v13 + C2_mp * C2_mp
-    v16 = v11 + C2_mm * C2_mm
-    factor2_pp = 1.0 / math.sqrt(v12)
-    factor2_pm = 1.0 / math.sqrt(v14)
-    factor2_mp = 1.0 / math.sqrt(v15)
-    factor2_mm = 1.0 / math.sqrt(v16)
+    X1_2 = a2 + d4 * s3
+    X2_2 = d4 * v7
+    v8 = Z1_3 * X1_2
+    v9 = w1 * X2_2
+    v10 = v8 + v9
+    v11 = v8 - v9
+    v12 = m2 * N3 - m3
+    v13 = Z1_3 * v12
+    v14 = w3 * (m2 * w1)
+    S2_pp = v13 + v14
+    S2_pm = v13 - v14
+    v15 = w1 * X1_2
+    v16 = Z1_3 * X2_2
+    v17 = v15 - v16
+    v18 = v15 + v16
+    v19 = w3 * (m2 * Z1_3)
+    v20 = w1 * v12
+    v21 = w1 * -v12
+    C2_pp = v20 - v19
+    C2_pm = v19 + v20
+    C2_mp = v21 - v19
+    C2_mm = v19 + v21
+    v22 = S2_pp * S2_pp
+    v23 = v22 + C2_pp * C2_pp
+    v24 = S2_pm * S2_pm
+    v25 = v24 + C2_pm * C2_pm
+    v26 = v24 + C2_mp * C2_mp
+    v27 = v22 + C2_mm * C2_mm
+    w2_pp = math.sqrt(v23)
+    w2_pm = math.sqrt(v25)
+    w2_mp = math.sqrt(v26)
+    w2_mm = math.sqrt(v27)
+    v28 = 1.0 / v23
+    v29 = 1.0 / v25
+    v30 = 1.0 / v26
+    v31 = 1.0 / v27
 
     # theta4, type 2: U4[3, 3]
-    v17 = m6 * N3
-    v18 = m5 - v17
-    v19 = v17 - m7
-    v20 = Z1_3 * (m8 + m9 * N3)
-    v21 = v20 + w3 * (w1 * (v18 + v19))
-    c2m3_pp = factor2_pp * v21
-    v22 = v20 + w3 * (w1 * (-v18 + -v19))
-    c2m3_pm = factor2_pm * v22
-    c2m3_mp = factor2_mp * v22
-    c2m3_mm = factor2_mm * v21
-    v23 = v17 - m10
-    v24 = m11 - v17
-    v25 = m9 * (Z1_3 * w3)
-    v26 = w1 * (N3 * (v23 + v24) + h1)
-    v27 = factor2_pp * (v25 + v26)
-    v28 = factor2_pm * (v26 - v25)
-    v29 = w1 * (N3 * (-v23 + -v24) + h2)
-    v30 = factor2_mp * (v25 + v29)
-    v31 = factor2_mm * (v29 - v25)
-    v32 = T13 * v2 + T23 * s1
-    c4_pp = T33 * v27 - c2m3_pp * v32
-    c4_pm = T33 * v28 - c2m3_pm * v32
-    c4_mp = T33 * v30 + c2m3_mp * v32
-    c4_mm = T33 * v31 + c2m3_mm * v32
-    v33 = T13 * s1 - T23 * v2
-    v34 = v33 * v33
-    v35 = v34 + c4_pp * c4_pp
-    v36 = v34 + c4_pm * c4_pm
-    v37 = v34 + c4_mp * c4_mp
-    v38 = v34 + c4_mm * c4_mm
+    v32 = s3 * v10
+    c2m3_pp = w2_pp * (v28 * (v32 - v7 * v17))
+    v33 = s3 * v11 + v7 * v18
+    c2m3_pm = w2_pm * (v29 * v33)
+    c2m3_mp = w2_mp * (v30 * v33)
+    c2m3_mm = w2_mm * (v31 * (v32 + v7 * -v17))
+    v34 = v7 * v10
+    v35 = w2_pp * (v28 * (v34 + s3 * v17))
+    v36 = s3 * v18 - v7 * v11
+    v37 = w2_pm * (v29 * v36)
+    v38 = w2_mp * (v30 * -v36)
+    v39 = w2_mm * (v31 * (s3 * -v17 - v34))
+    v40 = w1 * (v2 * (T13 * X1 + T23 * wy))
+    v41 = T33 * v35 - c2m3_pp * v40
+    v42 = T33 * v37 - c2m3_pm * v40
+    v43 = T33 * v38 + c2m3_mp * v40
+    v44 = T33 * v39 + c2m3_mm * v40
+    v45 = T13 * s1 - T23 * v3
+    v46 = w1 * (v2 * (T13 * wy - X1 * T23))
+    v47 = v46 * v46
+    v48 = v47 + v41 * v41
+    v49 = v47 + v42 * v42
+    v50 = v47 + v43 * v43
+    v51 = v47 + v44 * v44
+    v52 = 1.0 / v48
+    v53 = 1.0 / v49
+    v54 = 1.0 / v50
+    v55 = 1.0 / v51
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v39 = s1 * T12 - v2 * T22
-    v40 = v2 * T12 + s1 * T22
-    v41 = s1 * T11 - v2 * T21
-    v42 = v2 * T11 + s1 * T21
+    v56 = s1 * T12 - v3 * T22
+    v57 = w1 * (v2 * (X1 * T12 + wy * T22))
+    v58 = s1 * T11 - v3 * T21
+    v59 = w1 * (v2 * (X1 * T11 + wy * T21))
 
     # joint values
     angle1 = _atan2(wy, -X1)
-    v43 = angle1 - offset1
-    v44 = angle1 - math.copysign(half_turn, wy) * h3 - offset1
+    v60 = angle1 - offset1
+    v61 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
     angle1_ = _atan2(S2_pp, C2_pp)
-    v45 = angle1_ - offset2
+    v62 = angle1_ - offset2
     angle1__ = _atan2(S2_pm, C2_pm)
-    v46 = angle1__ - offset2
+    v63 = angle1__ - offset2
     angle1___ = _atan2(S2_pm, C2_mp)
-    v47 = angle1___ - offset2
+    v64 = angle1___ - offset2
     angle1____ = _atan2(S2_pp, C2_mm)
-    v48 = angle1____ - offset2
-    q2_ppp = v45 - (m16 if half_turn < v45 else 0.0)
-    q2_pmp = v46 - (m16 if half_turn < v46 else 0.0)
-    q2_mpp = v47 - (m16 if half_turn < v47 else 0.0)
-    q2_mmp = v48 - (m16 if half_turn < v48 else 0.0)
-    angle1_____ = _atan2(v4, -(k1 * w3))
-    v49 = angle1_____ - offset3
-    v50 = h3 * math.copysign(half_turn, v4) - angle1_____ - offset3
-    q3_ppp = v49 + (m16 if v49 <= -half_turn else 0.0)
-    q3_pmp = v50 + (m16 if v50 <= -half_turn else 0.0)
-    angle1______ = _atan2(-v33, c4_pp)
-    angle1_______ = _atan2(-v33, c4_pm)
-    angle1________ = _atan2(v33, c4_mp)
-    angle1_________ = _atan2(v33, c4_mm)
-    v51 = h3 * math.copysign(half_turn, -v33)
-    v52 = h3 * math.copysign(half_turn, v33)
-    v53 = angle1______ - offset4
-    v54 = angle1______ - v51 - offset4
-    v55 = angle1_______ - offset4
-    v56 = angle1_______ - v51 - offset4
-    v57 = angle1________ - offset4
-    v58 = angle1________ - v52 - offset4
-    v59 = angle1_________ - offset4
-    v60 = angle1_________ - v52 - offset4
-    q4_ppp = v53 + (m16 if v53 <= -half_turn else 0.0)
-    q4_ppm = v54 + (m16 if v54 <= -half_turn else 0.0)
-    q4_pmp = v55 + (m16 if v55 <= -half_turn else 0.0)
-    q4_pmm = v56 + (m16 if v56 <= -half_turn else 0.0)
-    q4_mpp = v57 + (m16 if v57 <= -half_turn else 0.0)
-    q4_mpm = v58 + (m16 if v58 <= -half_turn else 0.0)
-    q4_mmp = v59 + (m16 if v59 <= -half_turn else 0.0)
-    q4_mmm = v60 + (m16 if v60 <= -half_turn else 0.0)
-    angle1__________ = _atan2(math.sqrt(v35), T33 * c2m3_pp + v27 * v32)
-    angle1___________ = _atan2(math.sqrt(v36), T33 * c2m3_pm + v28 * v32)
-    angle1____________ = _atan2(math.sqrt(v37), T33 * c2m3_mp - v30 * v32)
-    angle1_____________ = _atan2(math.sqrt(v38), T33 * c2m3_mm - v31 * v32)
-    v61 = angle1__________ - offset5
-    v62 = offset5 + angle1__________
-    v63 = angle1___________ - offset5
-    v64 = offset5 + angle1___________
-    v65 = angle1____________ - offset5
-    v66 = offset5 + angle1____________
-    v67 = angle1_____________ - offset5
-    v68 = offset5 + angle1_____________
-    q5_ppp = v61 + (m16 if v61 <= -half_turn else 0.0)
-    q5_ppm = (m16 if -v62 <= -half_turn else 0.0) - v62
-    q5_pmp = v63 + (m16 if v63 <= -half_turn else 0.0)
-    q5_pmm = (m16 if -v64 <= -half_turn else 0.0) - v64
-    q5_mpp = v65 + (m16 if v65 <= -half_turn else 0.0)
-    q5_mpm = (m16 if -v66 <= -half_turn else 0.0) - v66
-    q5_mmp = v67 + (m16 if v67 <= -half_turn else 0.0)
-    q5_mmm = (m16 if -v68 <= -half_turn else 0.0) - v68
-    v69 = c4_pp * v41 + -v33 * (v27 * T31 - c2m3_pp * v42)
-    v70 = c4_pm * v41 + -v33 * (v28 * T31 - c2m3_pm * v42)
-    angle1______________ = _atan2(v69, c4_pp * v39 + -v33 * (v27 * T32 - c2m3_pp * v40))
-    angle1_______________ = _atan2(v70, c4_pm * v39 + -v33 * (v28 * T32 - c2m3_pm * v40))
+    v65 = angle1____ - offset2
+    q2_ppp = v62 - (m7 if half_turn < v62 else 0.0)
+    q2_pmp = v63 - (m7 if half_turn < v63 else 0.0)
+    q2_mpp = v64 - (m7 if half_turn < v64 else 0.0)
+    q2_mmp = v65 - (m7 if half_turn < v65 else 0.0)
+    angle1_____ = _atan2(v5, -v6)
+    v66 = angle1_____ - offset3
+    v67 = h1 * math.copysign(half_turn, v5) - angle1_____ - offset3
+    q3_ppp = v66 + (m7 if v66 <= -half_turn else 0.0)
+    q3_pmp = v67 + (m7 if v67 <= -half_turn else 0.0)
+    angle1______ = _atan2(-v46, v41)
+    angle1_______ = _atan2(-v46, v42)
+    angle1________ = _atan2(v46, v43)
+    angle1_________ = _atan2(v46, v44)
+    v68 = h1 * math.copysign(half_turn, -v46)
+    v69 = h1 * math.copysign(half_turn, v46)
+    v70 = angle1______ - offset4
+    v71 = angle1______ - v68 - offset4
+    v72 = angle1_______ - offset4
+    v73 = angle1_______ - v68 - offset4
+    v74 = angle1________ - offset4
+    v75 = angle1________ - v69 - offset4
+    v76 = angle1_________ - offset4
+    v77 = angle1_________ - v69 - offset4
+    q4_ppp = v70 + (m7 if v70 <= -half_turn else 0.0)
+    q4_ppm = v71 + (m7 if v71 <= -half_turn else 0.0)
+    q4_pmp = v72 + (m7 if v72 <= -half_turn else 0.0)
+    q4_pmm = v73 + (m7 if v73 <= -half_turn else 0.0)
+    q4_mpp = v74 + (m7 if v74 <= -half_turn else 0.0)
+    q4_mpm = v75 + (m7 if v75 <= -half_turn else 0.0)
+    q4_mmp = v76 + (m7 if v76 <= -half_turn else 0.0)
+    q4_mmm = v77 + (m7 if v77 <= -half_turn else 0.0)
+    angle1__________ = _atan2(math.sqrt(v48), T33 * c2m3_pp + v35 * v40)
+    angle1___________ = _atan2(math.sqrt(v49), T33 * c2m3_pm + v37 * v40)
+    angle1____________ = _atan2(math.sqrt(v50), T33 * c2m3_mp - v38 * v40)
+    angle1_____________ = _atan2(math.sqrt(v51), T33 * c2m3_mm - v39 * v40)
+    v78 = angle1__________ - offset5
+    v79 = offset5 + angle1__________
+    v80 = angle1___________ - offset5
+    v81 = offset5 + angle1___________
+    v82 = angle1____________ - offset5
+    v83 = offset5 + angle1____________
+    v84 = angle1_____________ - offset5
+    v85 = offset5 + angle1_____________
+    q5_ppp = v78 + (m7 if v78 <= -half_turn else 0.0)
+    q5_ppm = (m7 if -v79 <= -half_turn else 0.0) - v79
+    q5_pmp = v80 + (m7 if v80 <= -half_turn else 0.0)
+    q5_pmm = (m7 if -v81 <= -half_turn else 0.0) - v81
+    q5_mpp = v82 + (m7 if v82 <= -half_turn else 0.0)
+    q5_mpm = (m7 if -v83 <= -half_turn else 0.0) - v83
+    q5_mmp = v84 + (m7 if v84 <= -half_turn else 0.0)
+    q5_mmm = (m7 if -v85 <= -half_turn else 0.0) - v85
+    v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
+    v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
+    angle1______________ = _atan2(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57)))
+    angle1_______________ = _atan2(v87, v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57)))
     angle1________________ = (
-        _atan2(-(c4_mp * v41 + -v33 * (v30 * T31 + c2m3_mp * v42)), -(c4_mp * v39 + -v33 * (v30 *
-        T32 + c2m3_mp * v40)))
+        _atan2(-(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59))), -(v54 * (v43 * v56 - v45 *
+        (v38 * T32 + c2m3_mp * v57))))
     )
     angle1_________________ = (
-        _atan2(-(c4_mm * v41 + -v33 * (v31 * T31 + c2m3_mm * v42)), -(c4_mm * v39 + -v33 * (v31 *
-        T32 + c2m3_mm * v40)))
+        _atan2(-(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59))), -(v55 * (v44 * v56 - v45 *
+        (v39 * T32 + c2m3_mm * v57))))
     )
-    v71 = angle1______________ - offset6
-    v72 = angle1______________ - h3 * math.copysign(half_turn, v69) - offset6
-    v73 = angle1_______________ - offset6
-    v74 = angle1_______________ - h3 * math.copysign(half_turn, v70) - offset6
-    v75 = angle1________________ - offset6
-    v76 = (
-        angle1________________ - h3 * math.copysign(half_turn, -(c4_mp * v41 + -v33 * (v30 * T31 +
-        c2m3_mp * v42))) - offset6
+    v88 = angle1______________ - offset6
+    v89 = angle1______________ - h1 * math.copysign(half_turn, v86) - offset6
+    v90 = angle1_______________ - offset6
+    v91 = angle1_______________ - h1 * math.copysign(half_turn, v87) - offset6
+    v92 = angle1________________ - offset6
+    v93 = (
+        angle1________________ - h1 * math.copysign(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31
+        + c2m3_mp * v59)))) - offset6
     )
-    v77 = angle1_________________ - offset6
-    v78 = (
-        angle1_________________ - h3 * math.copysign(half_turn, -(c4_mm * v41 + -v33 * (v31 * T31 +
-        c2m3_mm * v42))) - offset6
+    v94 = angle1_________________ - offset6
+    v95 = (
+        angle1_________________ - h1 * math.copysign(half_turn, -(v55 * (v44 * v58 - v45 * (v39 *
+        T31 + c2m3_mm * v59)))) - offset6
     )
-    q6_ppp = v71 + (m16 if v71 <= -half_turn else 0.0)
-    q6_ppm = v72 + (m16 if v72 <= -half_turn else 0.0)
-    q6_pmp = v73 + (m16 if v73 <= -half_turn else 0.0)
-    q6_pmm = v74 + (m16 if v74 <= -half_turn else 0.0)
-    q6_mpp = v75 + (m16 if v75 <= -half_turn else 0.0)
-    q6_mpm = v76 + (m16 if v76 <= -half_turn else 0.0)
-    q6_mmp = v77 + (m16 if v77 <= -half_turn else 0.0)
-    q6_mmm = v78 + (m16 if v78 <= -half_turn else 0.0)
-    v79 = q3_ppp < low3 or high3 < q3_ppp
-    v80 = q3_pmp < low3 or high3 < q3_pmp
-    q1_ppp = v3 + (v43 - (m16 if half_turn < v43 else 0.0))
-    q1_mpp = v3 + (v44 - (m16 if half_turn < v44 else 0.0))
-    v81 = v79 or (q2_ppp < low2 or high2 < q2_ppp)
-    v82 = v80 or (q2_pmp < low2 or high2 < q2_pmp)
-    v83 = v79 or (q2_mpp < low2 or high2 < q2_mpp)
-    v84 = v80 or (q2_mmp < low2 or high2 < q2_mmp)
-    outside_ppp = v81 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v81 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v82 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v82 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v83 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v83 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v84 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v84 or (q5_mmm < low5 or high5 < q5_mmm)
+    q6_ppp = v88 + (m7 if v88 <= -half_turn else 0.0)
+    q6_ppm = v89 + (m7 if v89 <= -half_turn else 0.0)
+    q6_pmp = v90 + (m7 if v90 <= -half_turn else 0.0)
+    q6_pmm = v91 + (m7 if v91 <= -half_turn else 0.0)
+    q6_mpp = v92 + (m7 if v92 <= -half_turn else 0.0)
+    q6_mpm = v93 + (m7 if v93 <= -half_turn else 0.0)
+    q6_mmp = v94 + (m7 if v94 <= -half_turn else 0.0)
+    q6_mmm = v95 + (m7 if v95 <= -half_turn else 0.0)
+    v96 = q3_ppp < low3 or high3 < q3_ppp
+    v97 = q3_pmp < low3 or high3 < q3_pmp
+    q1_ppp = v4 + (v60 - (m7 if half_turn < v60 else 0.0))
+    q1_mpp = v4 + (v61 - (m7 if half_turn < v61 else 0.0))
+    v98 = v96 or (q2_ppp < low2 or high2 < q2_ppp)
+    v99 = v97 or (q2_pmp < low2 or high2 < q2_pmp)
+    v100 = v96 or (q2_mpp < low2 or high2 < q2_mpp)
+    v101 = v97 or (q2_mmp < low2 or high2 < q2_mmp)
+    outside_ppp = v98 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v98 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v99 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v99 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v100 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v100 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v101 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v101 or (q5_mmm < low5 or high5 < q5_mmm)
     doubt1 = (
-        v38 <= m14 or (v16 <= m4 or (v37 <= m14 or (v15 <= m4 or (v36 <= m14 or (v14 <= m4 or (v35
-        <= m14 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not
-        (shortest3_apart < N3 and N3 < longest3_apart) or v12 <= m4)))))))
+        v51 <= m5 or (v27 <= m4 or (v50 <= m5 or (v26 <= m4 or (v49 <= m5 or (v25 <= m4 or (v48 <=
+        m5 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
+        N3 and N3 < longest3_apart) or v23 <= m4)))))))
     )
     # a joint is free, or branches meet
     if doubt1:
@@ -919,16 +926,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2240, 2272, 2304, 2336, 2368, 2400],
-    [2240, 2272, 2304, 2432, 2464, 2496],
-    [2240, 2528, 2560, 2592, 2624, 2656],
-    [2240, 2528, 2560, 2688, 2720, 2752],
-    [2784, 2816, 2304, 2848, 2880, 2912],
-    [2784, 2816, 2304, 2944, 2976, 3008],
-    [2784, 3040, 2560, 3072, 3104, 3136],
-    [2784, 3040, 2560, 3168, 3200, 3232],
+    [2304, 2336, 2368, 2400, 2432, 2464],
+    [2304, 2336, 2368, 2496, 2528, 2560],
+    [2304, 2592, 2624, 2656, 2688, 2720],
+    [2304, 2592, 2624, 2752, 2784, 2816],
+    [2848, 2880, 2368, 2912, 2944, 2976],
+    [2848, 2880, 2368, 3008, 3040, 3072],
+    [2848, 3104, 2624, 3136, 3168, 3200],
+    [2848, 3104, 2624, 3232, 3264, 3296],
 ])
-_KINDS = np.array([3264, 3296, 3328, 3360, 3392, 3424, 3456, 3488])
+_KINDS = np.array([3328, 3360, 3392, 3424, 3456, 3488, 3520, 3552])
 _LEFT_OVER = 255
 
 
@@ -939,7 +946,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(3520)
+    work = np.empty(3584)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -979,342 +986,362 @@ def _in_tiles(T, q, status):
             wy = d6 * T23 - T24
             v1 = X1 * X1 + wy * wy
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = X1 * factor1
+            v2 = 1.0 / v1
+            factor1 = w1 * v2
+            v3 = X1 * factor1
             s1 = wy * factor1
             Z1_3 = d1 + (d6 * T33 - T34)
             N3 = v1 + Z1_3 * Z1_3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v3 = w3 - w3
-            v4 = k1 * (N3 - k2)
-            v5 = m2 * N3 - m3
-            v6 = Z1_3 * v5
-            v7 = w3 * (m2 * w1)
-            S2_pp = v6 + v7
-            S2_pm = v6 - v7
-            v8 = w3 * (m2 * Z1_3)
-            v9 = w1 * v5
-            v10 = w1 * -v5
-            C2_pp = v9 - v8
-            C2_pm = v8 + v9
-            C2_mp = v10 - v8
-            C2_mm = v8 + v10
-            v11 = S2_pp * S2_pp
-            v12 = v11 + C2_pp * C2_pp
-            v13 = S2_pm * S2_pm
-            v14 = v13 + C2_pm * C2_pm
-            v15 = v13 + C2_mp * C2_mp
-            v16 = v11 + C2_mm * C2_mm
-            factor2_pp = 1.0 / math.sqrt(v12)
-            factor2_pm = 1.0 / math.sqrt(v14)
-            factor2_mp = 1.0 / math.sqrt(v15)
-            factor2_mm = 1.0 / math.sqrt(v16)
-            v17 = m6 * N3
-            v18 = m5 - v17
-            v19 = v17 - m7
-            v20 = Z1_3 * (m8 + m9 * N3)
-            v21 = v20 + w3 * (w1 * (v18 + v19))
-            c2m3_pp = factor2_pp * v21
-            v22 = v20 + w3 * (w1 * (-v18 + -v19))
-            c2m3_pm = factor2_pm * v22
-            c2m3_mp = factor2_mp * v22
-            c2m3_mm = factor2_mm * v21
-            v23 = v17 - m10
-            v24 = m11 - v17
-            v25 = m9 * (Z1_3 * w3)
-            v26 = w1 * (N3 * (v23 + v24) + h1)
-            v27 = factor2_pp * (v25 + v26)
-            v28 = factor2_pm * (v26 - v25)
-            v29 = w1 * (N3 * (-v23 + -v24) + h2)
-            v30 = factor2_mp * (v25 + v29)
-            v31 = factor2_mm * (v29 - v25)
-            v32 = T13 * v2 + T23 * s1
-            c4_pp = T33 * v27 - c2m3_pp * v32
-            c4_pm = T33 * v28 - c2m3_pm * v32
-            c4_mp = T33 * v30 + c2m3_mp * v32
-            c4_mm = T33 * v31 + c2m3_mm * v32
-            v33 = T13 * s1 - T23 * v2
-            v34 = v33 * v33
-            v35 = v34 + c4_pp * c4_pp
-            v36 = v34 + c4_pm * c4_pm
-            v37 = v34 + c4_mp * c4_mp
-            v38 = v34 + c4_mm * c4_mm
-            v39 = s1 * T12 - v2 * T22
-            v40 = v2 * T12 + s1 * T22
-            v41 = s1 * T11 - v2 * T21
-            v42 = v2 * T11 + s1 * T21
-            v51 = h3 * math.copysign(half_turn, -v33)
-            v52 = h3 * math.copysign(half_turn, v33)
-            v69 = c4_pp * v41 + -v33 * (v27 * T31 - c2m3_pp * v42)
-            v70 = c4_pm * v41 + -v33 * (v28 * T31 - c2m3_pm * v42)
+            v4 = w3 - w3
+            v5 = k1 * (N3 - k2)
+            s3 = k3 * v5
+            v6 = k1 * w3
+            v7 = k3 * v6
+            X1_2 = a2 + d4 * s3
+            X2_2 = d4 * v7
+            v8 = Z1_3 * X1_2
+            v9 = w1 * X2_2
+            v10 = v8 + v9
+            v11 = v8 - v9
+            v12 = m2 * N3 - m3
+            v13 = Z1_3 * v12
+            v14 = w3 * (m2 * w1)
+            S2_pp = v13 + v14
+            S2_pm = v13 - v14
+            v15 = w1 * X1_2
+            v16 = Z1_3 * X2_2
+            v17 = v15 - v16
+            v18 = v15 + v16
+            v19 = w3 * (m2 * Z1_3)
+            v20 = w1 * v12
+            v21 = w1 * -v12
+            C2_pp = v20 - v19
+            C2_pm = v19 + v20
+            C2_mp = v21 - v19
+            C2_mm = v19 + v21
+            v22 = S2_pp * S2_pp
+            v23 = v22 + C2_pp * C2_pp
+            v24 = S2_pm * S2_pm
+            v25 = v24 + C2_pm * C2_pm
+            v26 = v24 + C2_mp * C2_mp
+            v27 = v22 + C2_mm * C2_mm
+            w2_pp = math.sqrt(v23)
+            w2_pm = math.sqrt(v25)
+            w2_mp = math.sqrt(v26)
+            w2_mm = math.sqrt(v27)
+            v28 = 1.0 / v23
+            v29 = 1.0 / v25
+            v30 = 1.0 / v26
+            v31 = 1.0 / v27
+            v32 = s3 * v10
+            c2m3_pp = w2_pp * (v28 * (v32 - v7 * v17))
+            v33 = s3 * v11 + v7 * v18
+            c2m3_pm = w2_pm * (v29 * v33)
+            c2m3_mp = w2_mp * (v30 * v33)
+            c2m3_mm = w2_mm * (v31 * (v32 + v7 * -v17))
+            v34 = v7 * v10
+            v35 = w2_pp * (v28 * (v34 + s3 * v17))
+            v36 = s3 * v18 - v7 * v11
+            v37 = w2_pm * (v29 * v36)
+            v38 = w2_mp * (v30 * -v36)
+            v39 = w2_mm * (v31 * (s3 * -v17 - v34))
+            v40 = w1 * (v2 * (T13 * X1 + T23 * wy))
+            v41 = T33 * v35 - c2m3_pp * v40
+            v42 = T33 * v37 - c2m3_pm * v40
+            v43 = T33 * v38 + c2m3_mp * v40
+            v44 = T33 * v39 + c2m3_mm * v40
+            v45 = T13 * s1 - T23 * v3
+            v46 = w1 * (v2 * (T13 * wy - X1 * T23))
+            v47 = v46 * v46
+            v48 = v47 + v41 * v41
+            v49 = v47 + v42 * v42
+            v50 = v47 + v43 * v43
+            v51 = v47 + v44 * v44
+            v52 = 1.0 / v48
+            v53 = 1.0 / v49
+            v54 = 1.0 / v50
+            v55 = 1.0 / v51
+            v56 = s1 * T12 - v3 * T22
+            v57 = w1 * (v2 * (X1 * T12 + wy * T22))
+            v58 = s1 * T11 - v3 * T21
+            v59 = w1 * (v2 * (X1 * T11 + wy * T21))
+            v68 = h1 * math.copysign(half_turn, -v46)
+            v69 = h1 * math.copysign(half_turn, v46)
+            v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
+            v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
             doubt1 = (
-                v38 <= m14 or (v16 <= m4 or (v37 <= m14 or (v15 <= m4 or (v36 <= m14 or (v14 <= m4
-                or (v35 <= m14 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and
-                not (shortest3_apart < N3 and N3 < longest3_apart) or v12 <= m4)))))))
+                v51 <= m5 or (v27 <= m4 or (v50 <= m5 or (v26 <= m4 or (v49 <= m5 or (v25 <= m4 or
+                (v48 <= m5 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not
+                (shortest3_apart < N3 and N3 < longest3_apart) or v23 <= m4)))))))
             )
             work[544 + k] = wy
-            work[576 + k] = v3
-            work[608 + k] = v4
+            work[576 + k] = v4
+            work[608 + k] = v5
             work[640 + k] = c2m3_mp
             work[672 + k] = c2m3_mm
-            work[704 + k] = v30
-            work[736 + k] = v31
-            work[768 + k] = c4_mp
-            work[800 + k] = c4_mm
-            work[832 + k] = v33
-            work[864 + k] = v41
-            work[896 + k] = v42
-            work[928 + k] = v51
-            work[960 + k] = v52
-            work[992 + k] = v69
-            work[1024 + k] = v70
-            work[1056 + k] = doubt1
-            work[1088 + k] = wy
-            work[1120 + k] = S2_pp
-            work[1152 + k] = S2_pm
-            work[1184 + k] = S2_pm
-            work[1216 + k] = S2_pp
-            work[1248 + k] = v4
-            work[1280 + k] = -v33
-            work[1312 + k] = -v33
-            work[1344 + k] = v33
-            work[1376 + k] = v33
-            work[1408 + k] = math.sqrt(v35)
-            work[1440 + k] = math.sqrt(v36)
-            work[1472 + k] = math.sqrt(v37)
-            work[1504 + k] = math.sqrt(v38)
-            work[1536 + k] = v69
-            work[1568 + k] = v70
-            work[1600 + k] = -(c4_mp * v41 + -v33 * (v30 * T31 + c2m3_mp * v42))
-            work[1632 + k] = -(c4_mm * v41 + -v33 * (v31 * T31 + c2m3_mm * v42))
-            work[1664 + k] = -X1
-            work[1696 + k] = C2_pp
-            work[1728 + k] = C2_pm
-            work[1760 + k] = C2_mp
-            work[1792 + k] = C2_mm
-            work[1824 + k] = -(k1 * w3)
-            work[1856 + k] = c4_pp
-            work[1888 + k] = c4_pm
-            work[1920 + k] = c4_mp
-            work[1952 + k] = c4_mm
-            work[1984 + k] = T33 * c2m3_pp + v27 * v32
-            work[2016 + k] = T33 * c2m3_pm + v28 * v32
-            work[2048 + k] = T33 * c2m3_mp - v30 * v32
-            work[2080 + k] = T33 * c2m3_mm - v31 * v32
-            work[2112 + k] = c4_pp * v39 + -v33 * (v27 * T32 - c2m3_pp * v40)
-            work[2144 + k] = c4_pm * v39 + -v33 * (v28 * T32 - c2m3_pm * v40)
-            work[2176 + k] = -(c4_mp * v39 + -v33 * (v30 * T32 + c2m3_mp * v40))
-            work[2208 + k] = -(c4_mm * v39 + -v33 * (v31 * T32 + c2m3_mm * v40))
-        for k in range(1088, 1664):
+            work[704 + k] = v38
+            work[736 + k] = v39
+            work[768 + k] = v43
+            work[800 + k] = v44
+            work[832 + k] = v45
+            work[864 + k] = v54
+            work[896 + k] = v55
+            work[928 + k] = v58
+            work[960 + k] = v59
+            work[992 + k] = v68
+            work[1024 + k] = v69
+            work[1056 + k] = v86
+            work[1088 + k] = v87
+            work[1120 + k] = doubt1
+            work[1152 + k] = wy
+            work[1184 + k] = S2_pp
+            work[1216 + k] = S2_pm
+            work[1248 + k] = S2_pm
+            work[1280 + k] = S2_pp
+            work[1312 + k] = v5
+            work[1344 + k] = -v46
+            work[1376 + k] = -v46
+            work[1408 + k] = v46
+            work[1440 + k] = v46
+            work[1472 + k] = math.sqrt(v48)
+            work[1504 + k] = math.sqrt(v49)
+            work[1536 + k] = math.sqrt(v50)
+            work[1568 + k] = math.sqrt(v51)
+            work[1600 + k] = v86
+            work[1632 + k] = v87
+            work[1664 + k] = -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59)))
+            work[1696 + k] = -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59)))
+            work[1728 + k] = -X1
+            work[1760 + k] = C2_pp
+            work[1792 + k] = C2_pm
+            work[1824 + k] = C2_mp
+            work[1856 + k] = C2_mm
+            work[1888 + k] = -v6
+            work[1920 + k] = v41
+            work[1952 + k] = v42
+            work[1984 + k] = v43
+            work[2016 + k] = v44
+            work[2048 + k] = T33 * c2m3_pp + v35 * v40
+            work[2080 + k] = T33 * c2m3_pm + v37 * v40
+            work[2112 + k] = T33 * c2m3_mp - v38 * v40
+            work[2144 + k] = T33 * c2m3_mm - v39 * v40
+            work[2176 + k] = v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))
+            work[2208 + k] = v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57))
+            work[2240 + k] = -(v54 * (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57)))
+            work[2272 + k] = -(v55 * (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57)))
+        for k in range(1152, 1728):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
             T31 = work[256 + k]
             wy = work[544 + k]
-            v3 = work[576 + k]
-            v4 = work[608 + k]
+            v4 = work[576 + k]
+            v5 = work[608 + k]
             c2m3_mp = work[640 + k]
             c2m3_mm = work[672 + k]
-            v30 = work[704 + k]
-            v31 = work[736 + k]
-            c4_mp = work[768 + k]
-            c4_mm = work[800 + k]
-            v33 = work[832 + k]
-            v41 = work[864 + k]
-            v42 = work[896 + k]
-            v51 = work[928 + k]
-            v52 = work[960 + k]
-            v69 = work[992 + k]
-            v70 = work[1024 + k]
-            doubt1 = work[1056 + k] != 0.0
-            angle1 = work[1088 + k]
-            angle1_ = work[1120 + k]
-            angle1__ = work[1152 + k]
-            angle1___ = work[1184 + k]
-            angle1____ = work[1216 + k]
-            angle1_____ = work[1248 + k]
-            angle1______ = work[1280 + k]
-            angle1_______ = work[1312 + k]
-            angle1________ = work[1344 + k]
-            angle1_________ = work[1376 + k]
-            angle1__________ = work[1408 + k]
-            angle1___________ = work[1440 + k]
-            angle1____________ = work[1472 + k]
-            angle1_____________ = work[1504 + k]
-            angle1______________ = work[1536 + k]
-            angle1_______________ = work[1568 + k]
-            angle1________________ = work[1600 + k]
-            angle1_________________ = work[1632 + k]
-            v43 = angle1 - offset1
-            v44 = angle1 - math.copysign(half_turn, wy) * h3 - offset1
-            v45 = angle1_ - offset2
-            v46 = angle1__ - offset2
-            v47 = angle1___ - offset2
-            v48 = angle1____ - offset2
-            q2_ppp = v45 - (m16 if half_turn < v45 else 0.0)
-            q2_pmp = v46 - (m16 if half_turn < v46 else 0.0)
-            q2_mpp = v47 - (m16 if half_turn < v47 else 0.0)
-            q2_mmp = v48 - (m16 if half_turn < v48 else 0.0)
-            v49 = angle1_____ - offset3
-            v50 = h3 * math.copysign(half_turn, v4) - angle1_____ - offset3
-            q3_ppp = v49 + (m16 if v49 <= -half_turn else 0.0)
-            q3_pmp = v50 + (m16 if v50 <= -half_turn else 0.0)
-            v53 = angle1______ - offset4
-            v54 = angle1______ - v51 - offset4
-            v55 = angle1_______ - offset4
-            v56 = angle1_______ - v51 - offset4
-            v57 = angle1________ - offset4
-            v58 = angle1________ - v52 - offset4
-            v59 = angle1_________ - offset4
-            v60 = angle1_________ - v52 - offset4
-            q4_ppp = v53 + (m16 if v53 <= -half_turn else 0.0)
-            q4_ppm = v54 + (m16 if v54 <= -half_turn else 0.0)
-            q4_pmp = v55 + (m16 if v55 <= -half_turn else 0.0)
-            q4_pmm = v56 + (m16 if v56 <= -half_turn else 0.0)
-            q4_mpp = v57 + (m16 if v57 <= -half_turn else 0.0)
-            q4_mpm = v58 + (m16 if v58 <= -half_turn else 0.0)
-            q4_mmp = v59 + (m16 if v59 <= -half_turn else 0.0)
-            q4_mmm = v60 + (m16 if v60 <= -half_turn else 0.0)
-            v61 = angle1__________ - offset5
-            v62 = offset5 + angle1__________
-            v63 = angle1___________ - offset5
-            v64 = offset5 + angle1___________
-            v65 = angle1____________ - offset5
-            v66 = offset5 + angle1____________
-            v67 = angle1_____________ - offset5
-            v68 = offset5 + angle1_____________
-            q5_ppp = v61 + (m16 if v61 <= -half_turn else 0.0)
-            q5_ppm = (m16 if -v62 <= -half_turn else 0.0) - v62
-            q5_pmp = v63 + (m16 if v63 <= -half_turn else 0.0)
-            q5_pmm = (m16 if -v64 <= -half_turn else 0.0) - v64
-            q5_mpp = v65 + (m16 if v65 <= -half_turn else 0.0)
-            q5_mpm = (m16 if -v66 <= -half_turn else 0.0) - v66
-            q5_mmp = v67 + (m16 if v67 <= -half_turn else 0.0)
-            q5_mmm = (m16 if -v68 <= -half_turn else 0.0) - v68
-            v71 = angle1______________ - offset6
-            v72 = angle1______________ - h3 * math.copysign(half_turn, v69) - offset6
-            v73 = angle1_______________ - offset6
-            v74 = angle1_______________ - h3 * math.copysign(half_turn, v70) - offset6
-            v75 = angle1________________ - offset6
-            v76 = (
-                angle1________________ - h3 * math.copysign(half_turn, -(c4_mp * v41 + -v33 * (v30 *
-                T31 + c2m3_mp * v42))) - offset6
+            v38 = work[704 + k]
+            v39 = work[736 + k]
+            v43 = work[768 + k]
+            v44 = work[800 + k]
+            v45 = work[832 + k]
+            v54 = work[864 + k]
+            v55 = work[896 + k]
+            v58 = work[928 + k]
+            v59 = work[960 + k]
+            v68 = work[992 + k]
+            v69 = work[1024 + k]
+            v86 = work[1056 + k]
+            v87 = work[1088 + k]
+            doubt1 = work[1120 + k] != 0.0
+            angle1 = work[1152 + k]
+            angle1_ = work[1184 + k]
+            angle1__ = work[1216 + k]
+            angle1___ = work[1248 + k]
+            angle1____ = work[1280 + k]
+            angle1_____ = work[1312 + k]
+            angle1______ = work[1344 + k]
+            angle1_______ = work[1376 + k]
+            angle1________ = work[1408 + k]
+            angle1_________ = work[1440 + k]
+            angle1__________ = work[1472 + k]
+            angle1___________ = work[1504 + k]
+            angle1____________ = work[1536 + k]
+            angle1_____________ = work[1568 + k]
+            angle1______________ = work[1600 + k]
+            angle1_______________ = work[1632 + k]
+            angle1________________ = work[1664 + k]
+            angle1_________________ = work[1696 + k]
+            v60 = angle1 - offset1
+            v61 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
+            v62 = angle1_ - offset2
+            v63 = angle1__ - offset2
+            v64 = angle1___ - offset2
+            v65 = angle1____ - offset2
+            q2_ppp = v62 - (m7 if half_turn < v62 else 0.0)
+            q2_pmp = v63 - (m7 if half_turn < v63 else 0.0)
+            q2_mpp = v64 - (m7 if half_turn < v64 else 0.0)
+            q2_mmp = v65 - (m7 if half_turn < v65 else 0.0)
+            v66 = angle1_____ - offset3
+            v67 = h1 * math.copysign(half_turn, v5) - angle1_____ - offset3
+            q3_ppp = v66 + (m7 if v66 <= -half_turn else 0.0)
+            q3_pmp = v67 + (m7 if v67 <= -half_turn else 0.0)
+            v70 = angle1______ - offset4
+            v71 = angle1______ - v68 - offset4
+            v72 = angle1_______ - offset4
+            v73 = angle1_______ - v68 - offset4
+            v74 = angle1________ - offset4
+            v75 = angle1________ - v69 - offset4
+            v76 = angle1_________ - offset4
+            v77 = angle1_________ - v69 - offset4
+            q4_ppp = v70 + (m7 if v70 <= -half_turn else 0.0)
+            q4_ppm = v71 + (m7 if v71 <= -half_turn else 0.0)
+            q4_pmp = v72 + (m7 if v72 <= -half_turn else 0.0)
+            q4_pmm = v73 + (m7 if v73 <= -half_turn else 0.0)
+            q4_mpp = v74 + (m7 if v74 <= -half_turn else 0.0)
+            q4_mpm = v75 + (m7 if v75 <= -half_turn else 0.0)
+            q4_mmp = v76 + (m7 if v76 <= -half_turn else 0.0)
+            q4_mmm = v77 + (m7 if v77 <= -half_turn else 0.0)
+            v78 = angle1__________ - offset5
+            v79 = offset5 + angle1__________
+            v80 = angle1___________ - offset5
+            v81 = offset5 + angle1___________
+            v82 = angle1____________ - offset5
+            v83 = offset5 + angle1____________
+            v84 = angle1_____________ - offset5
+            v85 = offset5 + angle1_____________
+            q5_ppp = v78 + (m7 if v78 <= -half_turn else 0.0)
+            q5_ppm = (m7 if -v79 <= -half_turn else 0.0) - v79
+            q5_pmp = v80 + (m7 if v80 <= -half_turn else 0.0)
+            q5_pmm = (m7 if -v81 <= -half_turn else 0.0) - v81
+            q5_mpp = v82 + (m7 if v82 <= -half_turn else 0.0)
+            q5_mpm = (m7 if -v83 <= -half_turn else 0.0) - v83
+            q5_mmp = v84 + (m7 if v84 <= -half_turn else 0.0)
+            q5_mmm = (m7 if -v85 <= -half_turn else 0.0) - v85
+            v88 = angle1______________ - offset6
+            v89 = angle1______________ - h1 * math.copysign(half_turn, v86) - offset6
+            v90 = angle1_______________ - offset6
+            v91 = angle1_______________ - h1 * math.copysign(half_turn, v87) - offset6
+            v92 = angle1________________ - offset6
+            v93 = (
+                angle1________________ - h1 * math.copysign(half_turn, -(v54 * (v43 * v58 - v45 *
+                (v38 * T31 + c2m3_mp * v59)))) - offset6
             )
-            v77 = angle1_________________ - offset6
-            v78 = (
-                angle1_________________ - h3 * math.copysign(half_turn, -(c4_mm * v41 + -v33 * (v31
-                * T31 + c2m3_mm * v42))) - offset6
+            v94 = angle1_________________ - offset6
+            v95 = (
+                angle1_________________ - h1 * math.copysign(half_turn, -(v55 * (v44 * v58 - v45 *
+                (v39 * T31 + c2m3_mm * v59)))) - offset6
             )
-            q6_ppp = v71 + (m16 if v71 <= -half_turn else 0.0)
-            q6_ppm = v72 + (m16 if v72 <= -half_turn else 0.0)
-            q6_pmp = v73 + (m16 if v73 <= -half_turn else 0.0)
-            q6_pmm = v74 + (m16 if v74 <= -half_turn else 0.0)
-            q6_mpp = v75 + (m16 if v75 <= -half_turn else 0.0)
-            q6_mpm = v76 + (m16 if v76 <= -half_turn else 0.0)
-            q6_mmp = v77 + (m16 if v77 <= -half_turn else 0.0)
-            q6_mmm = v78 + (m16 if v78 <= -half_turn else 0.0)
-            v79 = q3_ppp < low3 or high3 < q3_ppp
-            v80 = q3_pmp < low3 or high3 < q3_pmp
-            q1_ppp = v3 + (v43 - (m16 if half_turn < v43 else 0.0))
-            q1_mpp = v3 + (v44 - (m16 if half_turn < v44 else 0.0))
-            v81 = v79 or (q2_ppp < low2 or high2 < q2_ppp)
-            v82 = v80 or (q2_pmp < low2 or high2 < q2_pmp)
-            v83 = v79 or (q2_mpp < low2 or high2 < q2_mpp)
-            v84 = v80 or (q2_mmp < low2 or high2 < q2_mmp)
-            outside_ppp = v81 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v81 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v82 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v82 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v83 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v83 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v84 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v84 or (q5_mmm < low5 or high5 < q5_mmm)
-            _2240 = q1_ppp
-            work[2240 + k] = _2240
-            _2272 = q2_ppp
-            work[2272 + k] = _2272
-            _2304 = q3_ppp
+            q6_ppp = v88 + (m7 if v88 <= -half_turn else 0.0)
+            q6_ppm = v89 + (m7 if v89 <= -half_turn else 0.0)
+            q6_pmp = v90 + (m7 if v90 <= -half_turn else 0.0)
+            q6_pmm = v91 + (m7 if v91 <= -half_turn else 0.0)
+            q6_mpp = v92 + (m7 if v92 <= -half_turn else 0.0)
+            q6_mpm = v93 + (m7 if v93 <= -half_turn else 0.0)
+            q6_mmp = v94 + (m7 if v94 <= -half_turn else 0.0)
+            q6_mmm = v95 + (m7 if v95 <= -half_turn else 0.0)
+            v96 = q3_ppp < low3 or high3 < q3_ppp
+            v97 = q3_pmp < low3 or high3 < q3_pmp
+            q1_ppp = v4 + (v60 - (m7 if half_turn < v60 else 0.0))
+            q1_mpp = v4 + (v61 - (m7 if half_turn < v61 else 0.0))
+            v98 = v96 or (q2_ppp < low2 or high2 < q2_ppp)
+            v99 = v97 or (q2_pmp < low2 or high2 < q2_pmp)
+            v100 = v96 or (q2_mpp < low2 or high2 < q2_mpp)
+            v101 = v97 or (q2_mmp < low2 or high2 < q2_mmp)
+            outside_ppp = v98 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v98 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v99 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v99 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v100 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v100 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v101 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v101 or (q5_mmm < low5 or high5 < q5_mmm)
+            _2304 = q1_ppp
             work[2304 + k] = _2304
-            _2336 = q4_ppp
+            _2336 = q2_ppp
             work[2336 + k] = _2336
-            _2368 = q5_ppp
+            _2368 = q3_ppp
             work[2368 + k] = _2368
-            _2400 = q6_ppp
+            _2400 = q4_ppp
             work[2400 + k] = _2400
-            _2432 = q4_ppm
+            _2432 = q5_ppp
             work[2432 + k] = _2432
-            _2464 = q5_ppm
+            _2464 = q6_ppp
             work[2464 + k] = _2464
-            _2496 = q6_ppm
+            _2496 = q4_ppm
             work[2496 + k] = _2496
-            _2528 = q2_pmp
+            _2528 = q5_ppm
             work[2528 + k] = _2528
-            _2560 = q3_pmp
+            _2560 = q6_ppm
             work[2560 + k] = _2560
-            _2592 = q4_pmp
+            _2592 = q2_pmp
             work[2592 + k] = _2592
-            _2624 = q5_pmp
+            _2624 = q3_pmp
             work[2624 + k] = _2624
-            _2656 = q6_pmp
+            _2656 = q4_pmp
             work[2656 + k] = _2656
-            _2688 = q4_pmm
+            _2688 = q5_pmp
             work[2688 + k] = _2688
-            _2720 = q5_pmm
+            _2720 = q6_pmp
             work[2720 + k] = _2720
-            _2752 = q6_pmm
+            _2752 = q4_pmm
             work[2752 + k] = _2752
-            _2784 = q1_mpp
+            _2784 = q5_pmm
             work[2784 + k] = _2784
-            _2816 = q2_mpp
+            _2816 = q6_pmm
             work[2816 + k] = _2816
-            _2848 = q4_mpp
+            _2848 = q1_mpp
             work[2848 + k] = _2848
-            _2880 = q5_mpp
+            _2880 = q2_mpp
             work[2880 + k] = _2880
-            _2912 = q6_mpp
+            _2912 = q4_mpp
             work[2912 + k] = _2912
-            _2944 = q4_mpm
+            _2944 = q5_mpp
             work[2944 + k] = _2944
-            _2976 = q5_mpm
+            _2976 = q6_mpp
             work[2976 + k] = _2976
-            _3008 = q6_mpm
+            _3008 = q4_mpm
             work[3008 + k] = _3008
-            _3040 = q2_mmp
+            _3040 = q5_mpm
             work[3040 + k] = _3040
-            _3072 = q4_mmp
+            _3072 = q6_mpm
             work[3072 + k] = _3072
-            _3104 = q5_mmp
+            _3104 = q2_mmp
             work[3104 + k] = _3104
-            _3136 = q6_mmp
+            _3136 = q4_mmp
             work[3136 + k] = _3136
-            _3168 = q4_mmm
+            _3168 = q5_mmp
             work[3168 + k] = _3168
-            _3200 = q5_mmm
+            _3200 = q6_mmp
             work[3200 + k] = _3200
-            _3232 = q6_mmm
+            _3232 = q4_mmm
             work[3232 + k] = _3232
-            work[3264 + k] = (
-                UNREACHABLE if _2240 != _2240 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[3296 + k] = (
-                UNREACHABLE if _2240 != _2240 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
+            _3264 = q5_mmm
+            work[3264 + k] = _3264
+            _3296 = q6_mmm
+            work[3296 + k] = _3296
             work[3328 + k] = (
-                UNREACHABLE if _2240 != _2240 else (OUT_OF_LIMITS if outside_pmp else OK)
+                UNREACHABLE if _2304 != _2304 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[3360 + k] = (
-                UNREACHABLE if _2240 != _2240 else (OUT_OF_LIMITS if outside_pmm else OK)
+                UNREACHABLE if _2304 != _2304 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
             work[3392 + k] = (
-                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_mpp else OK)
+                UNREACHABLE if _2304 != _2304 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[3424 + k] = (
-                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _2304 != _2304 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
             work[3456 + k] = (
-                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _2848 != _2848 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[3488 + k] = (
-                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _2848 != _2848 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[3520 + k] = (
+                UNREACHABLE if _2848 != _2848 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[3552 + k] = (
+                UNREACHABLE if _2848 != _2848 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef KINOVA_J2S6S300_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -40,21 +43,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -86,7 +89,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -130,7 +133,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -156,8 +159,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef KINOVA_J2S6S300_LIBM
 #define atan2_wide atan2
 #else
@@ -167,7 +170,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -355,17 +358,9 @@ static const double high5 = 5.759586532581287; /* highest value of joint 5 */
 static const double m1 = 1.2195121951219514; /* a coefficient of S2 */
 static const double m2 = 0.08700963109756096; /* a coefficient of S2 */
 static const double m3 = 2.6285906351645505e-48; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 0.34113263532080945; /* a coefficient of c2m3 */
-static const double m5 = 4.781257013506383; /* a coefficient of c2m3 */
-static const double m6 = 1.2663259726200362; /* a coefficient of c2m3 */
-static const double m7 = 0.11468879199485611; /* a coefficient of c2m3 */
-static const double m8 = 1.607458607940846; /* a coefficient of c2m3 */
-static const double m9 = 0.9251933372992268; /* a coefficient of s2m3 */
-static const double m10 = 2.532651945240073; /* a coefficient of s2m3 */
-static const double m13 = 1e-24; /* free_limit^2 */
-static const double m15 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 0.11468879199485611; /* m11 + m12 */
-static const double h2 = 1.0; /* 2 * m14 */
+static const double m4 = 1e-24; /* free_limit^2 */
+static const double m6 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m5 */
 
 const char *const kinova_j2s6s300_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -584,207 +579,216 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide N3 = D1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide v4 = w3 - w3;
+    const wide v5 = k5 * (N3 - k6);
+    const wide v6 = k7 * v5;
+    const wide v7 = k5 * w3;
+    const wide c3 = k7 * v7;
 
     /* theta2 */
-    const wide v5 = m2 + m1 * N3;
-    const wide v6 = Z1_3 * v5;
-    const wide v7 = w3 * (m1 * w1);
-    const wide S2_pp = v6 + v7;
-    const wide S2_pm = v6 - v7;
-    const wide v8 = w3 * (m1 * Z1_3);
-    const wide v9 = w1 * v5;
-    const wide C2_pp = v9 - v8;
-    const wide C2_pm = v8 + v9;
-    const wide v10 = S2_pp * S2_pp;
-    const wide v11 = v10 + C2_pp * C2_pp;
-    const wide v12 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v13 = v10 + -C2_pp * -C2_pp;
-    const wide factor2_pp = 1.0 / sqrt_wide(v11);
-    const wide factor2_pm = 1.0 / sqrt_wide(v12);
-    const wide factor2_mm = 1.0 / sqrt_wide(v13);
+    const wide X1_2 = a2 + d4 * v6;
+    const wide X2_2 = d4 * c3;
+    const wide v8 = Z1_3 * X1_2;
+    const wide v9 = w1 * X2_2;
+    const wide v10 = v8 + v9;
+    const wide v11 = v8 - v9;
+    const wide v12 = m2 + m1 * N3;
+    const wide v13 = Z1_3 * v12;
+    const wide v14 = w3 * (m1 * w1);
+    const wide S2_pp = v13 + v14;
+    const wide S2_pm = v13 - v14;
+    const wide v15 = w1 * X1_2;
+    const wide v16 = Z1_3 * X2_2;
+    const wide v17 = v15 - v16;
+    const wide v18 = v15 + v16;
+    const wide v19 = w3 * (m1 * Z1_3);
+    const wide v20 = w1 * v12;
+    const wide C2_pp = v20 - v19;
+    const wide C2_pm = v19 + v20;
+    const wide v21 = S2_pp * S2_pp;
+    const wide v22 = v21 + C2_pp * C2_pp;
+    const wide v23 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v24 = v21 + -C2_pp * -C2_pp;
+    const wide w2_pp = sqrt_wide(v22);
+    const wide w2_pm = sqrt_wide(v23);
+    const wide w2_mm = sqrt_wide(v24);
+    const wide v25 = 1.0 / v22;
+    const wide v26 = 1.0 / v23;
+    const wide v27 = 1.0 / v24;
 
     /* theta4 */
-    const wide v14 = m5 * N3;
-    const wide v15 = m4 + v14;
-    const wide v16 = m6 - v14;
-    const wide v17 = Z1_3 * (m7 - m8 * N3);
-    const wide v18 = v17 + w3 * (w1 * (v15 + v16));
-    const wide c2m3_pp = factor2_pp * v18;
-    const wide c2m3_pm = factor2_pm * (v17 + w3 * (w1 * (-v16 - v15)));
-    const wide c2m3_mm = factor2_mm * v18;
-    const wide v19 = v14 - m9;
-    const wide v20 = m10 - v14;
-    const wide v21 = m8 * (Z1_3 * w3);
-    const wide v22 = w1 * (N3 * (v19 + v20) - h1);
-    const wide s2m3_pp = factor2_pp * (v21 + v22);
-    const wide s2m3_pm = factor2_pm * (v22 - v21);
-    const wide v23 = w1 * (h1 + N3 * (-v19 + -v20));
-    const wide s2m3_mp = factor2_pm * (v21 + v23);
-    const wide s2m3_mm = factor2_mm * (v23 - v21);
-    const wide v24 = T13 * c1_p - T23 * s1_p;
-    const wide v25 = T13 * c1_m - T23 * s1_m;
-    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v24;
-    const wide X4_pm = T33 * s2m3_pm - c2m3_pm * v24;
-    const wide X4_mp = T33 * s2m3_mp - c2m3_pm * v25;
-    const wide X4_mm = T33 * s2m3_mm - c2m3_mm * v25;
-    const wide v26 = T23 * c1_p + T13 * s1_p;
-    const wide v27 = T23 * c1_m + T13 * s1_m;
-    const wide v28 = v26 * v26;
-    const wide v29 = v27 * v27;
-    const wide v30 = v28 + X4_pp * X4_pp;
-    const wide v31 = v28 + X4_pm * X4_pm;
-    const wide v32 = v29 + X4_mp * X4_mp;
-    const wide v33 = v29 + X4_mm * X4_mm;
-    const wide angle1 = atan2_wide(-v26, -X4_pp);
-    const wide angle1_ = atan2_wide(-v26, -X4_pm);
-    const wide angle1__ = atan2_wide(-v27, -X4_mp);
-    const wide angle1___ = atan2_wide(-v27, -X4_mm);
-    const wide v34 = copysign_wide(all_wide(half_turn), -v26) * h2;
-    const wide v35 = copysign_wide(all_wide(half_turn), -v27) * h2;
-    const wide q4_ppm = angle1 - v34;
-    const wide q4_pmm = angle1_ - v34;
-    const wide q4_mpm = angle1__ - v35;
-    const wide q4_mmm = angle1___ - v35;
+    const wide v28 = v6 * v10;
+    const wide c2m3_pp = w2_pp * (v25 * (c3 * v17 - v28));
+    const wide v29 = w2_pm * (v26 * (c3 * v18 + v6 * v11));
+    const wide v30 = w2_mm * (v27 * (v28 + c3 * -v17));
+    const wide v31 = c3 * v10;
+    const wide s2m3_pp = w2_pp * (v25 * (v31 + v6 * v17));
+    const wide v32 = v6 * v18 - c3 * v11;
+    const wide s2m3_pm = w2_pm * (v26 * v32);
+    const wide s2m3_mp = w2_pm * (v26 * -v32);
+    const wide s2m3_mm = w2_mm * (v27 * (v6 * -v17 - v31));
+    const wide v33 = T13 * c1_p - T23 * s1_p;
+    const wide v34 = T13 * c1_m - T23 * s1_m;
+    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v33;
+    const wide X4_pm = T33 * s2m3_pm + v29 * v33;
+    const wide X4_mp = T33 * s2m3_mp + v29 * v34;
+    const wide X4_mm = T33 * s2m3_mm + v30 * v34;
+    const wide v35 = T23 * c1_p + T13 * s1_p;
+    const wide v36 = T23 * c1_m + T13 * s1_m;
+    const wide v37 = v35 * v35;
+    const wide v38 = v36 * v36;
+    const wide v39 = v37 + X4_pp * X4_pp;
+    const wide v40 = v37 + X4_pm * X4_pm;
+    const wide v41 = v38 + X4_mp * X4_mp;
+    const wide v42 = v38 + X4_mm * X4_mm;
+    const wide angle1 = atan2_wide(-v35, -X4_pp);
+    const wide angle1_ = atan2_wide(-v35, -X4_pm);
+    const wide angle1__ = atan2_wide(-v36, -X4_mp);
+    const wide angle1___ = atan2_wide(-v36, -X4_mm);
+    const wide v43 = copysign_wide(all_wide(half_turn), -v35) * h1;
+    const wide v44 = copysign_wide(all_wide(half_turn), -v36) * h1;
+    const wide q4_ppm = angle1 - v43;
+    const wide q4_pmm = angle1_ - v43;
+    const wide q4_mpm = angle1__ - v44;
+    const wide q4_mmm = angle1___ - v44;
 
     /* theta5 */
-    const wide angle1____ = atan2_wide(-sqrt_wide(v30), -(T33 * c2m3_pp + s2m3_pp * v24));
-    const wide v36 = T33 * c2m3_pm;
-    const wide angle1_____ = atan2_wide(-sqrt_wide(v31), -(v36 + s2m3_pm * v24));
-    const wide angle1______ = atan2_wide(-sqrt_wide(v32), -(v36 + s2m3_mp * v25));
-    const wide angle1_______ = atan2_wide(-sqrt_wide(v33), -(T33 * c2m3_mm + s2m3_mm * v25));
+    const wide angle1____ = atan2_wide(-sqrt_wide(v39), -(T33 * c2m3_pp + s2m3_pp * v33));
+    const wide v45 = T33 * v29;
+    const wide angle1_____ = atan2_wide(-sqrt_wide(v40), v45 - s2m3_pm * v33);
+    const wide angle1______ = atan2_wide(-sqrt_wide(v41), v45 - s2m3_mp * v34);
+    const wide angle1_______ = atan2_wide(-sqrt_wide(v42), T33 * v30 - s2m3_mm * v34);
 
     /* theta6 */
-    const wide v37 = c1_p * T22 + s1_p * T12;
-    const wide v38 = c1_m * T22 + s1_m * T12;
-    const wide v39 = c1_p * T12 - s1_p * T22;
-    const wide v40 = c1_m * T12 - s1_m * T22;
-    const wide v41 = c1_p * T21 + s1_p * T11;
-    const wide v42 = c1_m * T21 + s1_m * T11;
-    const wide v43 = c1_p * T11 - s1_p * T21;
-    const wide v44 = c1_m * T11 - s1_m * T21;
-    const wide s6_pp = -X4_pp * v41 - v26 * (c2m3_pp * v43 - s2m3_pp * T31);
-    const wide s6_pm = -X4_pm * v41 - v26 * (c2m3_pm * v43 - s2m3_pm * T31);
-    const wide s6_mp = -X4_mp * v42 - v27 * (c2m3_pm * v44 - s2m3_mp * T31);
-    const wide s6_mm = -X4_mm * v42 - v27 * (c2m3_mm * v44 - s2m3_mm * T31);
+    const wide v46 = c1_p * T22 + s1_p * T12;
+    const wide v47 = c1_m * T22 + s1_m * T12;
+    const wide v48 = c1_p * T12 - s1_p * T22;
+    const wide v49 = c1_m * T12 - s1_m * T22;
+    const wide v50 = c1_p * T21 + s1_p * T11;
+    const wide v51 = c1_m * T21 + s1_m * T11;
+    const wide v52 = c1_p * T11 - s1_p * T21;
+    const wide v53 = c1_m * T11 - s1_m * T21;
+    const wide s6_pp = -X4_pp * v50 - v35 * (c2m3_pp * v52 - s2m3_pp * T31);
+    const wide s6_pm = v35 * (v29 * v52 + s2m3_pm * T31) - X4_pm * v50;
+    const wide s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51;
+    const wide s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51;
 
     /* joint values */
     const wide angle1________ = atan2_wide(s1_p, c1_p);
-    const wide v45 = angle1________ - offset1;
+    const wide v54 = angle1________ - offset1;
     const wide angle1_________ = atan2_wide(s1_m, c1_m);
-    const wide v46 = angle1_________ - offset1;
+    const wide v55 = angle1_________ - offset1;
     const wide angle1__________ = atan2_wide(S2_pp, C2_pp);
-    const wide v47 = angle1__________ - offset2;
+    const wide v56 = angle1__________ - offset2;
     const wide angle1___________ = atan2_wide(S2_pm, C2_pm);
-    const wide v48 = angle1___________ - offset2;
+    const wide v57 = angle1___________ - offset2;
     const wide angle1____________ = atan2_wide(S2_pm, -C2_pm);
-    const wide v49 = angle1____________ - offset2;
+    const wide v58 = angle1____________ - offset2;
     const wide angle1_____________ = atan2_wide(S2_pp, -C2_pp);
-    const wide v50 = angle1_____________ - offset2;
-    const wide q2__pp = v47 + pick_wide(v47 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q2__pm = v48 + pick_wide(v48 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q2__mp = v49 + pick_wide(v49 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q2__mm = v50 + pick_wide(v50 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide angle1______________ = atan2_wide(-(k5 * (N3 - k6)), k5 * w3);
-    const wide v51 = angle1______________ - offset3;
-    const wide v52 = h2 * copysign_wide(all_wide(half_turn), -(k5 * (N3 - k6))) -
-        angle1______________ - offset3;
-    const wide q3__p = v51 + pick_wide(v51 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide q3__m = v52 + pick_wide(v52 <= -half_turn, all_wide(m15), all_wide(0.0));
-    const wide angle1_______________ = atan2_wide(s6_pp, v26 * (c2m3_pp * v39 - s2m3_pp * T32) -
-        -X4_pp * v37);
-    const wide angle1________________ = atan2_wide(s6_pm, v26 * (c2m3_pm * v39 - s2m3_pm * T32) -
-        -X4_pm * v37);
-    const wide angle1_________________ = atan2_wide(s6_mp, v27 * (c2m3_pm * v40 - s2m3_mp * T32) -
-        -X4_mp * v38);
-    const wide angle1__________________ = atan2_wide(s6_mm, v27 * (c2m3_mm * v40 - s2m3_mm * T32) -
-        -X4_mm * v38);
-    const wide v53 = angle1_______________ - offset6;
-    const wide v54 = angle1_______________ - h2 * copysign_wide(all_wide(half_turn), s6_pp) -
+    const wide v59 = angle1_____________ - offset2;
+    const wide q2__pp = v56 + pick_wide(v56 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2__pm = v57 + pick_wide(v57 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2__mp = v58 + pick_wide(v58 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2__mm = v59 + pick_wide(v59 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide angle1______________ = atan2_wide(-v5, v7);
+    const wide v60 = angle1______________ - offset3;
+    const wide v61 = h1 * copysign_wide(all_wide(half_turn), -v5) - angle1______________ - offset3;
+    const wide q3__p = v60 + pick_wide(v60 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q3__m = v61 + pick_wide(v61 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide angle1_______________ = atan2_wide(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) -
+        -X4_pp * v46);
+    const wide angle1________________ = atan2_wide(s6_pm, X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm *
+        T32));
+    const wide angle1_________________ = atan2_wide(s6_mp, X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp
+        * T32));
+    const wide angle1__________________ = atan2_wide(s6_mm, X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm
+        * T32));
+    const wide v62 = angle1_______________ - offset6;
+    const wide v63 = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), s6_pp) -
         offset6;
-    const wide v55 = angle1________________ - offset6;
-    const wide v56 = angle1________________ - h2 * copysign_wide(all_wide(half_turn), s6_pm) -
+    const wide v64 = angle1________________ - offset6;
+    const wide v65 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), s6_pm) -
         offset6;
-    const wide v57 = angle1_________________ - offset6;
-    const wide v58 = angle1_________________ - h2 * copysign_wide(all_wide(half_turn), s6_mp) -
+    const wide v66 = angle1_________________ - offset6;
+    const wide v67 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), s6_mp) -
         offset6;
-    const wide v59 = angle1__________________ - offset6;
-    const wide v60 = angle1__________________ - h2 * copysign_wide(all_wide(half_turn), s6_mm) -
+    const wide v68 = angle1__________________ - offset6;
+    const wide v69 = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), s6_mm) -
         offset6;
-    const wide q6_ppp = v53 - pick_wide(half_turn < v53, all_wide(m15), all_wide(0.0));
-    const wide q6_ppm = v54 - pick_wide(half_turn < v54, all_wide(m15), all_wide(0.0));
-    const wide q6_pmp = v55 - pick_wide(half_turn < v55, all_wide(m15), all_wide(0.0));
-    const wide q6_pmm = v56 - pick_wide(half_turn < v56, all_wide(m15), all_wide(0.0));
-    const wide q6_mpp = v57 - pick_wide(half_turn < v57, all_wide(m15), all_wide(0.0));
-    const wide q6_mpm = v58 - pick_wide(half_turn < v58, all_wide(m15), all_wide(0.0));
-    const wide q6_mmp = v59 - pick_wide(half_turn < v59, all_wide(m15), all_wide(0.0));
-    const wide q6_mmm = v60 - pick_wide(half_turn < v60, all_wide(m15), all_wide(0.0));
-    const wide v61 = q2__pp + pick_wide(q2__pp < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide v62 = q2__pm + pick_wide(q2__pm < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide v63 = q2__mp + pick_wide(q2__mp < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide v64 = q2__mm + pick_wide(q2__mm < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide_mask v65 = (v61 < low2) | (high2 < v61);
-    const wide_mask v66 = (v62 < low2) | (high2 < v62);
-    const wide_mask v67 = (v63 < low2) | (high2 < v63);
-    const wide_mask v68 = (v64 < low2) | (high2 < v64);
-    const wide q2_ppp = pick_wide(v65, q2__pp, v61);
-    const wide q2_pmp = pick_wide(v66, q2__pm, v62);
-    const wide q2_mpp = pick_wide(v67, q2__mp, v63);
-    const wide q2_mmp = pick_wide(v68, q2__mm, v64);
-    const wide v69 = q3__p + pick_wide(q3__p < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v70 = q3__m + pick_wide(q3__m < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide_mask v71 = (v69 < low3) | (high3 < v69);
-    const wide_mask v72 = (v70 < low3) | (high3 < v70);
-    const wide v73 = angle1____ + pick_wide(angle1____ < low5, all_wide(whole_turn), all_wide(0.0));
-    const wide v74 = pick_wide(-angle1____ < low5, all_wide(whole_turn), all_wide(0.0)) -
+    const wide q6_ppp = v62 - pick_wide(half_turn < v62, all_wide(m6), all_wide(0.0));
+    const wide q6_ppm = v63 - pick_wide(half_turn < v63, all_wide(m6), all_wide(0.0));
+    const wide q6_pmp = v64 - pick_wide(half_turn < v64, all_wide(m6), all_wide(0.0));
+    const wide q6_pmm = v65 - pick_wide(half_turn < v65, all_wide(m6), all_wide(0.0));
+    const wide q6_mpp = v66 - pick_wide(half_turn < v66, all_wide(m6), all_wide(0.0));
+    const wide q6_mpm = v67 - pick_wide(half_turn < v67, all_wide(m6), all_wide(0.0));
+    const wide q6_mmp = v68 - pick_wide(half_turn < v68, all_wide(m6), all_wide(0.0));
+    const wide q6_mmm = v69 - pick_wide(half_turn < v69, all_wide(m6), all_wide(0.0));
+    const wide v70 = q2__pp + pick_wide(q2__pp < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide v71 = q2__pm + pick_wide(q2__pm < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide v72 = q2__mp + pick_wide(q2__mp < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide v73 = q2__mm + pick_wide(q2__mm < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide_mask v74 = (v70 < low2) | (high2 < v70);
+    const wide_mask v75 = (v71 < low2) | (high2 < v71);
+    const wide_mask v76 = (v72 < low2) | (high2 < v72);
+    const wide_mask v77 = (v73 < low2) | (high2 < v73);
+    const wide q2_ppp = pick_wide(v74, q2__pp, v70);
+    const wide q2_pmp = pick_wide(v75, q2__pm, v71);
+    const wide q2_mpp = pick_wide(v76, q2__mp, v72);
+    const wide q2_mmp = pick_wide(v77, q2__mm, v73);
+    const wide v78 = q3__p + pick_wide(q3__p < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide v79 = q3__m + pick_wide(q3__m < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide_mask v80 = (v78 < low3) | (high3 < v78);
+    const wide_mask v81 = (v79 < low3) | (high3 < v79);
+    const wide v82 = angle1____ + pick_wide(angle1____ < low5, all_wide(whole_turn), all_wide(0.0));
+    const wide v83 = pick_wide(-angle1____ < low5, all_wide(whole_turn), all_wide(0.0)) -
         angle1____;
-    const wide v75 = angle1_____ + pick_wide(angle1_____ < low5, all_wide(whole_turn),
+    const wide v84 = angle1_____ + pick_wide(angle1_____ < low5, all_wide(whole_turn),
         all_wide(0.0));
-    const wide v76 = pick_wide(-angle1_____ < low5, all_wide(whole_turn), all_wide(0.0)) -
+    const wide v85 = pick_wide(-angle1_____ < low5, all_wide(whole_turn), all_wide(0.0)) -
         angle1_____;
-    const wide v77 = angle1______ + pick_wide(angle1______ < low5, all_wide(whole_turn),
+    const wide v86 = angle1______ + pick_wide(angle1______ < low5, all_wide(whole_turn),
         all_wide(0.0));
-    const wide v78 = pick_wide(-angle1______ < low5, all_wide(whole_turn), all_wide(0.0)) -
+    const wide v87 = pick_wide(-angle1______ < low5, all_wide(whole_turn), all_wide(0.0)) -
         angle1______;
-    const wide v79 = angle1_______ + pick_wide(angle1_______ < low5, all_wide(whole_turn),
+    const wide v88 = angle1_______ + pick_wide(angle1_______ < low5, all_wide(whole_turn),
         all_wide(0.0));
-    const wide v80 = pick_wide(-angle1_______ < low5, all_wide(whole_turn), all_wide(0.0)) -
+    const wide v89 = pick_wide(-angle1_______ < low5, all_wide(whole_turn), all_wide(0.0)) -
         angle1_______;
-    const wide_mask v81 = (v73 < low5) | (high5 < v73);
-    const wide_mask v82 = (v74 < low5) | (high5 < v74);
-    const wide_mask v83 = (v75 < low5) | (high5 < v75);
-    const wide_mask v84 = (v76 < low5) | (high5 < v76);
-    const wide_mask v85 = (v77 < low5) | (high5 < v77);
-    const wide_mask v86 = (v78 < low5) | (high5 < v78);
-    const wide_mask v87 = (v79 < low5) | (high5 < v79);
-    const wide_mask v88 = (v80 < low5) | (high5 < v80);
-    const wide q5_ppp = pick_wide(v81, angle1____, v73);
-    const wide q5_ppm = pick_wide(v82, -angle1____, v74);
-    const wide q5_pmp = pick_wide(v83, angle1_____, v75);
-    const wide q5_pmm = pick_wide(v84, -angle1_____, v76);
-    const wide q5_mpp = pick_wide(v85, angle1______, v77);
-    const wide q5_mpm = pick_wide(v86, -angle1______, v78);
-    const wide q5_mmp = pick_wide(v87, angle1_______, v79);
-    const wide q5_mmm = pick_wide(v88, -angle1_______, v80);
-    const wide q1_ppp = v4 + (v45 + pick_wide(v45 <= -half_turn, all_wide(m15), all_wide(0.0)));
-    const wide q1_mpp = v4 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m15), all_wide(0.0)));
-    const wide q3_ppp = v1 + pick_wide(v71, q3__p, v69);
-    const wide q3_pmp = v1 + pick_wide(v72, q3__m, v70);
-    const wide_mask v89 = v65 | v71;
-    const wide_mask v90 = v66 | v72;
-    const wide_mask v91 = v67 | v71;
-    const wide_mask v92 = v68 | v72;
-    const wide_mask outside_ppp = v81 | v89;
-    const wide_mask outside_ppm = v82 | v89;
-    const wide_mask outside_pmp = v83 | v90;
-    const wide_mask outside_pmm = v84 | v90;
-    const wide_mask outside_mpp = v85 | v91;
-    const wide_mask outside_mpm = v86 | v91;
-    const wide_mask outside_mmp = v87 | v92;
-    const wide_mask outside_mmm = v88 | v92;
-    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v33 <= m13) |
-        ((v13 <= m3) | ((v32 <= m13) | ((v31 <= m13) | ((v12 <= m3) | ((v30 <= m13) |
+    const wide_mask v90 = (v82 < low5) | (high5 < v82);
+    const wide_mask v91 = (v83 < low5) | (high5 < v83);
+    const wide_mask v92 = (v84 < low5) | (high5 < v84);
+    const wide_mask v93 = (v85 < low5) | (high5 < v85);
+    const wide_mask v94 = (v86 < low5) | (high5 < v86);
+    const wide_mask v95 = (v87 < low5) | (high5 < v87);
+    const wide_mask v96 = (v88 < low5) | (high5 < v88);
+    const wide_mask v97 = (v89 < low5) | (high5 < v89);
+    const wide q5_ppp = pick_wide(v90, angle1____, v82);
+    const wide q5_ppm = pick_wide(v91, -angle1____, v83);
+    const wide q5_pmp = pick_wide(v92, angle1_____, v84);
+    const wide q5_pmm = pick_wide(v93, -angle1_____, v85);
+    const wide q5_mpp = pick_wide(v94, angle1______, v86);
+    const wide q5_mpm = pick_wide(v95, -angle1______, v87);
+    const wide q5_mmp = pick_wide(v96, angle1_______, v88);
+    const wide q5_mmm = pick_wide(v97, -angle1_______, v89);
+    const wide q1_ppp = v4 + (v54 + pick_wide(v54 <= -half_turn, all_wide(m6), all_wide(0.0)));
+    const wide q1_mpp = v4 + (v55 + pick_wide(v55 <= -half_turn, all_wide(m6), all_wide(0.0)));
+    const wide q3_ppp = v1 + pick_wide(v80, q3__p, v78);
+    const wide q3_pmp = v1 + pick_wide(v81, q3__m, v79);
+    const wide_mask v98 = v74 | v80;
+    const wide_mask v99 = v75 | v81;
+    const wide_mask v100 = v76 | v80;
+    const wide_mask v101 = v77 | v81;
+    const wide_mask outside_ppp = v90 | v98;
+    const wide_mask outside_ppm = v91 | v98;
+    const wide_mask outside_pmp = v92 | v99;
+    const wide_mask outside_pmm = v93 | v99;
+    const wide_mask outside_mpp = v94 | v100;
+    const wide_mask outside_mpm = v95 | v100;
+    const wide_mask outside_mmp = v96 | v101;
+    const wide_mask outside_mmm = v97 | v101;
+    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v42 <= m4) |
+        ((v24 <= m3) | ((v41 <= m4) | ((v40 <= m4) | ((v23 <= m3) | ((v39 <= m4) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | (v11 <= m3)))))))));
+        longest3_apart)) == 0)) | (v22 <= m3)))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -847,9 +851,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 }
 
 #if LANES > 1
-static const double m11 = 0.09034969569608213; /* a coefficient of s2m3 */
-static const double m12 = 0.024339096298773986; /* a coefficient of s2m3 */
-static const double m14 = 0.5; /* 1 / 2 */
+static const double m5 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -879,34 +881,37 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double N3 = D1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
     const double v4 = w3 - w3;
+    const double v5 = k5 * (N3 - k6);
+    const double v6 = k7 * v5;
+    const double v7 = k5 * w3;
+    const double c3 = k7 * v7;
 
     /* theta2 */
-    const four v5 = e1 * e2;
-    const double v6 = m2 + m1 * N3;
-    const double v7 = Z1_3 * v6;
-    const four S2 = v7 + w3 * (m1 * (w1 * v5));
-    const four v8 = e2 * Z1_3;
-    const four v9 = w3 * (m1 * v8);
-    const four v10 = w1 * (e1 * v6);
-    const four C2 = v10 - v9;
-    const four v11 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v11);
+    const double X1_2 = a2 + d4 * v6;
+    const double X2_2 = d4 * c3;
+    const double v8 = Z1_3 * X1_2;
+    const double v9 = w1 * X2_2;
+    const four v10 = e1 * e2;
+    const four v11 = v8 + v9 * v10;
+    const double v12 = m2 + m1 * N3;
+    const double v13 = Z1_3 * v12;
+    const four S2 = v13 + w3 * (m1 * (w1 * v10));
+    const double v14 = w1 * X1_2;
+    const double v15 = Z1_3 * X2_2;
+    const four v16 = e1 * v14;
+    const four v17 = e2 * v15;
+    const four v18 = v16 - v17;
+    const four v19 = w3 * (m1 * (e2 * Z1_3));
+    const four v20 = w1 * (e1 * v12);
+    const four C2 = v20 - v19;
+    const four v21 = S2 * S2 + C2 * C2;
+    const four w2 = sqrt_four(v21);
+    const four v22 = 1.0 / v21;
 
     /* theta4 */
-    const double v12 = m5 * N3;
-    const double v13 = m4 + v12;
-    const four v14 = e1 * v13;
-    const double v15 = m6 - v12;
-    const double v16 = Z1_3 * (m7 - m8 * N3);
-    const four c2m3 = factor2 * (v16 + w3 * (w1 * (e2 * v14 + v5 * v15)));
-    const double v17 = v12 - m9;
-    const four v18 = e1 * v17;
-    const double v19 = m10 - v12;
-    const four v20 = e2 * v19;
-    const four v21 = m11 * e1;
-    const four v22 = m12 * e2;
-    const four v23 = m8 * (w3 * v8);
-    const four s2m3 = factor2 * (v23 + w1 * (N3 * (v18 + v5 * v20) - (v21 + v5 * v22)));
+    const four v23 = e2 * c3;
+    const four c2m3 = w2 * (v22 * (v18 * v23 - v6 * v11));
+    const four s2m3 = w2 * (v22 * (v11 * v23 + v6 * v18));
     const four v24 = T13 * c1 - T23 * s1;
     const four X4 = T33 * s2m3 - c2m3 * v24;
     const four v25 = T23 * c1 + T13 * s1;
@@ -922,8 +927,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four s6 = -X4 * v31 - v25 * (c2m3 * v32 - s2m3 * T31);
 
     /* joint values */
-    const double v35 = copysign(half_turn, -(k5 * (N3 - k6)));
-    const four_mask doubt2 = (v11 <= m3) | (v27 <= m13);
+    const double v35 = copysign(half_turn, -v5);
+    const four_mask doubt2 = (v21 <= m3) | (v27 <= m4);
     const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (((shortest3_reach <=
         N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
@@ -931,20 +936,20 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four angle1_ = atan2_four(-sqrt_four(v27), -(T33 * c2m3 + s2m3 * v24));
     const four angle1___ = atan2_four(S2, C2);
     const four angle1_____ = atan2_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) - -X4 * v29);
-    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(-(k5 * (N3 - k6))), 0, 5,
-        2, 3), __builtin_shufflevector(c1, all_four(k5 * w3), 0, 5, 2, 3));
+    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(-v5), 0, 5, 2, 3),
+        __builtin_shufflevector(c1, all_four(v7), 0, 5, 2, 3));
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1____ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q4_m = angle1 - v28;
     const four v33 = angle1__ - offset1;
     const four v34 = angle1___ - offset2;
-    const four q2_ = v34 + pick_four(v34 <= -half_turn, all_four(m15), all_four(0.0));
-    const four v36 = e2 * angle1____ + v35 * (m14 * (1.0 - e2)) - offset3;
-    const four q3_ = v36 + pick_four(v36 <= -half_turn, all_four(m15), all_four(0.0));
+    const four q2_ = v34 + pick_four(v34 <= -half_turn, all_four(m6), all_four(0.0));
+    const four v36 = e2 * angle1____ + v35 * (m5 * (1.0 - e2)) - offset3;
+    const four q3_ = v36 + pick_four(v36 <= -half_turn, all_four(m6), all_four(0.0));
     const four v37 = angle1_____ - offset6;
     const four v38 = angle1_____ - h1 * copysign_four(all_four(half_turn), s6) - offset6;
-    const four q6_p = v37 - pick_four(half_turn < v37, all_four(m15), all_four(0.0));
-    const four q6_m = v38 - pick_four(half_turn < v38, all_four(m15), all_four(0.0));
+    const four q6_p = v37 - pick_four(half_turn < v37, all_four(m6), all_four(0.0));
+    const four q6_m = v38 - pick_four(half_turn < v38, all_four(m6), all_four(0.0));
     const four v39 = q2_ + pick_four(q2_ < low2, all_four(whole_turn), all_four(0.0));
     const four_mask v40 = (v39 < low2) | (high2 < v39);
     const four q2_p = pick_four(v40, q2_, v39);
@@ -956,7 +961,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask v46 = (v44 < low5) | (high5 < v44);
     const four q5_p = pick_four(v45, angle1_, v43);
     const four q5_m = pick_four(v46, -angle1_, v44);
-    const four q1_p = v4 + (v33 + pick_four(v33 <= -half_turn, all_four(m15), all_four(0.0)));
+    const four q1_p = v4 + (v33 + pick_four(v33 <= -half_turn, all_four(m6), all_four(0.0)));
     const four q3_p = v1 + pick_four(v42, q3_, v41);
     const four_mask v47 = v40 | v42;
     const four_mask outside_p = v45 | v47;

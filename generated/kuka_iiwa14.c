@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef KUKA_IIWA14_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -99,7 +102,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -157,7 +160,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -183,8 +186,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #define cos_wide cos
 #define sin_wide sin
 #ifdef KUKA_IIWA14_LIBM
@@ -196,7 +199,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -657,217 +660,217 @@ HELPER wide_mask solve_wide(
     const wide v27 = S2_pp * S2_pp + v26;
     const wide v28 = S2_mp * S2_mp + v25 * v25;
     const wide v29 = v26 + -S2_pp * -S2_pp;
-    const wide factor2_pp = 1.0 / sqrt_wide(v27);
-    const wide factor2_pm = 1.0 / sqrt_wide(v28);
-    const wide factor2_mm = 1.0 / sqrt_wide(v29);
-    const wide v30 = v24 * factor2_pp;
-    const wide v31 = v25 * factor2_pm;
-    const wide v32 = v24 * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide s2_mp = S2_mp * factor2_pm;
-    const wide s2_mm = -S2_pp * factor2_mm;
+    const wide factor2_pp = sqrt_wide(v27) * (1.0 / v27);
+    const wide factor2_pm = sqrt_wide(v28) * (1.0 / v28);
+    const wide factor2_mm = sqrt_wide(v29) * (1.0 / v29);
 
     /* theta5 */
-    const wide v33 = c3 * T13;
-    const wide v34 = v4 * v33;
-    const wide v35 = c3 * T23;
-    const wide v36 = v4 * v35;
-    const wide v37 = T33 * v6;
-    const wide v38 = T13 * v6;
-    const wide v39 = T23 * v6;
-    const wide v40 = c3 * T33;
-    const wide v41 = v4 * v40;
-    const wide v42 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)));
-    const wide v43 = T13 * v9 - T23 * v10;
-    const wide v44 = inverse1 * (s3 * v43);
-    const wide v45 = inverse1 * (s3 * -v43);
-    const wide v46 = v42 + v44;
-    const wide v47 = v44 - v42;
-    const wide v48 = v42 + v45;
-    const wide v49 = v45 - v42;
-    const wide X5_pp = v4 * v46 + (v30 * (v37 - (c1_pp * v34 + s1_pp * v36)) + s2_pp * (v41 + (c1_pp
-        * v38 + s1_pp * v39)));
-    const wide X5_pm = v4 * v47 + (v31 * (v37 - (c1_pm * v34 + s1_pm * v36)) - s2_mp * (v41 + (c1_pm
-        * v38 + s1_pm * v39)));
-    const wide X5_mp = v4 * v48 + (s2_mp * (v41 + (v14 * v38 - s1_mp * v39)) - v31 * (v37 + (s1_mp *
-        v36 - v14 * v34)));
-    const wide X5_mm = v4 * v49 + (s2_mm * (v41 + (v15 * v38 - s1_mm * v39)) - v32 * (v37 + (s1_mm *
-        v36 - v15 * v34)));
-    const wide v50 = s3 * T33;
-    const wide Y5_pp = s2_pp * v50 - v30 * (s3 * (T13 * c1_pp + T23 * s1_pp)) - c3 * (T13 * s1_pp -
-        T23 * c1_pp);
-    const wide v51 = s2_mp * v50;
-    const wide v52 = v51 + v31 * (s3 * (T13 * c1_pm + T23 * s1_pm)) + c3 * (T13 * s1_pm - T23 *
-        c1_pm);
-    const wide Y5_mp = v51 - v31 * (s3 * (T23 * s1_mp - T13 * v14)) - c3 * (T13 * s1_mp + T23 *
-        v14);
-    const wide Y5_mm = s2_mm * v50 - v32 * (s3 * (T23 * s1_mm - T13 * v15)) - c3 * (T13 * s1_mm +
-        T23 * v15);
-    const wide v53 = X5_pp * X5_pp + Y5_pp * Y5_pp;
-    const wide v54 = X5_pm * X5_pm + v52 * v52;
-    const wide v55 = X5_mp * X5_mp + Y5_mp * Y5_mp;
-    const wide v56 = X5_mm * X5_mm + Y5_mm * Y5_mm;
+    const wide v30 = c3 * T13;
+    const wide v31 = v4 * v30;
+    const wide v32 = c3 * T23;
+    const wide v33 = v4 * v32;
+    const wide v34 = T33 * v6;
+    const wide v35 = T13 * v6;
+    const wide v36 = T23 * v6;
+    const wide v37 = c3 * T33;
+    const wide v38 = v4 * v37;
+    const wide v39 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)));
+    const wide v40 = T13 * v9 - T23 * v10;
+    const wide v41 = inverse1 * (s3 * v40);
+    const wide v42 = inverse1 * (s3 * -v40);
+    const wide v43 = v39 + v41;
+    const wide v44 = v41 - v39;
+    const wide v45 = v39 + v42;
+    const wide v46 = v42 - v39;
+    const wide X5_pp = v4 * v43 + factor2_pp * (v24 * (v34 - (c1_pp * v31 + s1_pp * v33)) + S2_pp *
+        (v38 + (c1_pp * v35 + s1_pp * v36)));
+    const wide X5_pm = v4 * v44 + factor2_pm * (v25 * (v34 - (c1_pm * v31 + s1_pm * v33)) - S2_mp *
+        (v38 + (c1_pm * v35 + s1_pm * v36)));
+    const wide X5_mp = v4 * v45 + factor2_pm * (S2_mp * (v38 + (v14 * v35 - s1_mp * v36)) - v25 *
+        (v34 + (s1_mp * v33 - v14 * v31)));
+    const wide X5_mm = v4 * v46 + factor2_mm * (-S2_pp * (v38 + (v15 * v35 - s1_mm * v36)) - v24 *
+        (v34 + (s1_mm * v33 - v15 * v31)));
+    const wide v47 = s3 * T33;
+    const wide Y5_pp = factor2_pp * (S2_pp * v47 - v24 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 *
+        (T13 * s1_pp - T23 * c1_pp);
+    const wide v48 = S2_mp * v47;
+    const wide v49 = factor2_pm * (v48 + v25 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 *
+        s1_pm - T23 * c1_pm);
+    const wide Y5_mp = factor2_pm * (v48 - v25 * (s3 * (T23 * s1_mp - T13 * v14))) - c3 * (T13 *
+        s1_mp + T23 * v14);
+    const wide Y5_mm = factor2_mm * (-S2_pp * v47 - v24 * (s3 * (T23 * s1_mm - T13 * v15))) - c3 *
+        (T13 * s1_mm + T23 * v15);
+    const wide v50 = X5_pp * X5_pp + Y5_pp * Y5_pp;
+    const wide v51 = X5_pm * X5_pm + v49 * v49;
+    const wide v52 = X5_mp * X5_mp + Y5_mp * Y5_mp;
+    const wide v53 = X5_mm * X5_mm + Y5_mm * Y5_mm;
     const wide angle1 = atan2_wide(Y5_pp, -X5_pp);
-    const wide angle1_ = atan2_wide(-v52, -X5_pm);
+    const wide angle1_ = atan2_wide(-v49, -X5_pm);
     const wide angle1__ = atan2_wide(Y5_mp, -X5_mp);
     const wide angle1___ = atan2_wide(Y5_mm, -X5_mm);
     const wide q5_ppm = angle1 - copysign_wide(all_wide(half_turn), Y5_pp) * h1;
-    const wide q5_pmm = angle1_ - copysign_wide(all_wide(half_turn), -v52) * h1;
+    const wide q5_pmm = angle1_ - copysign_wide(all_wide(half_turn), -v49) * h1;
     const wide q5_mpm = angle1__ - copysign_wide(all_wide(half_turn), Y5_mp) * h1;
     const wide q5_mmm = angle1___ - copysign_wide(all_wide(half_turn), Y5_mm) * h1;
 
     /* theta6 */
-    const wide v57 = v6 * v33;
-    const wide v58 = v6 * v35;
-    const wide v59 = T33 * v4;
-    const wide v60 = T13 * v4;
-    const wide v61 = T23 * v4;
-    const wide v62 = v6 * v40;
+    const wide v54 = v6 * v30;
+    const wide v55 = v6 * v32;
+    const wide v56 = T33 * v4;
+    const wide v57 = T13 * v4;
+    const wide v58 = T23 * v4;
+    const wide v59 = v6 * v37;
 
     /* theta7 */
-    const wide v63 = s3 * T32;
-    const wide v64 = s1_pp * T12 - c1_pp * T22;
-    const wide v65 = s1_pm * T12 - c1_pm * T22;
-    const wide v66 = s1_mp * T12 + v14 * T22;
-    const wide v67 = s1_mm * T12 + v15 * T22;
-    const wide v68 = v4 * (c3 * T12);
-    const wide v69 = v4 * (c3 * T22);
-    const wide v70 = v6 * T32;
-    const wide v71 = v6 * T12;
-    const wide v72 = v6 * T22;
-    const wide v73 = v4 * (c3 * T32);
-    const wide v74 = s3 * T31;
-    const wide v75 = s1_pp * T11 - c1_pp * T21;
-    const wide v76 = s1_pm * T11 - c1_pm * T21;
-    const wide v77 = s1_mp * T11 + v14 * T21;
-    const wide v78 = s1_mm * T11 + v15 * T21;
-    const wide v79 = v4 * (c3 * T11);
-    const wide v80 = v4 * (c3 * T21);
-    const wide v81 = v6 * T31;
-    const wide v82 = v6 * T11;
-    const wide v83 = v6 * T21;
-    const wide v84 = v4 * (c3 * T31);
-    const wide angle1____ = atan2_wide(-(X5_pp * (c3 * v75 - (s2_pp * v74 - v30 * (s3 * (c1_pp * T11
-        + s1_pp * T21)))) + Y5_pp * (v30 * (v81 - (c1_pp * v79 + s1_pp * v80)) + s2_pp * (v84 +
-        (c1_pp * v82 + s1_pp * v83)) + v4 * (s3 * v75))), -(X5_pp * (c3 * v64 - (s2_pp * v63 - v30 *
-        (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v30 * (v70 - (c1_pp * v68 + s1_pp * v69)) +
-        s2_pp * (v73 + (c1_pp * v71 + s1_pp * v72)) + v4 * (s3 * v64))));
-    const wide v85 = s2_mp * v74;
-    const wide v86 = v52 * (v31 * (v81 - (c1_pm * v79 + s1_pm * v80)) - s2_mp * (v84 + (c1_pm * v82
-        + s1_pm * v83)) + v4 * (s3 * v76)) - X5_pm * (c3 * v76 + (v85 + v31 * (s3 * (c1_pm * T11 +
-        s1_pm * T21))));
-    const wide v87 = s2_mp * v63;
-    const wide angle1_____ = atan2_wide(v86, v52 * (v31 * (v70 - (c1_pm * v68 + s1_pm * v69)) -
-        s2_mp * (v73 + (c1_pm * v71 + s1_pm * v72)) + v4 * (s3 * v65)) - X5_pm * (c3 * v65 + (v87 +
-        v31 * (s3 * (c1_pm * T12 + s1_pm * T22)))));
-    const wide angle1______ = atan2_wide(-(X5_mp * (c3 * v77 - (v85 - v31 * (s3 * (s1_mp * T21 - v14
-        * T11)))) + Y5_mp * (s2_mp * (v84 + (v14 * v82 - s1_mp * v83)) - v31 * (v81 + (s1_mp * v80 -
-        v14 * v79)) + v4 * (s3 * v77))), -(X5_mp * (c3 * v66 - (v87 - v31 * (s3 * (s1_mp * T22 - v14
-        * T12)))) + Y5_mp * (s2_mp * (v73 + (v14 * v71 - s1_mp * v72)) - v31 * (v70 + (s1_mp * v69 -
-        v14 * v68)) + v4 * (s3 * v66))));
-    const wide angle1_______ = atan2_wide(-(X5_mm * (c3 * v78 - (s2_mm * v74 - v32 * (s3 * (s1_mm *
-        T21 - v15 * T11)))) + Y5_mm * (s2_mm * (v84 + (v15 * v82 - s1_mm * v83)) - v32 * (v81 +
-        (s1_mm * v80 - v15 * v79)) + v4 * (s3 * v78))), -(X5_mm * (c3 * v67 - (s2_mm * v63 - v32 *
-        (s3 * (s1_mm * T22 - v15 * T12)))) + Y5_mm * (s2_mm * (v73 + (v15 * v71 - s1_mm * v72)) -
-        v32 * (v70 + (s1_mm * v69 - v15 * v68)) + v4 * (s3 * v67))));
-    const wide q7_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v75 -
-        (s2_pp * v74 - v30 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v30 * (v81 - (c1_pp *
-        v79 + s1_pp * v80)) + s2_pp * (v84 + (c1_pp * v82 + s1_pp * v83)) + v4 * (s3 * v75))));
-    const wide q7_pmm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v86);
-    const wide q7_mpm = angle1______ - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v77 -
-        (v85 - v31 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (s2_mp * (v84 + (v14 * v82 - s1_mp
-        * v83)) - v31 * (v81 + (s1_mp * v80 - v14 * v79)) + v4 * (s3 * v77))));
-    const wide q7_mmm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v78
-        - (s2_mm * v74 - v32 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (s2_mm * (v84 + (v15 *
-        v82 - s1_mm * v83)) - v32 * (v81 + (s1_mm * v80 - v15 * v79)) + v4 * (s3 * v78))));
+    const wide v60 = s3 * T32;
+    const wide v61 = s1_pp * T12 - c1_pp * T22;
+    const wide v62 = s1_pm * T12 - c1_pm * T22;
+    const wide v63 = s1_mp * T12 + v14 * T22;
+    const wide v64 = s1_mm * T12 + v15 * T22;
+    const wide v65 = v4 * (c3 * T12);
+    const wide v66 = v4 * (c3 * T22);
+    const wide v67 = v6 * T32;
+    const wide v68 = v6 * T12;
+    const wide v69 = v6 * T22;
+    const wide v70 = v4 * (c3 * T32);
+    const wide v71 = s3 * T31;
+    const wide v72 = s1_pp * T11 - c1_pp * T21;
+    const wide v73 = s1_pm * T11 - c1_pm * T21;
+    const wide v74 = s1_mp * T11 + v14 * T21;
+    const wide v75 = s1_mm * T11 + v15 * T21;
+    const wide v76 = v4 * (c3 * T11);
+    const wide v77 = v4 * (c3 * T21);
+    const wide v78 = v6 * T31;
+    const wide v79 = v6 * T11;
+    const wide v80 = v6 * T21;
+    const wide v81 = v4 * (c3 * T31);
+    const wide angle1____ = atan2_wide(-(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24 * (s3 *
+        (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78 -
+        (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80))))), -(X5_pp * (c3
+        * v61 - factor2_pp * (S2_pp * v60 - v24 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v4
+        * (s3 * v61) + factor2_pp * (v24 * (v67 - (c1_pp * v65 + s1_pp * v66)) + S2_pp * (v70 +
+        (c1_pp * v68 + s1_pp * v69))))));
+    const wide v82 = S2_mp * v71;
+    const wide v83 = v49 * (v4 * (s3 * v73) + factor2_pm * (v25 * (v78 - (c1_pm * v76 + s1_pm *
+        v77)) - S2_mp * (v81 + (c1_pm * v79 + s1_pm * v80)))) - X5_pm * (c3 * v73 + factor2_pm *
+        (v82 + v25 * (s3 * (c1_pm * T11 + s1_pm * T21))));
+    const wide v84 = S2_mp * v60;
+    const wide angle1_____ = atan2_wide(v83, v49 * (v4 * (s3 * v62) + factor2_pm * (v25 * (v67 -
+        (c1_pm * v65 + s1_pm * v66)) - S2_mp * (v70 + (c1_pm * v68 + s1_pm * v69)))) - X5_pm * (c3 *
+        v62 + factor2_pm * (v84 + v25 * (s3 * (c1_pm * T12 + s1_pm * T22)))));
+    const wide angle1______ = atan2_wide(-(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 *
+        (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14
+        * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 * v76))))), -(X5_mp * (c3 * v63 -
+        factor2_pm * (v84 - v25 * (s3 * (s1_mp * T22 - v14 * T12)))) + Y5_mp * (v4 * (s3 * v63) +
+        factor2_pm * (S2_mp * (v70 + (v14 * v68 - s1_mp * v69)) - v25 * (v67 + (s1_mp * v66 - v14 *
+        v65))))));
+    const wide angle1_______ = atan2_wide(-(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 - v24 *
+        (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp * (v81
+        + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76))))), -(X5_mm * (c3 *
+        v64 - factor2_mm * (-S2_pp * v60 - v24 * (s3 * (s1_mm * T22 - v15 * T12)))) + Y5_mm * (v4 *
+        (s3 * v64) + factor2_mm * (-S2_pp * (v70 + (v15 * v68 - s1_mm * v69)) - v24 * (v67 + (s1_mm
+        * v66 - v15 * v65))))));
+    const wide q7_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v72 -
+        factor2_pp * (S2_pp * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 *
+        v72) + factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp * v79
+        + s1_pp * v80))))));
+    const wide q7_pmm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v83);
+    const wide q7_mpm = angle1______ - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v74 -
+        factor2_pm * (v82 - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) +
+        factor2_pm * (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 *
+        v76))))));
+    const wide q7_mmm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v75
+        - factor2_mm * (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3
+        * v75) + factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm *
+        v77 - v15 * v76))))));
 
     /* joint values */
     const wide angle1________ = atan2_wide(s1_pp, c1_pp);
-    const wide v88 = angle1________ - offset1;
+    const wide v85 = angle1________ - offset1;
     const wide angle1_________ = atan2_wide(s1_pm, c1_pm);
-    const wide v89 = angle1_________ - offset1;
+    const wide v86 = angle1_________ - offset1;
     const wide angle1__________ = atan2_wide(s1_mp, -v14);
-    const wide v90 = angle1__________ - offset1;
+    const wide v87 = angle1__________ - offset1;
     const wide angle1___________ = atan2_wide(s1_mm, -v15);
-    const wide v91 = angle1___________ - offset1;
-    const wide q1_ppp = v88 + pick_wide(v88 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q1_pmp = v89 + pick_wide(v89 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q1_mpp = v90 + pick_wide(v90 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q1_mmp = v91 + pick_wide(v91 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide v88 = angle1___________ - offset1;
+    const wide q1_ppp = v85 + pick_wide(v85 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q1_pmp = v86 + pick_wide(v86 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q1_mpp = v87 + pick_wide(v87 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q1_mmp = v88 + pick_wide(v88 <= -half_turn, all_wide(m4), all_wide(0.0));
     const wide angle1____________ = atan2_wide(S2_pp, -v24);
-    const wide v92 = angle1____________ - offset2;
+    const wide v89 = angle1____________ - offset2;
     const wide angle1_____________ = atan2_wide(-S2_mp, -v25);
-    const wide v93 = angle1_____________ - offset2;
+    const wide v90 = angle1_____________ - offset2;
     const wide angle1______________ = atan2_wide(S2_mp, -v25);
-    const wide v94 = angle1______________ - offset2;
+    const wide v91 = angle1______________ - offset2;
     const wide angle1_______________ = atan2_wide(-S2_pp, -v24);
-    const wide v95 = angle1_______________ - offset2;
-    const wide q2_ppp = v92 + pick_wide(v92 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_pmp = v93 + pick_wide(v93 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_mpp = v94 + pick_wide(v94 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_mmp = v95 + pick_wide(v95 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide v92 = angle1_______________ - offset2;
+    const wide q2_ppp = v89 + pick_wide(v89 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_pmp = v90 + pick_wide(v90 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_mpp = v91 + pick_wide(v91 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q2_mmp = v92 + pick_wide(v92 <= -half_turn, all_wide(m4), all_wide(0.0));
     const wide angle1________________ = atan2_wide(-v5, -v3);
-    const wide v96 = angle1________________ - offset4;
-    const wide v97 = offset4 + angle1________________;
-    const wide q4__p = v96 + pick_wide(v96 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4__m = pick_wide(-v97 <= -half_turn, all_wide(m4), all_wide(0.0)) - v97;
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v53), v6 * v46 - (s2_pp * (c1_pp * v60
-        + s1_pp * v61 - v62) + v30 * (v59 + (c1_pp * v57 + s1_pp * v58))));
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v54), v6 * v47 - (v31 * (v59 + (c1_pm
-        * v57 + s1_pm * v58)) - s2_mp * (c1_pm * v60 + s1_pm * v61 - v62)));
-    const wide angle1___________________ = atan2_wide(sqrt_wide(v55), -(v6 * v48 + (s2_mp * (v62 +
-        (s1_mp * v61 - v14 * v60)) + v31 * (v59 + (v14 * v57 - s1_mp * v58)))));
-    const wide angle1____________________ = atan2_wide(sqrt_wide(v56), -(v6 * v49 + (s2_mm * (v62 +
-        (s1_mm * v61 - v15 * v60)) + v32 * (v59 + (v15 * v57 - s1_mm * v58)))));
-    const wide v98 = angle1_________________ - offset6;
-    const wide v99 = offset6 + angle1_________________;
-    const wide v100 = angle1__________________ - offset6;
-    const wide v101 = offset6 + angle1__________________;
-    const wide v102 = angle1___________________ - offset6;
-    const wide v103 = offset6 + angle1___________________;
-    const wide v104 = angle1____________________ - offset6;
-    const wide v105 = offset6 + angle1____________________;
-    const wide q6_ppp = v98 + pick_wide(v98 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_ppm = pick_wide(-v99 <= -half_turn, all_wide(m4), all_wide(0.0)) - v99;
-    const wide q6_pmp = v100 + pick_wide(v100 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_pmm = pick_wide(-v101 <= -half_turn, all_wide(m4), all_wide(0.0)) - v101;
-    const wide q6_mpp = v102 + pick_wide(v102 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_mpm = pick_wide(-v103 <= -half_turn, all_wide(m4), all_wide(0.0)) - v103;
-    const wide q6_mmp = v104 + pick_wide(v104 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_mmm = pick_wide(-v105 <= -half_turn, all_wide(m4), all_wide(0.0)) - v105;
-    const wide_mask v106 = (free_joints[0] < low3) | (high3 < free_joints[0]);
-    const wide_mask v107 = (q4__p < low4) | (high4 < q4__p);
-    const wide_mask v108 = (q4__m < low4) | (high4 < q4__m);
+    const wide v93 = angle1________________ - offset4;
+    const wide v94 = offset4 + angle1________________;
+    const wide q4__p = v93 + pick_wide(v93 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q4__m = pick_wide(-v94 <= -half_turn, all_wide(m4), all_wide(0.0)) - v94;
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v50), v6 * v43 - factor2_pp * (S2_pp *
+        (c1_pp * v57 + s1_pp * v58 - v59) + v24 * (v56 + (c1_pp * v54 + s1_pp * v55))));
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v51), v6 * v44 - factor2_pm * (v25 *
+        (v56 + (c1_pm * v54 + s1_pm * v55)) - S2_mp * (c1_pm * v57 + s1_pm * v58 - v59)));
+    const wide angle1___________________ = atan2_wide(sqrt_wide(v52), -(v6 * v45 + factor2_pm *
+        (S2_mp * (v59 + (s1_mp * v58 - v14 * v57)) + v25 * (v56 + (v14 * v54 - s1_mp * v55)))));
+    const wide angle1____________________ = atan2_wide(sqrt_wide(v53), -(v6 * v46 + factor2_mm *
+        (-S2_pp * (v59 + (s1_mm * v58 - v15 * v57)) + v24 * (v56 + (v15 * v54 - s1_mm * v55)))));
+    const wide v95 = angle1_________________ - offset6;
+    const wide v96 = offset6 + angle1_________________;
+    const wide v97 = angle1__________________ - offset6;
+    const wide v98 = offset6 + angle1__________________;
+    const wide v99 = angle1___________________ - offset6;
+    const wide v100 = offset6 + angle1___________________;
+    const wide v101 = angle1____________________ - offset6;
+    const wide v102 = offset6 + angle1____________________;
+    const wide q6_ppp = v95 + pick_wide(v95 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_ppm = pick_wide(-v96 <= -half_turn, all_wide(m4), all_wide(0.0)) - v96;
+    const wide q6_pmp = v97 + pick_wide(v97 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_pmm = pick_wide(-v98 <= -half_turn, all_wide(m4), all_wide(0.0)) - v98;
+    const wide q6_mpp = v99 + pick_wide(v99 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_mpm = pick_wide(-v100 <= -half_turn, all_wide(m4), all_wide(0.0)) - v100;
+    const wide q6_mmp = v101 + pick_wide(v101 <= -half_turn, all_wide(m4), all_wide(0.0));
+    const wide q6_mmm = pick_wide(-v102 <= -half_turn, all_wide(m4), all_wide(0.0)) - v102;
+    const wide_mask v103 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const wide_mask v104 = (q4__p < low4) | (high4 < q4__p);
+    const wide_mask v105 = (q4__m < low4) | (high4 < q4__m);
     const wide q3_ppp = v8 + (free_joints[0] + (w4 - w4));
     const wide q4_ppp = v8 + q4__p;
     const wide q4_mpp = v8 + q4__m;
-    const wide_mask v109 = v107 | (v106 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
+    const wide_mask v106 = v104 | (v103 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
         (high2 < q2_ppp))));
-    const wide_mask v110 = v107 | (v106 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
+    const wide_mask v107 = v104 | (v103 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
         (high2 < q2_pmp))));
-    const wide_mask v111 = v108 | (v106 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
+    const wide_mask v108 = v105 | (v103 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
         (high2 < q2_mpp))));
-    const wide_mask v112 = v108 | (v106 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
+    const wide_mask v109 = v105 | (v103 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
         (high2 < q2_mmp))));
     const wide_mask outside_ppp = ((angle1____ < low7) | (high7 < angle1____)) | (((q6_ppp < low6) |
-        (high6 < q6_ppp)) | (v109 | ((angle1 < low5) | (high5 < angle1))));
+        (high6 < q6_ppp)) | (v106 | ((angle1 < low5) | (high5 < angle1))));
     const wide_mask outside_ppm = ((q7_ppm < low7) | (high7 < q7_ppm)) | (((q6_ppm < low6) | (high6
-        < q6_ppm)) | (v109 | ((q5_ppm < low5) | (high5 < q5_ppm))));
+        < q6_ppm)) | (v106 | ((q5_ppm < low5) | (high5 < q5_ppm))));
     const wide_mask outside_pmp = ((angle1_____ < low7) | (high7 < angle1_____)) | (((q6_pmp < low6)
-        | (high6 < q6_pmp)) | (v110 | ((angle1_ < low5) | (high5 < angle1_))));
+        | (high6 < q6_pmp)) | (v107 | ((angle1_ < low5) | (high5 < angle1_))));
     const wide_mask outside_pmm = ((q7_pmm < low7) | (high7 < q7_pmm)) | (((q6_pmm < low6) | (high6
-        < q6_pmm)) | (v110 | ((q5_pmm < low5) | (high5 < q5_pmm))));
+        < q6_pmm)) | (v107 | ((q5_pmm < low5) | (high5 < q5_pmm))));
     const wide_mask outside_mpp = ((angle1______ < low7) | (high7 < angle1______)) | (((q6_mpp <
-        low6) | (high6 < q6_mpp)) | (v111 | ((angle1__ < low5) | (high5 < angle1__))));
+        low6) | (high6 < q6_mpp)) | (v108 | ((angle1__ < low5) | (high5 < angle1__))));
     const wide_mask outside_mpm = ((q7_mpm < low7) | (high7 < q7_mpm)) | (((q6_mpm < low6) | (high6
-        < q6_mpm)) | (v111 | ((q5_mpm < low5) | (high5 < q5_mpm))));
+        < q6_mpm)) | (v108 | ((q5_mpm < low5) | (high5 < q5_mpm))));
     const wide_mask outside_mmp = ((angle1_______ < low7) | (high7 < angle1_______)) | (((q6_mmp <
-        low6) | (high6 < q6_mmp)) | (v112 | ((angle1___ < low5) | (high5 < angle1___))));
+        low6) | (high6 < q6_mmp)) | (v109 | ((angle1___ < low5) | (high5 < angle1___))));
     const wide_mask outside_mmm = ((q7_mmm < low7) | (high7 < q7_mmm)) | (((q6_mmm < low6) | (high6
-        < q6_mmm)) | (v112 | ((q5_mmm < low5) | (high5 < q5_mmm))));
+        < q6_mmm)) | (v109 | ((q5_mmm < low5) | (high5 < q5_mmm))));
     const wide_mask doubt1 = ((-(reach_slack2 * (reach_slack2 + v2)) <= D4) & ((merge_slack2 *
-        (merge_slack2 + v2) < D4) == 0)) | (free1 | ((v56 <= m2) | ((v29 <= m1) | ((v55 <= m2) |
-        ((v54 <= m2) | ((v28 <= m1) | ((v53 <= m2) | (((-(reach_slack1 * (reach_slack1 + v7)) <= D1)
+        (merge_slack2 + v2) < D4) == 0)) | (free1 | ((v53 <= m2) | ((v29 <= m1) | ((v52 <= m2) |
+        ((v51 <= m2) | ((v28 <= m1) | ((v50 <= m2) | (((-(reach_slack1 * (reach_slack1 + v7)) <= D1)
         & (free1 | ((merge_slack1 * (merge_slack1 + v7) < D1) == 0))) | (v27 <= m1)))))))));
 
     q[0] = q1_ppp;
@@ -999,102 +1002,101 @@ HELPER int solve_regular(
     const double v23 = w1 * v17;
     const four v24 = v22 + v23 * (e1 * e2);
     const four v25 = S2 * S2 + v24 * v24;
-    const four factor2 = 1.0 / sqrt_four(v25);
-    const four v26 = v24 * factor2;
-    const four s2 = S2 * factor2;
+    const four factor2 = sqrt_four(v25) * (1.0 / v25);
 
     /* theta5 */
-    const double v27 = c3 * T13;
-    const double v28 = v4 * v27;
-    const double v29 = c3 * T23;
-    const double v30 = v4 * v29;
-    const double v31 = T33 * v6;
-    const double v32 = T13 * v6;
-    const double v33 = T23 * v6;
-    const double v34 = c3 * T33;
-    const double v35 = v4 * v34;
-    const double v36 = T13 * wy + T23 * -wx;
-    const four v37 = w1 * (inverse1 * (s3 * (e2 * v36)));
-    const four v38 = inverse1 * (s3 * (T13 * v14 - T23 * v11));
-    const four v39 = v37 + v38;
-    const four v40 = e1 * v31;
-    const four X5 = v4 * v39 + (v26 * (v40 - (c1 * v28 + s1 * v30)) + s2 * (v35 + e1 * (c1 * v32 +
-        s1 * v33)));
-    const double v41 = s3 * T33;
-    const four Y5 = s2 * v41 - v26 * (s3 * (T13 * c1 + T23 * s1)) - c3 * (T13 * s1 - T23 * c1);
-    const four v42 = X5 * X5 + Y5 * Y5;
+    const double v26 = c3 * T13;
+    const double v27 = v4 * v26;
+    const double v28 = c3 * T23;
+    const double v29 = v4 * v28;
+    const double v30 = T33 * v6;
+    const double v31 = T13 * v6;
+    const double v32 = T23 * v6;
+    const double v33 = c3 * T33;
+    const double v34 = v4 * v33;
+    const double v35 = T13 * wy + T23 * -wx;
+    const four v36 = w1 * (inverse1 * (s3 * (e2 * v35)));
+    const four v37 = inverse1 * (s3 * (T13 * v14 - T23 * v11));
+    const four v38 = v36 + v37;
+    const four v39 = e1 * v30;
+    const four X5 = v4 * v38 + factor2 * (v24 * (v39 - (c1 * v27 + s1 * v29)) + S2 * (v34 + e1 * (c1
+        * v31 + s1 * v32)));
+    const double v40 = s3 * T33;
+    const four Y5 = factor2 * (S2 * v40 - v24 * (s3 * (T13 * c1 + T23 * s1))) - c3 * (T13 * s1 - T23
+        * c1);
+    const four v41 = X5 * X5 + Y5 * Y5;
 
     /* theta6 */
-    const double v43 = v6 * v27;
-    const double v44 = v6 * v29;
-    const double v45 = T33 * v4;
-    const double v46 = T13 * v4;
-    const double v47 = T23 * v4;
-    const double v48 = v6 * v34;
-    const four v49 = e1 * v48;
+    const double v42 = v6 * v26;
+    const double v43 = v6 * v28;
+    const double v44 = T33 * v4;
+    const double v45 = T13 * v4;
+    const double v46 = T23 * v4;
+    const double v47 = v6 * v33;
+    const four v48 = e1 * v47;
 
     /* theta7 */
-    const double v50 = s3 * T32;
-    const four v51 = s1 * T12 - c1 * T22;
-    const double v52 = v4 * (c3 * T12);
-    const double v53 = v4 * (c3 * T22);
-    const double v54 = v6 * T32;
-    const double v55 = v6 * T12;
-    const double v56 = v6 * T22;
-    const double v57 = v4 * (c3 * T32);
-    const four v58 = e1 * v54;
-    const double v59 = s3 * T31;
-    const four v60 = s1 * T11 - c1 * T21;
-    const double v61 = v4 * (c3 * T11);
-    const double v62 = v4 * (c3 * T21);
-    const double v63 = v6 * T31;
-    const double v64 = v6 * T11;
-    const double v65 = v6 * T21;
-    const double v66 = v4 * (c3 * T31);
-    const four v67 = e1 * v63;
+    const double v49 = s3 * T32;
+    const four v50 = s1 * T12 - c1 * T22;
+    const double v51 = v4 * (c3 * T12);
+    const double v52 = v4 * (c3 * T22);
+    const double v53 = v6 * T32;
+    const double v54 = v6 * T12;
+    const double v55 = v6 * T22;
+    const double v56 = v4 * (c3 * T32);
+    const four v57 = e1 * v53;
+    const double v58 = s3 * T31;
+    const four v59 = s1 * T11 - c1 * T21;
+    const double v60 = v4 * (c3 * T11);
+    const double v61 = v4 * (c3 * T21);
+    const double v62 = v6 * T31;
+    const double v63 = v6 * T11;
+    const double v64 = v6 * T21;
+    const double v65 = v4 * (c3 * T31);
+    const four v66 = e1 * v62;
 
     /* joint values */
-    const int v73 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const int v72 = (free_joints[0] < low3) | (high3 < free_joints[0]);
     const double q3_p = v8 + (free_joints[0] + (w4 - w4));
-    const four_mask doubt2 = (v25 <= m1) | (v42 <= m2);
+    const four_mask doubt2 = (v25 <= m1) | (v41 <= m2);
     const int doubt1 = ((-(reach_slack2 * (reach_slack2 + v2)) <= D4) & ((merge_slack2 *
         (merge_slack2 + v2) < D4) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v7)) <= D1) &
         (free1 | ((merge_slack1 * (merge_slack1 + v7) < D1) == 0))));
 
     const four angle1 = atan2_four(Y5, -X5);
-    const four angle1_ = atan2_four(-(X5 * (c3 * v60 - (s2 * v59 - v26 * (s3 * (c1 * T11 + s1 *
-        T21)))) + Y5 * (v26 * (v67 - (c1 * v61 + s1 * v62)) + s2 * (v66 + e1 * (c1 * v64 + s1 *
-        v65)) + v4 * (s3 * v60))), -(X5 * (c3 * v51 - (s2 * v50 - v26 * (s3 * (c1 * T12 + s1 *
-        T22)))) + Y5 * (v26 * (v58 - (c1 * v52 + s1 * v53)) + s2 * (v57 + e1 * (c1 * v55 + s1 *
-        v56)) + v4 * (s3 * v51))));
+    const four angle1_ = atan2_four(-(X5 * (c3 * v59 - factor2 * (S2 * v58 - v24 * (s3 * (c1 * T11 +
+        s1 * T21)))) + Y5 * (v4 * (s3 * v59) + factor2 * (v24 * (v66 - (c1 * v60 + s1 * v61)) + S2 *
+        (v65 + e1 * (c1 * v63 + s1 * v64))))), -(X5 * (c3 * v50 - factor2 * (S2 * v49 - v24 * (s3 *
+        (c1 * T12 + s1 * T22)))) + Y5 * (v4 * (s3 * v50) + factor2 * (v24 * (v57 - (c1 * v51 + s1 *
+        v52)) + S2 * (v56 + e1 * (c1 * v54 + s1 * v55))))));
     const four angle1__ = atan2_four(s1, c1);
     const four angle1___ = atan2_four(S2, -v24);
-    const four angle1_____ = atan2_four(sqrt_four(v42), e1 * (v6 * v39) - (s2 * (c1 * v46 + s1 * v47
-        - v49) + v26 * (v45 + e1 * (c1 * v43 + s1 * v44))));
+    const four angle1_____ = atan2_four(sqrt_four(v41), e1 * (v6 * v38) - factor2 * (S2 * (c1 * v45
+        + s1 * v46 - v48) + v24 * (v44 + e1 * (c1 * v42 + s1 * v43))));
     const four packed6 = atan2_four((four){ -v5, -v5, -v5, -v5 }, (four){ -v3, -v3, -v3, -v3 });
     const four angle1____ = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
     const four q5_m = angle1 - copysign_four(all_four(half_turn), Y5) * h1;
-    const four q7_m = angle1_ - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v60 - (s2 * v59
-        - v26 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v26 * (v67 - (c1 * v61 + s1 * v62)) + s2 *
-        (v66 + e1 * (c1 * v64 + s1 * v65)) + v4 * (s3 * v60))));
-    const four v68 = angle1__ - offset1;
-    const four q1_p = v68 + pick_four(v68 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v69 = angle1___ - offset2;
-    const four q2_p = v69 + pick_four(v69 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v70 = e1 * angle1____ - offset4;
-    const four q4_ = v70 + pick_four(v70 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v71 = angle1_____ - offset6;
-    const four v72 = offset6 + angle1_____;
-    const four q6_p = v71 + pick_four(v71 <= -half_turn, all_four(m4), all_four(0.0));
-    const four q6_m = pick_four(-v72 <= -half_turn, all_four(m4), all_four(0.0)) - v72;
-    const four_mask v74 = (q4_ < low4) | (high4 < q4_);
+    const four q7_m = angle1_ - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v59 - factor2 *
+        (S2 * v58 - v24 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v4 * (s3 * v59) + factor2 * (v24 *
+        (v66 - (c1 * v60 + s1 * v61)) + S2 * (v65 + e1 * (c1 * v63 + s1 * v64))))));
+    const four v67 = angle1__ - offset1;
+    const four q1_p = v67 + pick_four(v67 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v68 = angle1___ - offset2;
+    const four q2_p = v68 + pick_four(v68 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v69 = e1 * angle1____ - offset4;
+    const four q4_ = v69 + pick_four(v69 <= -half_turn, all_four(m4), all_four(0.0));
+    const four v70 = angle1_____ - offset6;
+    const four v71 = offset6 + angle1_____;
+    const four q6_p = v70 + pick_four(v70 <= -half_turn, all_four(m4), all_four(0.0));
+    const four q6_m = pick_four(-v71 <= -half_turn, all_four(m4), all_four(0.0)) - v71;
+    const four_mask v73 = (q4_ < low4) | (high4 < q4_);
     const four q4_p = v8 + q4_;
-    const four_mask v75 = v74 | (where_four(v73) | (((q1_p < low1) | (high1 < q1_p)) | ((q2_p <
+    const four_mask v74 = v73 | (where_four(v72) | (((q1_p < low1) | (high1 < q1_p)) | ((q2_p <
         low2) | (high2 < q2_p))));
     const four_mask outside_p = ((angle1_ < low7) | (high7 < angle1_)) | (((q6_p < low6) | (high6 <
-        q6_p)) | (v75 | ((angle1 < low5) | (high5 < angle1))));
+        q6_p)) | (v74 | ((angle1 < low5) | (high5 < angle1))));
     const four_mask outside_m = ((q7_m < low7) | (high7 < q7_m)) | (((q6_m < low6) | (high6 < q6_m))
-        | (v75 | ((q5_m < low5) | (high5 < q5_m))));
+        | (v74 | ((q5_m < low5) | (high5 < q5_m))));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))

@@ -665,259 +665,263 @@ def _regular(pose, q_free, q, status):
     v27 = S2_pp * S2_pp + v26
     v28 = S2_mp * S2_mp + v25 * v25
     v29 = v26 + -S2_pp * -S2_pp
-    factor2_pp = 1.0 / math.sqrt(v27)
-    factor2_pm = 1.0 / math.sqrt(v28)
-    factor2_mm = 1.0 / math.sqrt(v29)
-    v30 = v24 * factor2_pp
-    v31 = v25 * factor2_pm
-    v32 = v24 * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    s2_mp = S2_mp * factor2_pm
-    s2_mm = -S2_pp * factor2_mm
+    factor2_pp = math.sqrt(v27) * (1.0 / v27)
+    factor2_pm = math.sqrt(v28) * (1.0 / v28)
+    factor2_mm = math.sqrt(v29) * (1.0 / v29)
 
     # theta5, type 2: U5[3, 3]
-    v33 = c3 * T13
-    v34 = v4 * v33
-    v35 = c3 * T23
-    v36 = v4 * v35
-    v37 = T33 * v6
-    v38 = T13 * v6
-    v39 = T23 * v6
-    v40 = c3 * T33
-    v41 = v4 * v40
-    v42 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
-    v43 = T13 * v9 - T23 * v10
-    v44 = inverse1 * (s3 * v43)
-    v45 = inverse1 * (s3 * -v43)
-    v46 = v42 + v44
-    v47 = v44 - v42
-    v48 = v42 + v45
-    v49 = v45 - v42
+    v30 = c3 * T13
+    v31 = v4 * v30
+    v32 = c3 * T23
+    v33 = v4 * v32
+    v34 = T33 * v6
+    v35 = T13 * v6
+    v36 = T23 * v6
+    v37 = c3 * T33
+    v38 = v4 * v37
+    v39 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
+    v40 = T13 * v9 - T23 * v10
+    v41 = inverse1 * (s3 * v40)
+    v42 = inverse1 * (s3 * -v40)
+    v43 = v39 + v41
+    v44 = v41 - v39
+    v45 = v39 + v42
+    v46 = v42 - v39
     X5_pp = (
-        v4 * v46 + (v30 * (v37 - (c1_pp * v34 + s1_pp * v36)) + s2_pp * (v41 + (c1_pp * v38 + s1_pp
-        * v39)))
+        v4 * v43 + factor2_pp * (v24 * (v34 - (c1_pp * v31 + s1_pp * v33)) + S2_pp * (v38 + (c1_pp *
+        v35 + s1_pp * v36)))
     )
     X5_pm = (
-        v4 * v47 + (v31 * (v37 - (c1_pm * v34 + s1_pm * v36)) - s2_mp * (v41 + (c1_pm * v38 + s1_pm
-        * v39)))
+        v4 * v44 + factor2_pm * (v25 * (v34 - (c1_pm * v31 + s1_pm * v33)) - S2_mp * (v38 + (c1_pm *
+        v35 + s1_pm * v36)))
     )
     X5_mp = (
-        v4 * v48 + (s2_mp * (v41 + (v14 * v38 - s1_mp * v39)) - v31 * (v37 + (s1_mp * v36 - v14 *
-        v34)))
+        v4 * v45 + factor2_pm * (S2_mp * (v38 + (v14 * v35 - s1_mp * v36)) - v25 * (v34 + (s1_mp *
+        v33 - v14 * v31)))
     )
     X5_mm = (
-        v4 * v49 + (s2_mm * (v41 + (v15 * v38 - s1_mm * v39)) - v32 * (v37 + (s1_mm * v36 - v15 *
-        v34)))
+        v4 * v46 + factor2_mm * (-S2_pp * (v38 + (v15 * v35 - s1_mm * v36)) - v24 * (v34 + (s1_mm *
+        v33 - v15 * v31)))
     )
-    v50 = s3 * T33
+    v47 = s3 * T33
     Y5_pp = (
-        s2_pp * v50 - v30 * (s3 * (T13 * c1_pp + T23 * s1_pp)) - c3 * (T13 * s1_pp - T23 * c1_pp)
+        factor2_pp * (S2_pp * v47 - v24 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 * s1_pp -
+        T23 * c1_pp)
     )
-    v51 = s2_mp * v50
-    v52 = v51 + v31 * (s3 * (T13 * c1_pm + T23 * s1_pm)) + c3 * (T13 * s1_pm - T23 * c1_pm)
-    Y5_mp = v51 - v31 * (s3 * (T23 * s1_mp - T13 * v14)) - c3 * (T13 * s1_mp + T23 * v14)
-    Y5_mm = s2_mm * v50 - v32 * (s3 * (T23 * s1_mm - T13 * v15)) - c3 * (T13 * s1_mm + T23 * v15)
-    v53 = X5_pp * X5_pp + Y5_pp * Y5_pp
-    v54 = X5_pm * X5_pm + v52 * v52
-    v55 = X5_mp * X5_mp + Y5_mp * Y5_mp
-    v56 = X5_mm * X5_mm + Y5_mm * Y5_mm
+    v48 = S2_mp * v47
+    v49 = (
+        factor2_pm * (v48 + v25 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm - T23 *
+        c1_pm)
+    )
+    Y5_mp = (
+        factor2_pm * (v48 - v25 * (s3 * (T23 * s1_mp - T13 * v14))) - c3 * (T13 * s1_mp + T23 * v14)
+    )
+    Y5_mm = (
+        factor2_mm * (-S2_pp * v47 - v24 * (s3 * (T23 * s1_mm - T13 * v15))) - c3 * (T13 * s1_mm +
+        T23 * v15)
+    )
+    v50 = X5_pp * X5_pp + Y5_pp * Y5_pp
+    v51 = X5_pm * X5_pm + v49 * v49
+    v52 = X5_mp * X5_mp + Y5_mp * Y5_mp
+    v53 = X5_mm * X5_mm + Y5_mm * Y5_mm
     angle1 = _atan2(Y5_pp, -X5_pp)
-    angle1_ = _atan2(-v52, -X5_pm)
+    angle1_ = _atan2(-v49, -X5_pm)
     angle1__ = _atan2(Y5_mp, -X5_mp)
     angle1___ = _atan2(Y5_mm, -X5_mm)
     q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-    q5_pmm = angle1_ - math.copysign(half_turn, -v52) * h1
+    q5_pmm = angle1_ - math.copysign(half_turn, -v49) * h1
     q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
     q5_mmm = angle1___ - math.copysign(half_turn, Y5_mm) * h1
 
     # theta6, type 3: U5[2, 3] and U5[1, 3]
-    v57 = v6 * v33
-    v58 = v6 * v35
-    v59 = T33 * v4
-    v60 = T13 * v4
-    v61 = T23 * v4
-    v62 = v6 * v40
+    v54 = v6 * v30
+    v55 = v6 * v32
+    v56 = T33 * v4
+    v57 = T13 * v4
+    v58 = T23 * v4
+    v59 = v6 * v37
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v63 = s3 * T32
-    v64 = s1_pp * T12 - c1_pp * T22
-    v65 = s1_pm * T12 - c1_pm * T22
-    v66 = s1_mp * T12 + v14 * T22
-    v67 = s1_mm * T12 + v15 * T22
-    v68 = v4 * (c3 * T12)
-    v69 = v4 * (c3 * T22)
-    v70 = v6 * T32
-    v71 = v6 * T12
-    v72 = v6 * T22
-    v73 = v4 * (c3 * T32)
-    v74 = s3 * T31
-    v75 = s1_pp * T11 - c1_pp * T21
-    v76 = s1_pm * T11 - c1_pm * T21
-    v77 = s1_mp * T11 + v14 * T21
-    v78 = s1_mm * T11 + v15 * T21
-    v79 = v4 * (c3 * T11)
-    v80 = v4 * (c3 * T21)
-    v81 = v6 * T31
-    v82 = v6 * T11
-    v83 = v6 * T21
-    v84 = v4 * (c3 * T31)
+    v60 = s3 * T32
+    v61 = s1_pp * T12 - c1_pp * T22
+    v62 = s1_pm * T12 - c1_pm * T22
+    v63 = s1_mp * T12 + v14 * T22
+    v64 = s1_mm * T12 + v15 * T22
+    v65 = v4 * (c3 * T12)
+    v66 = v4 * (c3 * T22)
+    v67 = v6 * T32
+    v68 = v6 * T12
+    v69 = v6 * T22
+    v70 = v4 * (c3 * T32)
+    v71 = s3 * T31
+    v72 = s1_pp * T11 - c1_pp * T21
+    v73 = s1_pm * T11 - c1_pm * T21
+    v74 = s1_mp * T11 + v14 * T21
+    v75 = s1_mm * T11 + v15 * T21
+    v76 = v4 * (c3 * T11)
+    v77 = v4 * (c3 * T21)
+    v78 = v6 * T31
+    v79 = v6 * T11
+    v80 = v6 * T21
+    v81 = v4 * (c3 * T31)
     angle1____ = (
-        _atan2(-(X5_pp * (c3 * v75 - (s2_pp * v74 - v30 * (s3 * (c1_pp * T11 + s1_pp * T21)))) +
-        Y5_pp * (v30 * (v81 - (c1_pp * v79 + s1_pp * v80)) + s2_pp * (v84 + (c1_pp * v82 + s1_pp *
-        v83)) + v4 * (s3 * v75))), -(X5_pp * (c3 * v64 - (s2_pp * v63 - v30 * (s3 * (c1_pp * T12 +
-        s1_pp * T22)))) + Y5_pp * (v30 * (v70 - (c1_pp * v68 + s1_pp * v69)) + s2_pp * (v73 + (c1_pp
-        * v71 + s1_pp * v72)) + v4 * (s3 * v64))))
+        _atan2(-(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp *
+        T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp * v77))
+        + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80))))), -(X5_pp * (c3 * v61 - factor2_pp * (S2_pp
+        * v60 - v24 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v4 * (s3 * v61) + factor2_pp *
+        (v24 * (v67 - (c1_pp * v65 + s1_pp * v66)) + S2_pp * (v70 + (c1_pp * v68 + s1_pp * v69))))))
     )
-    v85 = s2_mp * v74
-    v86 = (
-        v52 * (v31 * (v81 - (c1_pm * v79 + s1_pm * v80)) - s2_mp * (v84 + (c1_pm * v82 + s1_pm *
-        v83)) + v4 * (s3 * v76)) - X5_pm * (c3 * v76 + (v85 + v31 * (s3 * (c1_pm * T11 + s1_pm *
-        T21))))
+    v82 = S2_mp * v71
+    v83 = (
+        v49 * (v4 * (s3 * v73) + factor2_pm * (v25 * (v78 - (c1_pm * v76 + s1_pm * v77)) - S2_mp *
+        (v81 + (c1_pm * v79 + s1_pm * v80)))) - X5_pm * (c3 * v73 + factor2_pm * (v82 + v25 * (s3 *
+        (c1_pm * T11 + s1_pm * T21))))
     )
-    v87 = s2_mp * v63
+    v84 = S2_mp * v60
     angle1_____ = (
-        _atan2(v86, v52 * (v31 * (v70 - (c1_pm * v68 + s1_pm * v69)) - s2_mp * (v73 + (c1_pm * v71 +
-        s1_pm * v72)) + v4 * (s3 * v65)) - X5_pm * (c3 * v65 + (v87 + v31 * (s3 * (c1_pm * T12 +
-        s1_pm * T22)))))
+        _atan2(v83, v49 * (v4 * (s3 * v62) + factor2_pm * (v25 * (v67 - (c1_pm * v65 + s1_pm * v66))
+        - S2_mp * (v70 + (c1_pm * v68 + s1_pm * v69)))) - X5_pm * (c3 * v62 + factor2_pm * (v84 +
+        v25 * (s3 * (c1_pm * T12 + s1_pm * T22)))))
     )
     angle1______ = (
-        _atan2(-(X5_mp * (c3 * v77 - (v85 - v31 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp *
-        (s2_mp * (v84 + (v14 * v82 - s1_mp * v83)) - v31 * (v81 + (s1_mp * v80 - v14 * v79)) + v4 *
-        (s3 * v77))), -(X5_mp * (c3 * v66 - (v87 - v31 * (s3 * (s1_mp * T22 - v14 * T12)))) + Y5_mp
-        * (s2_mp * (v73 + (v14 * v71 - s1_mp * v72)) - v31 * (v70 + (s1_mp * v69 - v14 * v68)) + v4
-        * (s3 * v66))))
+        _atan2(-(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) +
+        Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) - v25 *
+        (v78 + (s1_mp * v77 - v14 * v76))))), -(X5_mp * (c3 * v63 - factor2_pm * (v84 - v25 * (s3 *
+        (s1_mp * T22 - v14 * T12)))) + Y5_mp * (v4 * (s3 * v63) + factor2_pm * (S2_mp * (v70 + (v14
+        * v68 - s1_mp * v69)) - v25 * (v67 + (s1_mp * v66 - v14 * v65))))))
     )
     angle1_______ = (
-        _atan2(-(X5_mm * (c3 * v78 - (s2_mm * v74 - v32 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm
-        * (s2_mm * (v84 + (v15 * v82 - s1_mm * v83)) - v32 * (v81 + (s1_mm * v80 - v15 * v79)) + v4
-        * (s3 * v78))), -(X5_mm * (c3 * v67 - (s2_mm * v63 - v32 * (s3 * (s1_mm * T22 - v15 *
-        T12)))) + Y5_mm * (s2_mm * (v73 + (v15 * v71 - s1_mm * v72)) - v32 * (v70 + (s1_mm * v69 -
-        v15 * v68)) + v4 * (s3 * v67))))
+        _atan2(-(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 *
+        T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm *
+        v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76))))), -(X5_mm * (c3 * v64 - factor2_mm *
+        (-S2_pp * v60 - v24 * (s3 * (s1_mm * T22 - v15 * T12)))) + Y5_mm * (v4 * (s3 * v64) +
+        factor2_mm * (-S2_pp * (v70 + (v15 * v68 - s1_mm * v69)) - v24 * (v67 + (s1_mm * v66 - v15 *
+        v65))))))
     )
     q7_ppm = (
-        angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v75 - (s2_pp * v74 - v30 * (s3 *
-        (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v30 * (v81 - (c1_pp * v79 + s1_pp * v80)) + s2_pp
-        * (v84 + (c1_pp * v82 + s1_pp * v83)) + v4 * (s3 * v75))))
+        angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 -
+        v24 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 *
+        (v78 - (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80))))))
     )
-    q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v86)
+    q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v83)
     q7_mpm = (
-        angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v77 - (v85 - v31 * (s3 * (s1_mp
-        * T21 - v14 * T11)))) + Y5_mp * (s2_mp * (v84 + (v14 * v82 - s1_mp * v83)) - v31 * (v81 +
-        (s1_mp * v80 - v14 * v79)) + v4 * (s3 * v77))))
+        angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 *
+        (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 +
+        (v14 * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 * v76))))))
     )
     q7_mmm = (
-        angle1_______ - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v78 - (s2_mm * v74 - v32 * (s3
-        * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (s2_mm * (v84 + (v15 * v82 - s1_mm * v83)) - v32 *
-        (v81 + (s1_mm * v80 - v15 * v79)) + v4 * (s3 * v78))))
+        angle1_______ - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp *
+        v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm *
+        (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76))))))
     )
 
     # joint values
     angle1________ = _atan2(s1_pp, c1_pp)
-    v88 = angle1________ - offset1
+    v85 = angle1________ - offset1
     angle1_________ = _atan2(s1_pm, c1_pm)
-    v89 = angle1_________ - offset1
+    v86 = angle1_________ - offset1
     angle1__________ = _atan2(s1_mp, -v14)
-    v90 = angle1__________ - offset1
+    v87 = angle1__________ - offset1
     angle1___________ = _atan2(s1_mm, -v15)
-    v91 = angle1___________ - offset1
-    q1_ppp = v88 + (m4 if v88 <= -half_turn else 0.0)
-    q1_pmp = v89 + (m4 if v89 <= -half_turn else 0.0)
-    q1_mpp = v90 + (m4 if v90 <= -half_turn else 0.0)
-    q1_mmp = v91 + (m4 if v91 <= -half_turn else 0.0)
+    v88 = angle1___________ - offset1
+    q1_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
+    q1_pmp = v86 + (m4 if v86 <= -half_turn else 0.0)
+    q1_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
+    q1_mmp = v88 + (m4 if v88 <= -half_turn else 0.0)
     angle1____________ = _atan2(S2_pp, -v24)
-    v92 = angle1____________ - offset2
+    v89 = angle1____________ - offset2
     angle1_____________ = _atan2(-S2_mp, -v25)
-    v93 = angle1_____________ - offset2
+    v90 = angle1_____________ - offset2
     angle1______________ = _atan2(S2_mp, -v25)
-    v94 = angle1______________ - offset2
+    v91 = angle1______________ - offset2
     angle1_______________ = _atan2(-S2_pp, -v24)
-    v95 = angle1_______________ - offset2
-    q2_ppp = v92 + (m4 if v92 <= -half_turn else 0.0)
-    q2_pmp = v93 + (m4 if v93 <= -half_turn else 0.0)
-    q2_mpp = v94 + (m4 if v94 <= -half_turn else 0.0)
-    q2_mmp = v95 + (m4 if v95 <= -half_turn else 0.0)
+    v92 = angle1_______________ - offset2
+    q2_ppp = v89 + (m4 if v89 <= -half_turn else 0.0)
+    q2_pmp = v90 + (m4 if v90 <= -half_turn else 0.0)
+    q2_mpp = v91 + (m4 if v91 <= -half_turn else 0.0)
+    q2_mmp = v92 + (m4 if v92 <= -half_turn else 0.0)
     angle1________________ = _atan2(-v5, -v3)
-    v96 = angle1________________ - offset4
-    v97 = offset4 + angle1________________
-    q4__p = v96 + (m4 if v96 <= -half_turn else 0.0)
-    q4__m = (m4 if -v97 <= -half_turn else 0.0) - v97
+    v93 = angle1________________ - offset4
+    v94 = offset4 + angle1________________
+    q4__p = v93 + (m4 if v93 <= -half_turn else 0.0)
+    q4__m = (m4 if -v94 <= -half_turn else 0.0) - v94
     angle1_________________ = (
-        _atan2(math.sqrt(v53), v6 * v46 - (s2_pp * (c1_pp * v60 + s1_pp * v61 - v62) + v30 * (v59 +
-        (c1_pp * v57 + s1_pp * v58))))
+        _atan2(math.sqrt(v50), v6 * v43 - factor2_pp * (S2_pp * (c1_pp * v57 + s1_pp * v58 - v59) +
+        v24 * (v56 + (c1_pp * v54 + s1_pp * v55))))
     )
     angle1__________________ = (
-        _atan2(math.sqrt(v54), v6 * v47 - (v31 * (v59 + (c1_pm * v57 + s1_pm * v58)) - s2_mp *
-        (c1_pm * v60 + s1_pm * v61 - v62)))
+        _atan2(math.sqrt(v51), v6 * v44 - factor2_pm * (v25 * (v56 + (c1_pm * v54 + s1_pm * v55)) -
+        S2_mp * (c1_pm * v57 + s1_pm * v58 - v59)))
     )
     angle1___________________ = (
-        _atan2(math.sqrt(v55), -(v6 * v48 + (s2_mp * (v62 + (s1_mp * v61 - v14 * v60)) + v31 * (v59
-        + (v14 * v57 - s1_mp * v58)))))
+        _atan2(math.sqrt(v52), -(v6 * v45 + factor2_pm * (S2_mp * (v59 + (s1_mp * v58 - v14 * v57))
+        + v25 * (v56 + (v14 * v54 - s1_mp * v55)))))
     )
     angle1____________________ = (
-        _atan2(math.sqrt(v56), -(v6 * v49 + (s2_mm * (v62 + (s1_mm * v61 - v15 * v60)) + v32 * (v59
-        + (v15 * v57 - s1_mm * v58)))))
+        _atan2(math.sqrt(v53), -(v6 * v46 + factor2_mm * (-S2_pp * (v59 + (s1_mm * v58 - v15 * v57))
+        + v24 * (v56 + (v15 * v54 - s1_mm * v55)))))
     )
-    v98 = angle1_________________ - offset6
-    v99 = offset6 + angle1_________________
-    v100 = angle1__________________ - offset6
-    v101 = offset6 + angle1__________________
-    v102 = angle1___________________ - offset6
-    v103 = offset6 + angle1___________________
-    v104 = angle1____________________ - offset6
-    v105 = offset6 + angle1____________________
-    q6_ppp = v98 + (m4 if v98 <= -half_turn else 0.0)
-    q6_ppm = (m4 if -v99 <= -half_turn else 0.0) - v99
-    q6_pmp = v100 + (m4 if v100 <= -half_turn else 0.0)
-    q6_pmm = (m4 if -v101 <= -half_turn else 0.0) - v101
-    q6_mpp = v102 + (m4 if v102 <= -half_turn else 0.0)
-    q6_mpm = (m4 if -v103 <= -half_turn else 0.0) - v103
-    q6_mmp = v104 + (m4 if v104 <= -half_turn else 0.0)
-    q6_mmm = (m4 if -v105 <= -half_turn else 0.0) - v105
-    v106 = q_free[0] < low3 or high3 < q_free[0]
-    v107 = q4__p < low4 or high4 < q4__p
-    v108 = q4__m < low4 or high4 < q4__m
+    v95 = angle1_________________ - offset6
+    v96 = offset6 + angle1_________________
+    v97 = angle1__________________ - offset6
+    v98 = offset6 + angle1__________________
+    v99 = angle1___________________ - offset6
+    v100 = offset6 + angle1___________________
+    v101 = angle1____________________ - offset6
+    v102 = offset6 + angle1____________________
+    q6_ppp = v95 + (m4 if v95 <= -half_turn else 0.0)
+    q6_ppm = (m4 if -v96 <= -half_turn else 0.0) - v96
+    q6_pmp = v97 + (m4 if v97 <= -half_turn else 0.0)
+    q6_pmm = (m4 if -v98 <= -half_turn else 0.0) - v98
+    q6_mpp = v99 + (m4 if v99 <= -half_turn else 0.0)
+    q6_mpm = (m4 if -v100 <= -half_turn else 0.0) - v100
+    q6_mmp = v101 + (m4 if v101 <= -half_turn else 0.0)
+    q6_mmm = (m4 if -v102 <= -half_turn else 0.0) - v102
+    v103 = q_free[0] < low3 or high3 < q_free[0]
+    v104 = q4__p < low4 or high4 < q4__p
+    v105 = q4__m < low4 or high4 < q4__m
     q3_ppp = v8 + (q_free[0] + (w4 - w4))
     q4_ppp = v8 + q4__p
     q4_mpp = v8 + q4__m
-    v109 = v107 or (v106 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
-    v110 = v107 or (v106 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
-    v111 = v108 or (v106 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
-    v112 = v108 or (v106 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
+    v106 = v104 or (v103 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
+    v107 = v104 or (v103 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
+    v108 = v105 or (v103 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
+    v109 = v105 or (v103 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
     outside_ppp = (
-        angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v109 or
+        angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v106 or
         (angle1 < low5 or high5 < angle1)))
     )
     outside_ppm = (
-        q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v109 or (q5_ppm <
+        q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v106 or (q5_ppm <
         low5 or high5 < q5_ppm)))
     )
     outside_pmp = (
-        angle1_____ < low7 or high7 < angle1_____ or (q6_pmp < low6 or high6 < q6_pmp or (v110 or
+        angle1_____ < low7 or high7 < angle1_____ or (q6_pmp < low6 or high6 < q6_pmp or (v107 or
         (angle1_ < low5 or high5 < angle1_)))
     )
     outside_pmm = (
-        q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v110 or (q5_pmm <
+        q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v107 or (q5_pmm <
         low5 or high5 < q5_pmm)))
     )
     outside_mpp = (
-        angle1______ < low7 or high7 < angle1______ or (q6_mpp < low6 or high6 < q6_mpp or (v111 or
+        angle1______ < low7 or high7 < angle1______ or (q6_mpp < low6 or high6 < q6_mpp or (v108 or
         (angle1__ < low5 or high5 < angle1__)))
     )
     outside_mpm = (
-        q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v111 or (q5_mpm <
+        q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v108 or (q5_mpm <
         low5 or high5 < q5_mpm)))
     )
     outside_mmp = (
-        angle1_______ < low7 or high7 < angle1_______ or (q6_mmp < low6 or high6 < q6_mmp or (v112
+        angle1_______ < low7 or high7 < angle1_______ or (q6_mmp < low6 or high6 < q6_mmp or (v109
         or (angle1___ < low5 or high5 < angle1___)))
     )
     outside_mmm = (
-        q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v112 or (q5_mmm <
+        q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v109 or (q5_mmm <
         low5 or high5 < q5_mmm)))
     )
     doubt1 = (
         -(reach_slack2 * (reach_slack2 + v2)) <= D4 and not (merge_slack2 * (merge_slack2 + v2) <
-        D4) or (free1 or (v56 <= m2 or (v29 <= m1 or (v55 <= m2 or (v54 <= m2 or (v28 <= m1 or (v53
+        D4) or (free1 or (v53 <= m2 or (v29 <= m1 or (v52 <= m2 or (v51 <= m2 or (v28 <= m1 or (v50
         <= m2 or (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or not (merge_slack1 *
         (merge_slack1 + v7) < D1)) or v27 <= m1))))))))
     )
@@ -1122,16 +1126,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [3904, 3936, 3968, 4000, 4032, 4064, 4096],
-    [3904, 3936, 3968, 4000, 4128, 4160, 4192],
-    [4224, 4256, 3968, 4000, 4288, 4320, 4352],
-    [4224, 4256, 3968, 4000, 4384, 4416, 4448],
-    [4480, 4512, 3968, 4544, 4576, 4608, 4640],
-    [4480, 4512, 3968, 4544, 4672, 4704, 4736],
-    [4768, 4800, 3968, 4544, 4832, 4864, 4896],
-    [4768, 4800, 3968, 4544, 4928, 4960, 4992],
+    [3936, 3968, 4000, 4032, 4064, 4096, 4128],
+    [3936, 3968, 4000, 4032, 4160, 4192, 4224],
+    [4256, 4288, 4000, 4032, 4320, 4352, 4384],
+    [4256, 4288, 4000, 4032, 4416, 4448, 4480],
+    [4512, 4544, 4000, 4576, 4608, 4640, 4672],
+    [4512, 4544, 4000, 4576, 4704, 4736, 4768],
+    [4800, 4832, 4000, 4576, 4864, 4896, 4928],
+    [4800, 4832, 4000, 4576, 4960, 4992, 5024],
 ])
-_KINDS = np.array([5024, 5056, 5088, 5120, 5152, 5184, 5216, 5248])
+_KINDS = np.array([5056, 5088, 5120, 5152, 5184, 5216, 5248, 5280])
 _LEFT_OVER = 255
 
 
@@ -1142,7 +1146,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(5280)
+    work = np.empty(5312)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1199,19 +1203,19 @@ def _in_tiles(T, q_free, q, status):
             X2_2 = d3 + d5 * v4
             Z1_2 = wz - d1
             v22 = X2_2 * Z1_2
-            v37 = T33 * v6
-            v38 = T13 * v6
-            v39 = T23 * v6
-            v59 = T33 * v4
-            v60 = T13 * v4
-            v61 = T23 * v4
-            v70 = v6 * T32
-            v71 = v6 * T12
-            v72 = v6 * T22
-            v81 = v6 * T31
-            v82 = v6 * T11
-            v83 = v6 * T21
-            v106 = given1 < low3 or high3 < given1
+            v34 = T33 * v6
+            v35 = T13 * v6
+            v36 = T23 * v6
+            v56 = T33 * v4
+            v57 = T13 * v4
+            v58 = T23 * v4
+            v67 = v6 * T32
+            v68 = v6 * T12
+            v69 = v6 * T22
+            v78 = v6 * T31
+            v79 = v6 * T11
+            v80 = v6 * T21
+            v103 = given1 < low3 or high3 < given1
             work[576 + k] = wx
             work[608 + k] = wy
             work[640 + k] = D4
@@ -1225,19 +1229,19 @@ def _in_tiles(T, q_free, q, status):
             work[896 + k] = X2_2
             work[928 + k] = Z1_2
             work[960 + k] = v22
-            work[992 + k] = v37
-            work[1024 + k] = v38
-            work[1056 + k] = v39
-            work[1088 + k] = v59
-            work[1120 + k] = v60
-            work[1152 + k] = v61
-            work[1184 + k] = v70
-            work[1216 + k] = v71
-            work[1248 + k] = v72
-            work[1280 + k] = v81
-            work[1312 + k] = v82
-            work[1344 + k] = v83
-            work[1376 + k] = v106
+            work[992 + k] = v34
+            work[1024 + k] = v35
+            work[1056 + k] = v36
+            work[1088 + k] = v56
+            work[1120 + k] = v57
+            work[1152 + k] = v58
+            work[1184 + k] = v67
+            work[1216 + k] = v68
+            work[1248 + k] = v69
+            work[1280 + k] = v78
+            work[1312 + k] = v79
+            work[1344 + k] = v80
+            work[1376 + k] = v103
             work[1408 + k] = given1
             work[1440 + k] = given1
             work[1472 + k] = -v5
@@ -1272,18 +1276,18 @@ def _in_tiles(T, q_free, q, status):
             X2_2 = work[896 + k]
             Z1_2 = work[928 + k]
             v22 = work[960 + k]
-            v37 = work[992 + k]
-            v38 = work[1024 + k]
-            v39 = work[1056 + k]
-            v59 = work[1088 + k]
-            v60 = work[1120 + k]
-            v61 = work[1152 + k]
-            v70 = work[1184 + k]
-            v71 = work[1216 + k]
-            v72 = work[1248 + k]
-            v81 = work[1280 + k]
-            v82 = work[1312 + k]
-            v83 = work[1344 + k]
+            v34 = work[992 + k]
+            v35 = work[1024 + k]
+            v36 = work[1056 + k]
+            v56 = work[1088 + k]
+            v57 = work[1120 + k]
+            v58 = work[1152 + k]
+            v67 = work[1184 + k]
+            v68 = work[1216 + k]
+            v69 = work[1248 + k]
+            v78 = work[1280 + k]
+            v79 = work[1312 + k]
+            v80 = work[1344 + k]
             s3 = work[1408 + k]
             c3 = work[1440 + k]
             angle1________________ = work[1472 + k]
@@ -1320,100 +1324,100 @@ def _in_tiles(T, q_free, q, status):
             v27 = S2_pp * S2_pp + v26
             v28 = S2_mp * S2_mp + v25 * v25
             v29 = v26 + -S2_pp * -S2_pp
-            factor2_pp = 1.0 / math.sqrt(v27)
-            factor2_pm = 1.0 / math.sqrt(v28)
-            factor2_mm = 1.0 / math.sqrt(v29)
-            v30 = v24 * factor2_pp
-            v31 = v25 * factor2_pm
-            v32 = v24 * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            s2_mp = S2_mp * factor2_pm
-            s2_mm = -S2_pp * factor2_mm
-            v33 = c3 * T13
-            v34 = v4 * v33
-            v35 = c3 * T23
-            v36 = v4 * v35
-            v40 = c3 * T33
-            v41 = v4 * v40
-            v42 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
-            v43 = T13 * v9 - T23 * v10
-            v44 = inverse1 * (s3 * v43)
-            v45 = inverse1 * (s3 * -v43)
-            v46 = v42 + v44
-            v47 = v44 - v42
-            v48 = v42 + v45
-            v49 = v45 - v42
+            factor2_pp = math.sqrt(v27) * (1.0 / v27)
+            factor2_pm = math.sqrt(v28) * (1.0 / v28)
+            factor2_mm = math.sqrt(v29) * (1.0 / v29)
+            v30 = c3 * T13
+            v31 = v4 * v30
+            v32 = c3 * T23
+            v33 = v4 * v32
+            v37 = c3 * T33
+            v38 = v4 * v37
+            v39 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
+            v40 = T13 * v9 - T23 * v10
+            v41 = inverse1 * (s3 * v40)
+            v42 = inverse1 * (s3 * -v40)
+            v43 = v39 + v41
+            v44 = v41 - v39
+            v45 = v39 + v42
+            v46 = v42 - v39
             X5_pp = (
-                v4 * v46 + (v30 * (v37 - (c1_pp * v34 + s1_pp * v36)) + s2_pp * (v41 + (c1_pp * v38
-                + s1_pp * v39)))
+                v4 * v43 + factor2_pp * (v24 * (v34 - (c1_pp * v31 + s1_pp * v33)) + S2_pp * (v38 +
+                (c1_pp * v35 + s1_pp * v36)))
             )
             X5_pm = (
-                v4 * v47 + (v31 * (v37 - (c1_pm * v34 + s1_pm * v36)) - s2_mp * (v41 + (c1_pm * v38
-                + s1_pm * v39)))
+                v4 * v44 + factor2_pm * (v25 * (v34 - (c1_pm * v31 + s1_pm * v33)) - S2_mp * (v38 +
+                (c1_pm * v35 + s1_pm * v36)))
             )
             X5_mp = (
-                v4 * v48 + (s2_mp * (v41 + (v14 * v38 - s1_mp * v39)) - v31 * (v37 + (s1_mp * v36 -
-                v14 * v34)))
+                v4 * v45 + factor2_pm * (S2_mp * (v38 + (v14 * v35 - s1_mp * v36)) - v25 * (v34 +
+                (s1_mp * v33 - v14 * v31)))
             )
             X5_mm = (
-                v4 * v49 + (s2_mm * (v41 + (v15 * v38 - s1_mm * v39)) - v32 * (v37 + (s1_mm * v36 -
-                v15 * v34)))
+                v4 * v46 + factor2_mm * (-S2_pp * (v38 + (v15 * v35 - s1_mm * v36)) - v24 * (v34 +
+                (s1_mm * v33 - v15 * v31)))
             )
-            v50 = s3 * T33
+            v47 = s3 * T33
             Y5_pp = (
-                s2_pp * v50 - v30 * (s3 * (T13 * c1_pp + T23 * s1_pp)) - c3 * (T13 * s1_pp - T23 *
-                c1_pp)
+                factor2_pp * (S2_pp * v47 - v24 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 *
+                s1_pp - T23 * c1_pp)
             )
-            v51 = s2_mp * v50
-            v52 = v51 + v31 * (s3 * (T13 * c1_pm + T23 * s1_pm)) + c3 * (T13 * s1_pm - T23 * c1_pm)
-            Y5_mp = v51 - v31 * (s3 * (T23 * s1_mp - T13 * v14)) - c3 * (T13 * s1_mp + T23 * v14)
+            v48 = S2_mp * v47
+            v49 = (
+                factor2_pm * (v48 + v25 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm -
+                T23 * c1_pm)
+            )
+            Y5_mp = (
+                factor2_pm * (v48 - v25 * (s3 * (T23 * s1_mp - T13 * v14))) - c3 * (T13 * s1_mp +
+                T23 * v14)
+            )
             Y5_mm = (
-                s2_mm * v50 - v32 * (s3 * (T23 * s1_mm - T13 * v15)) - c3 * (T13 * s1_mm + T23 *
-                v15)
+                factor2_mm * (-S2_pp * v47 - v24 * (s3 * (T23 * s1_mm - T13 * v15))) - c3 * (T13 *
+                s1_mm + T23 * v15)
             )
-            v53 = X5_pp * X5_pp + Y5_pp * Y5_pp
-            v54 = X5_pm * X5_pm + v52 * v52
-            v55 = X5_mp * X5_mp + Y5_mp * Y5_mp
-            v56 = X5_mm * X5_mm + Y5_mm * Y5_mm
-            v57 = v6 * v33
-            v58 = v6 * v35
-            v62 = v6 * v40
-            v63 = s3 * T32
-            v64 = s1_pp * T12 - c1_pp * T22
-            v65 = s1_pm * T12 - c1_pm * T22
-            v66 = s1_mp * T12 + v14 * T22
-            v67 = s1_mm * T12 + v15 * T22
-            v68 = v4 * (c3 * T12)
-            v69 = v4 * (c3 * T22)
-            v73 = v4 * (c3 * T32)
-            v74 = s3 * T31
-            v75 = s1_pp * T11 - c1_pp * T21
-            v76 = s1_pm * T11 - c1_pm * T21
-            v77 = s1_mp * T11 + v14 * T21
-            v78 = s1_mm * T11 + v15 * T21
-            v79 = v4 * (c3 * T11)
-            v80 = v4 * (c3 * T21)
-            v84 = v4 * (c3 * T31)
-            v85 = s2_mp * v74
-            v86 = (
-                v52 * (v31 * (v81 - (c1_pm * v79 + s1_pm * v80)) - s2_mp * (v84 + (c1_pm * v82 +
-                s1_pm * v83)) + v4 * (s3 * v76)) - X5_pm * (c3 * v76 + (v85 + v31 * (s3 * (c1_pm *
-                T11 + s1_pm * T21))))
+            v50 = X5_pp * X5_pp + Y5_pp * Y5_pp
+            v51 = X5_pm * X5_pm + v49 * v49
+            v52 = X5_mp * X5_mp + Y5_mp * Y5_mp
+            v53 = X5_mm * X5_mm + Y5_mm * Y5_mm
+            v54 = v6 * v30
+            v55 = v6 * v32
+            v59 = v6 * v37
+            v60 = s3 * T32
+            v61 = s1_pp * T12 - c1_pp * T22
+            v62 = s1_pm * T12 - c1_pm * T22
+            v63 = s1_mp * T12 + v14 * T22
+            v64 = s1_mm * T12 + v15 * T22
+            v65 = v4 * (c3 * T12)
+            v66 = v4 * (c3 * T22)
+            v70 = v4 * (c3 * T32)
+            v71 = s3 * T31
+            v72 = s1_pp * T11 - c1_pp * T21
+            v73 = s1_pm * T11 - c1_pm * T21
+            v74 = s1_mp * T11 + v14 * T21
+            v75 = s1_mm * T11 + v15 * T21
+            v76 = v4 * (c3 * T11)
+            v77 = v4 * (c3 * T21)
+            v81 = v4 * (c3 * T31)
+            v82 = S2_mp * v71
+            v83 = (
+                v49 * (v4 * (s3 * v73) + factor2_pm * (v25 * (v78 - (c1_pm * v76 + s1_pm * v77)) -
+                S2_mp * (v81 + (c1_pm * v79 + s1_pm * v80)))) - X5_pm * (c3 * v73 + factor2_pm *
+                (v82 + v25 * (s3 * (c1_pm * T11 + s1_pm * T21))))
             )
-            v87 = s2_mp * v63
-            v96 = angle1________________ - offset4
-            v97 = offset4 + angle1________________
-            q4__p = v96 + (m4 if v96 <= -half_turn else 0.0)
-            q4__m = (m4 if -v97 <= -half_turn else 0.0) - v97
-            v107 = q4__p < low4 or high4 < q4__p
-            v108 = q4__m < low4 or high4 < q4__m
+            v84 = S2_mp * v60
+            v93 = angle1________________ - offset4
+            v94 = offset4 + angle1________________
+            q4__p = v93 + (m4 if v93 <= -half_turn else 0.0)
+            q4__m = (m4 if -v94 <= -half_turn else 0.0) - v94
+            v104 = q4__p < low4 or high4 < q4__p
+            v105 = q4__m < low4 or high4 < q4__m
             q3_ppp = v8 + (given1 + (w4 - w4))
             q4_ppp = v8 + q4__p
             q4_mpp = v8 + q4__m
             doubt1 = (
                 -(reach_slack2 * (reach_slack2 + v2)) <= D4 and not (merge_slack2 * (merge_slack2 +
-                v2) < D4) or (free1 or (v56 <= m2 or (v29 <= m1 or (v55 <= m2 or (v54 <= m2 or (v28
-                <= m1 or (v53 <= m2 or (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or
+                v2) < D4) or (free1 or (v53 <= m2 or (v29 <= m1 or (v52 <= m2 or (v51 <= m2 or (v28
+                <= m1 or (v50 <= m2 or (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or
                 not (merge_slack1 * (merge_slack1 + v7) < D1)) or v27 <= m1))))))))
             )
             work[1536 + k] = c1_pp
@@ -1422,124 +1426,125 @@ def _in_tiles(T, q_free, q, status):
             work[1632 + k] = s1_pp
             work[1664 + k] = s1_mp
             work[1696 + k] = s1_mm
-            work[1728 + k] = v30
-            work[1760 + k] = v31
-            work[1792 + k] = v32
-            work[1824 + k] = s2_pp
-            work[1856 + k] = s2_mp
-            work[1888 + k] = s2_mm
-            work[1920 + k] = X5_pp
-            work[1952 + k] = X5_mp
-            work[1984 + k] = X5_mm
-            work[2016 + k] = Y5_pp
-            work[2048 + k] = v52
-            work[2080 + k] = Y5_mp
-            work[2112 + k] = Y5_mm
-            work[2144 + k] = v74
-            work[2176 + k] = v75
-            work[2208 + k] = v77
-            work[2240 + k] = v78
-            work[2272 + k] = v79
-            work[2304 + k] = v80
-            work[2336 + k] = v84
-            work[2368 + k] = v85
-            work[2400 + k] = v86
-            work[2432 + k] = v107
-            work[2464 + k] = v108
-            work[2496 + k] = q3_ppp
-            work[2528 + k] = q4_ppp
-            work[2560 + k] = q4_mpp
-            work[2592 + k] = doubt1
-            work[2624 + k] = Y5_pp
-            work[2656 + k] = -v52
-            work[2688 + k] = Y5_mp
-            work[2720 + k] = Y5_mm
-            work[2752 + k] = (
-                -(X5_pp * (c3 * v75 - (s2_pp * v74 - v30 * (s3 * (c1_pp * T11 + s1_pp * T21)))) +
-                Y5_pp * (v30 * (v81 - (c1_pp * v79 + s1_pp * v80)) + s2_pp * (v84 + (c1_pp * v82 +
-                s1_pp * v83)) + v4 * (s3 * v75)))
+            work[1728 + k] = S2_pp
+            work[1760 + k] = S2_mp
+            work[1792 + k] = v24
+            work[1824 + k] = v25
+            work[1856 + k] = factor2_pp
+            work[1888 + k] = factor2_pm
+            work[1920 + k] = factor2_mm
+            work[1952 + k] = X5_pp
+            work[1984 + k] = X5_mp
+            work[2016 + k] = X5_mm
+            work[2048 + k] = Y5_pp
+            work[2080 + k] = v49
+            work[2112 + k] = Y5_mp
+            work[2144 + k] = Y5_mm
+            work[2176 + k] = v71
+            work[2208 + k] = v72
+            work[2240 + k] = v74
+            work[2272 + k] = v75
+            work[2304 + k] = v76
+            work[2336 + k] = v77
+            work[2368 + k] = v81
+            work[2400 + k] = v82
+            work[2432 + k] = v83
+            work[2464 + k] = v104
+            work[2496 + k] = v105
+            work[2528 + k] = q3_ppp
+            work[2560 + k] = q4_ppp
+            work[2592 + k] = q4_mpp
+            work[2624 + k] = doubt1
+            work[2656 + k] = Y5_pp
+            work[2688 + k] = -v49
+            work[2720 + k] = Y5_mp
+            work[2752 + k] = Y5_mm
+            work[2784 + k] = (
+                -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp *
+                T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp
+                * v77)) + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80)))))
             )
-            work[2784 + k] = v86
-            work[2816 + k] = (
-                -(X5_mp * (c3 * v77 - (v85 - v31 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp *
-                (s2_mp * (v84 + (v14 * v82 - s1_mp * v83)) - v31 * (v81 + (s1_mp * v80 - v14 * v79))
-                + v4 * (s3 * v77)))
-            )
+            work[2816 + k] = v83
             work[2848 + k] = (
-                -(X5_mm * (c3 * v78 - (s2_mm * v74 - v32 * (s3 * (s1_mm * T21 - v15 * T11)))) +
-                Y5_mm * (s2_mm * (v84 + (v15 * v82 - s1_mm * v83)) - v32 * (v81 + (s1_mm * v80 - v15
-                * v79)) + v4 * (s3 * v78)))
+                -(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) +
+                Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) -
+                v25 * (v78 + (s1_mp * v77 - v14 * v76)))))
             )
-            work[2880 + k] = s1_pp
-            work[2912 + k] = s1_pm
-            work[2944 + k] = s1_mp
-            work[2976 + k] = s1_mm
-            work[3008 + k] = S2_pp
-            work[3040 + k] = -S2_mp
-            work[3072 + k] = S2_mp
-            work[3104 + k] = -S2_pp
-            work[3136 + k] = math.sqrt(v53)
-            work[3168 + k] = math.sqrt(v54)
-            work[3200 + k] = math.sqrt(v55)
-            work[3232 + k] = math.sqrt(v56)
-            work[3264 + k] = -X5_pp
-            work[3296 + k] = -X5_pm
-            work[3328 + k] = -X5_mp
-            work[3360 + k] = -X5_mm
-            work[3392 + k] = (
-                -(X5_pp * (c3 * v64 - (s2_pp * v63 - v30 * (s3 * (c1_pp * T12 + s1_pp * T22)))) +
-                Y5_pp * (v30 * (v70 - (c1_pp * v68 + s1_pp * v69)) + s2_pp * (v73 + (c1_pp * v71 +
-                s1_pp * v72)) + v4 * (s3 * v64)))
+            work[2880 + k] = (
+                -(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 *
+                T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp * (v81 + (v15 * v79 -
+                s1_mm * v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76)))))
             )
+            work[2912 + k] = s1_pp
+            work[2944 + k] = s1_pm
+            work[2976 + k] = s1_mp
+            work[3008 + k] = s1_mm
+            work[3040 + k] = S2_pp
+            work[3072 + k] = -S2_mp
+            work[3104 + k] = S2_mp
+            work[3136 + k] = -S2_pp
+            work[3168 + k] = math.sqrt(v50)
+            work[3200 + k] = math.sqrt(v51)
+            work[3232 + k] = math.sqrt(v52)
+            work[3264 + k] = math.sqrt(v53)
+            work[3296 + k] = -X5_pp
+            work[3328 + k] = -X5_pm
+            work[3360 + k] = -X5_mp
+            work[3392 + k] = -X5_mm
             work[3424 + k] = (
-                v52 * (v31 * (v70 - (c1_pm * v68 + s1_pm * v69)) - s2_mp * (v73 + (c1_pm * v71 +
-                s1_pm * v72)) + v4 * (s3 * v65)) - X5_pm * (c3 * v65 + (v87 + v31 * (s3 * (c1_pm *
-                T12 + s1_pm * T22))))
+                -(X5_pp * (c3 * v61 - factor2_pp * (S2_pp * v60 - v24 * (s3 * (c1_pp * T12 + s1_pp *
+                T22)))) + Y5_pp * (v4 * (s3 * v61) + factor2_pp * (v24 * (v67 - (c1_pp * v65 + s1_pp
+                * v66)) + S2_pp * (v70 + (c1_pp * v68 + s1_pp * v69)))))
             )
             work[3456 + k] = (
-                -(X5_mp * (c3 * v66 - (v87 - v31 * (s3 * (s1_mp * T22 - v14 * T12)))) + Y5_mp *
-                (s2_mp * (v73 + (v14 * v71 - s1_mp * v72)) - v31 * (v70 + (s1_mp * v69 - v14 * v68))
-                + v4 * (s3 * v66)))
+                v49 * (v4 * (s3 * v62) + factor2_pm * (v25 * (v67 - (c1_pm * v65 + s1_pm * v66)) -
+                S2_mp * (v70 + (c1_pm * v68 + s1_pm * v69)))) - X5_pm * (c3 * v62 + factor2_pm *
+                (v84 + v25 * (s3 * (c1_pm * T12 + s1_pm * T22))))
             )
             work[3488 + k] = (
-                -(X5_mm * (c3 * v67 - (s2_mm * v63 - v32 * (s3 * (s1_mm * T22 - v15 * T12)))) +
-                Y5_mm * (s2_mm * (v73 + (v15 * v71 - s1_mm * v72)) - v32 * (v70 + (s1_mm * v69 - v15
-                * v68)) + v4 * (s3 * v67)))
+                -(X5_mp * (c3 * v63 - factor2_pm * (v84 - v25 * (s3 * (s1_mp * T22 - v14 * T12)))) +
+                Y5_mp * (v4 * (s3 * v63) + factor2_pm * (S2_mp * (v70 + (v14 * v68 - s1_mp * v69)) -
+                v25 * (v67 + (s1_mp * v66 - v14 * v65)))))
             )
-            work[3520 + k] = c1_pp
-            work[3552 + k] = c1_pm
-            work[3584 + k] = -v14
-            work[3616 + k] = -v15
-            work[3648 + k] = -v24
-            work[3680 + k] = -v25
+            work[3520 + k] = (
+                -(X5_mm * (c3 * v64 - factor2_mm * (-S2_pp * v60 - v24 * (s3 * (s1_mm * T22 - v15 *
+                T12)))) + Y5_mm * (v4 * (s3 * v64) + factor2_mm * (-S2_pp * (v70 + (v15 * v68 -
+                s1_mm * v69)) - v24 * (v67 + (s1_mm * v66 - v15 * v65)))))
+            )
+            work[3552 + k] = c1_pp
+            work[3584 + k] = c1_pm
+            work[3616 + k] = -v14
+            work[3648 + k] = -v15
+            work[3680 + k] = -v24
             work[3712 + k] = -v25
-            work[3744 + k] = -v24
-            work[3776 + k] = (
-                v6 * v46 - (s2_pp * (c1_pp * v60 + s1_pp * v61 - v62) + v30 * (v59 + (c1_pp * v57 +
-                s1_pp * v58)))
-            )
+            work[3744 + k] = -v25
+            work[3776 + k] = -v24
             work[3808 + k] = (
-                v6 * v47 - (v31 * (v59 + (c1_pm * v57 + s1_pm * v58)) - s2_mp * (c1_pm * v60 + s1_pm
-                * v61 - v62))
+                v6 * v43 - factor2_pp * (S2_pp * (c1_pp * v57 + s1_pp * v58 - v59) + v24 * (v56 +
+                (c1_pp * v54 + s1_pp * v55)))
             )
             work[3840 + k] = (
-                -(v6 * v48 + (s2_mp * (v62 + (s1_mp * v61 - v14 * v60)) + v31 * (v59 + (v14 * v57 -
-                s1_mp * v58))))
+                v6 * v44 - factor2_pm * (v25 * (v56 + (c1_pm * v54 + s1_pm * v55)) - S2_mp * (c1_pm
+                * v57 + s1_pm * v58 - v59))
             )
             work[3872 + k] = (
-                -(v6 * v49 + (s2_mm * (v62 + (s1_mm * v61 - v15 * v60)) + v32 * (v59 + (v15 * v57 -
-                s1_mm * v58))))
+                -(v6 * v45 + factor2_pm * (S2_mp * (v59 + (s1_mp * v58 - v14 * v57)) + v25 * (v56 +
+                (v14 * v54 - s1_mp * v55))))
             )
-        for k in range(2624, 3264):
+            work[3904 + k] = (
+                -(v6 * v46 + factor2_mm * (-S2_pp * (v59 + (s1_mm * v58 - v15 * v57)) + v24 * (v56 +
+                (v15 * v54 - s1_mm * v55))))
+            )
+        for k in range(2656, 3296):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
             T11 = work[0 + k]
             T21 = work[128 + k]
             v4 = work[736 + k]
-            v81 = work[1280 + k]
-            v82 = work[1312 + k]
-            v83 = work[1344 + k]
-            v106 = work[1376 + k] != 0.0
+            v78 = work[1280 + k]
+            v79 = work[1312 + k]
+            v80 = work[1344 + k]
+            v103 = work[1376 + k] != 0.0
             s3 = work[1408 + k]
             c3 = work[1440 + k]
             c1_pp = work[1536 + k]
@@ -1548,247 +1553,251 @@ def _in_tiles(T, q_free, q, status):
             s1_pp = work[1632 + k]
             s1_mp = work[1664 + k]
             s1_mm = work[1696 + k]
-            v30 = work[1728 + k]
-            v31 = work[1760 + k]
-            v32 = work[1792 + k]
-            s2_pp = work[1824 + k]
-            s2_mp = work[1856 + k]
-            s2_mm = work[1888 + k]
-            X5_pp = work[1920 + k]
-            X5_mp = work[1952 + k]
-            X5_mm = work[1984 + k]
-            Y5_pp = work[2016 + k]
-            v52 = work[2048 + k]
-            Y5_mp = work[2080 + k]
-            Y5_mm = work[2112 + k]
-            v74 = work[2144 + k]
-            v75 = work[2176 + k]
-            v77 = work[2208 + k]
-            v78 = work[2240 + k]
-            v79 = work[2272 + k]
-            v80 = work[2304 + k]
-            v84 = work[2336 + k]
-            v85 = work[2368 + k]
-            v86 = work[2400 + k]
-            v107 = work[2432 + k] != 0.0
-            v108 = work[2464 + k] != 0.0
-            q3_ppp = work[2496 + k]
-            q4_ppp = work[2528 + k]
-            q4_mpp = work[2560 + k]
-            doubt1 = work[2592 + k] != 0.0
-            angle1 = work[2624 + k]
-            angle1_ = work[2656 + k]
-            angle1__ = work[2688 + k]
-            angle1___ = work[2720 + k]
-            angle1____ = work[2752 + k]
-            angle1_____ = work[2784 + k]
-            angle1______ = work[2816 + k]
-            angle1_______ = work[2848 + k]
-            angle1________ = work[2880 + k]
-            angle1_________ = work[2912 + k]
-            angle1__________ = work[2944 + k]
-            angle1___________ = work[2976 + k]
-            angle1____________ = work[3008 + k]
-            angle1_____________ = work[3040 + k]
-            angle1______________ = work[3072 + k]
-            angle1_______________ = work[3104 + k]
-            angle1_________________ = work[3136 + k]
-            angle1__________________ = work[3168 + k]
-            angle1___________________ = work[3200 + k]
-            angle1____________________ = work[3232 + k]
+            S2_pp = work[1728 + k]
+            S2_mp = work[1760 + k]
+            v24 = work[1792 + k]
+            v25 = work[1824 + k]
+            factor2_pp = work[1856 + k]
+            factor2_pm = work[1888 + k]
+            factor2_mm = work[1920 + k]
+            X5_pp = work[1952 + k]
+            X5_mp = work[1984 + k]
+            X5_mm = work[2016 + k]
+            Y5_pp = work[2048 + k]
+            v49 = work[2080 + k]
+            Y5_mp = work[2112 + k]
+            Y5_mm = work[2144 + k]
+            v71 = work[2176 + k]
+            v72 = work[2208 + k]
+            v74 = work[2240 + k]
+            v75 = work[2272 + k]
+            v76 = work[2304 + k]
+            v77 = work[2336 + k]
+            v81 = work[2368 + k]
+            v82 = work[2400 + k]
+            v83 = work[2432 + k]
+            v104 = work[2464 + k] != 0.0
+            v105 = work[2496 + k] != 0.0
+            q3_ppp = work[2528 + k]
+            q4_ppp = work[2560 + k]
+            q4_mpp = work[2592 + k]
+            doubt1 = work[2624 + k] != 0.0
+            angle1 = work[2656 + k]
+            angle1_ = work[2688 + k]
+            angle1__ = work[2720 + k]
+            angle1___ = work[2752 + k]
+            angle1____ = work[2784 + k]
+            angle1_____ = work[2816 + k]
+            angle1______ = work[2848 + k]
+            angle1_______ = work[2880 + k]
+            angle1________ = work[2912 + k]
+            angle1_________ = work[2944 + k]
+            angle1__________ = work[2976 + k]
+            angle1___________ = work[3008 + k]
+            angle1____________ = work[3040 + k]
+            angle1_____________ = work[3072 + k]
+            angle1______________ = work[3104 + k]
+            angle1_______________ = work[3136 + k]
+            angle1_________________ = work[3168 + k]
+            angle1__________________ = work[3200 + k]
+            angle1___________________ = work[3232 + k]
+            angle1____________________ = work[3264 + k]
             q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-            q5_pmm = angle1_ - math.copysign(half_turn, -v52) * h1
+            q5_pmm = angle1_ - math.copysign(half_turn, -v49) * h1
             q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
             q5_mmm = angle1___ - math.copysign(half_turn, Y5_mm) * h1
             q7_ppm = (
-                angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v75 - (s2_pp * v74 - v30
-                * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v30 * (v81 - (c1_pp * v79 + s1_pp
-                * v80)) + s2_pp * (v84 + (c1_pp * v82 + s1_pp * v83)) + v4 * (s3 * v75))))
+                angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp
+                * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) +
+                factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp *
+                v79 + s1_pp * v80))))))
             )
-            q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v86)
+            q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v83)
             q7_mpm = (
-                angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v77 - (v85 - v31 * (s3
-                * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (s2_mp * (v84 + (v14 * v82 - s1_mp * v83))
-                - v31 * (v81 + (s1_mp * v80 - v14 * v79)) + v4 * (s3 * v77))))
+                angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v74 - factor2_pm * (v82
+                - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm *
+                (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 *
+                v76))))))
             )
             q7_mmm = (
-                angle1_______ - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v78 - (s2_mm * v74 -
-                v32 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (s2_mm * (v84 + (v15 * v82 -
-                s1_mm * v83)) - v32 * (v81 + (s1_mm * v80 - v15 * v79)) + v4 * (s3 * v78))))
+                angle1_______ - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v75 - factor2_mm *
+                (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75)
+                + factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm *
+                v77 - v15 * v76))))))
             )
-            v88 = angle1________ - offset1
-            v89 = angle1_________ - offset1
-            v90 = angle1__________ - offset1
-            v91 = angle1___________ - offset1
-            q1_ppp = v88 + (m4 if v88 <= -half_turn else 0.0)
-            q1_pmp = v89 + (m4 if v89 <= -half_turn else 0.0)
-            q1_mpp = v90 + (m4 if v90 <= -half_turn else 0.0)
-            q1_mmp = v91 + (m4 if v91 <= -half_turn else 0.0)
-            v92 = angle1____________ - offset2
-            v93 = angle1_____________ - offset2
-            v94 = angle1______________ - offset2
-            v95 = angle1_______________ - offset2
-            q2_ppp = v92 + (m4 if v92 <= -half_turn else 0.0)
-            q2_pmp = v93 + (m4 if v93 <= -half_turn else 0.0)
-            q2_mpp = v94 + (m4 if v94 <= -half_turn else 0.0)
-            q2_mmp = v95 + (m4 if v95 <= -half_turn else 0.0)
-            v98 = angle1_________________ - offset6
-            v99 = offset6 + angle1_________________
-            v100 = angle1__________________ - offset6
-            v101 = offset6 + angle1__________________
-            v102 = angle1___________________ - offset6
-            v103 = offset6 + angle1___________________
-            v104 = angle1____________________ - offset6
-            v105 = offset6 + angle1____________________
-            q6_ppp = v98 + (m4 if v98 <= -half_turn else 0.0)
-            q6_ppm = (m4 if -v99 <= -half_turn else 0.0) - v99
-            q6_pmp = v100 + (m4 if v100 <= -half_turn else 0.0)
-            q6_pmm = (m4 if -v101 <= -half_turn else 0.0) - v101
-            q6_mpp = v102 + (m4 if v102 <= -half_turn else 0.0)
-            q6_mpm = (m4 if -v103 <= -half_turn else 0.0) - v103
-            q6_mmp = v104 + (m4 if v104 <= -half_turn else 0.0)
-            q6_mmm = (m4 if -v105 <= -half_turn else 0.0) - v105
-            v109 = (
-                v107 or (v106 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 <
+            v85 = angle1________ - offset1
+            v86 = angle1_________ - offset1
+            v87 = angle1__________ - offset1
+            v88 = angle1___________ - offset1
+            q1_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
+            q1_pmp = v86 + (m4 if v86 <= -half_turn else 0.0)
+            q1_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
+            q1_mmp = v88 + (m4 if v88 <= -half_turn else 0.0)
+            v89 = angle1____________ - offset2
+            v90 = angle1_____________ - offset2
+            v91 = angle1______________ - offset2
+            v92 = angle1_______________ - offset2
+            q2_ppp = v89 + (m4 if v89 <= -half_turn else 0.0)
+            q2_pmp = v90 + (m4 if v90 <= -half_turn else 0.0)
+            q2_mpp = v91 + (m4 if v91 <= -half_turn else 0.0)
+            q2_mmp = v92 + (m4 if v92 <= -half_turn else 0.0)
+            v95 = angle1_________________ - offset6
+            v96 = offset6 + angle1_________________
+            v97 = angle1__________________ - offset6
+            v98 = offset6 + angle1__________________
+            v99 = angle1___________________ - offset6
+            v100 = offset6 + angle1___________________
+            v101 = angle1____________________ - offset6
+            v102 = offset6 + angle1____________________
+            q6_ppp = v95 + (m4 if v95 <= -half_turn else 0.0)
+            q6_ppm = (m4 if -v96 <= -half_turn else 0.0) - v96
+            q6_pmp = v97 + (m4 if v97 <= -half_turn else 0.0)
+            q6_pmm = (m4 if -v98 <= -half_turn else 0.0) - v98
+            q6_mpp = v99 + (m4 if v99 <= -half_turn else 0.0)
+            q6_mpm = (m4 if -v100 <= -half_turn else 0.0) - v100
+            q6_mmp = v101 + (m4 if v101 <= -half_turn else 0.0)
+            q6_mmm = (m4 if -v102 <= -half_turn else 0.0) - v102
+            v106 = (
+                v104 or (v103 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 <
                 q2_ppp)))
             )
-            v110 = (
-                v107 or (v106 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 <
+            v107 = (
+                v104 or (v103 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 <
                 q2_pmp)))
             )
-            v111 = (
-                v108 or (v106 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 <
+            v108 = (
+                v105 or (v103 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 <
                 q2_mpp)))
             )
-            v112 = (
-                v108 or (v106 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 <
+            v109 = (
+                v105 or (v103 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 <
                 q2_mmp)))
             )
             outside_ppp = (
-                angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v109
+                angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v106
                 or (angle1 < low5 or high5 < angle1)))
             )
             outside_ppm = (
-                q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v109 or
+                q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v106 or
                 (q5_ppm < low5 or high5 < q5_ppm)))
             )
             outside_pmp = (
                 angle1_____ < low7 or high7 < angle1_____ or (q6_pmp < low6 or high6 < q6_pmp or
-                (v110 or (angle1_ < low5 or high5 < angle1_)))
+                (v107 or (angle1_ < low5 or high5 < angle1_)))
             )
             outside_pmm = (
-                q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v110 or
+                q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v107 or
                 (q5_pmm < low5 or high5 < q5_pmm)))
             )
             outside_mpp = (
                 angle1______ < low7 or high7 < angle1______ or (q6_mpp < low6 or high6 < q6_mpp or
-                (v111 or (angle1__ < low5 or high5 < angle1__)))
+                (v108 or (angle1__ < low5 or high5 < angle1__)))
             )
             outside_mpm = (
-                q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v111 or
+                q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v108 or
                 (q5_mpm < low5 or high5 < q5_mpm)))
             )
             outside_mmp = (
                 angle1_______ < low7 or high7 < angle1_______ or (q6_mmp < low6 or high6 < q6_mmp or
-                (v112 or (angle1___ < low5 or high5 < angle1___)))
+                (v109 or (angle1___ < low5 or high5 < angle1___)))
             )
             outside_mmm = (
-                q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v112 or
+                q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v109 or
                 (q5_mmm < low5 or high5 < q5_mmm)))
             )
-            _3904 = q1_ppp
-            work[3904 + k] = _3904
-            _3936 = q2_ppp
+            _3936 = q1_ppp
             work[3936 + k] = _3936
-            _3968 = q3_ppp
+            _3968 = q2_ppp
             work[3968 + k] = _3968
-            _4000 = q4_ppp
+            _4000 = q3_ppp
             work[4000 + k] = _4000
-            _4032 = angle1
+            _4032 = q4_ppp
             work[4032 + k] = _4032
-            _4064 = q6_ppp
+            _4064 = angle1
             work[4064 + k] = _4064
-            _4096 = angle1____
+            _4096 = q6_ppp
             work[4096 + k] = _4096
-            _4128 = q5_ppm
+            _4128 = angle1____
             work[4128 + k] = _4128
-            _4160 = q6_ppm
+            _4160 = q5_ppm
             work[4160 + k] = _4160
-            _4192 = q7_ppm
+            _4192 = q6_ppm
             work[4192 + k] = _4192
-            _4224 = q1_pmp
+            _4224 = q7_ppm
             work[4224 + k] = _4224
-            _4256 = q2_pmp
+            _4256 = q1_pmp
             work[4256 + k] = _4256
-            _4288 = angle1_
+            _4288 = q2_pmp
             work[4288 + k] = _4288
-            _4320 = q6_pmp
+            _4320 = angle1_
             work[4320 + k] = _4320
-            _4352 = angle1_____
+            _4352 = q6_pmp
             work[4352 + k] = _4352
-            _4384 = q5_pmm
+            _4384 = angle1_____
             work[4384 + k] = _4384
-            _4416 = q6_pmm
+            _4416 = q5_pmm
             work[4416 + k] = _4416
-            _4448 = q7_pmm
+            _4448 = q6_pmm
             work[4448 + k] = _4448
-            _4480 = q1_mpp
+            _4480 = q7_pmm
             work[4480 + k] = _4480
-            _4512 = q2_mpp
+            _4512 = q1_mpp
             work[4512 + k] = _4512
-            _4544 = q4_mpp
+            _4544 = q2_mpp
             work[4544 + k] = _4544
-            _4576 = angle1__
+            _4576 = q4_mpp
             work[4576 + k] = _4576
-            _4608 = q6_mpp
+            _4608 = angle1__
             work[4608 + k] = _4608
-            _4640 = angle1______
+            _4640 = q6_mpp
             work[4640 + k] = _4640
-            _4672 = q5_mpm
+            _4672 = angle1______
             work[4672 + k] = _4672
-            _4704 = q6_mpm
+            _4704 = q5_mpm
             work[4704 + k] = _4704
-            _4736 = q7_mpm
+            _4736 = q6_mpm
             work[4736 + k] = _4736
-            _4768 = q1_mmp
+            _4768 = q7_mpm
             work[4768 + k] = _4768
-            _4800 = q2_mmp
+            _4800 = q1_mmp
             work[4800 + k] = _4800
-            _4832 = angle1___
+            _4832 = q2_mmp
             work[4832 + k] = _4832
-            _4864 = q6_mmp
+            _4864 = angle1___
             work[4864 + k] = _4864
-            _4896 = angle1_______
+            _4896 = q6_mmp
             work[4896 + k] = _4896
-            _4928 = q5_mmm
+            _4928 = angle1_______
             work[4928 + k] = _4928
-            _4960 = q6_mmm
+            _4960 = q5_mmm
             work[4960 + k] = _4960
-            _4992 = q7_mmm
+            _4992 = q6_mmm
             work[4992 + k] = _4992
-            work[5024 + k] = (
-                UNREACHABLE if _3904 != _3904 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
+            _5024 = q7_mmm
+            work[5024 + k] = _5024
             work[5056 + k] = (
-                UNREACHABLE if _3904 != _3904 else (OUT_OF_LIMITS if outside_ppm else OK)
+                UNREACHABLE if _3936 != _3936 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[5088 + k] = (
-                UNREACHABLE if _4224 != _4224 else (OUT_OF_LIMITS if outside_pmp else OK)
+                UNREACHABLE if _3936 != _3936 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
             work[5120 + k] = (
-                UNREACHABLE if _4224 != _4224 else (OUT_OF_LIMITS if outside_pmm else OK)
+                UNREACHABLE if _4256 != _4256 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[5152 + k] = (
-                UNREACHABLE if _4480 != _4480 else (OUT_OF_LIMITS if outside_mpp else OK)
+                UNREACHABLE if _4256 != _4256 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
             work[5184 + k] = (
-                UNREACHABLE if _4480 != _4480 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _4512 != _4512 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[5216 + k] = (
-                UNREACHABLE if _4768 != _4768 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _4512 != _4512 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
             work[5248 + k] = (
-                UNREACHABLE if _4768 != _4768 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _4800 != _4800 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[5280 + k] = (
+                UNREACHABLE if _4800 != _4800 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[544 + k] = 1.0 if doubt1 else work[544 + k]
         for k in range(count):

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef KUKA_KR210_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef KUKA_KR210_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -536,9 +539,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1 = d7 * T23 - T24;
     const wide v1 = t14 * t14 + Y1 * Y1;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
-    const wide v2 = t14 * factor1;
-    const wide s1 = Y1 * factor1;
+    const wide v2 = 1.0 / v1;
     const wide angle1 = atan2_wide(Y1, -t14);
 
     /* theta3 */
@@ -601,12 +602,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s23_pm = c3_pm * S2_pm - v10 * C2_pm;
     const wide s23_mp = c3_mp * S2_mp - v12 * C2_mp;
     const wide s23_mm = c3_mm * S2_mm - v13 * C2_mm;
-    const wide v25 = T23 * s1 - T13 * v2;
+    const wide v25 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const wide X4_pp = c23_pp * v25 - T33 * s23_pp;
     const wide X4_pm = c23_pm * v25 - T33 * s23_pm;
     const wide v26 = c23_mp * v25 + T33 * s23_mp;
     const wide v27 = c23_mm * v25 + T33 * s23_mm;
-    const wide v28 = T23 * v2 + T13 * s1;
+    const wide v28 = w1 * (v2 * (T13 * Y1 + t14 * T23));
     const wide v29 = v28 * v28;
     const wide v30 = v29 + factor2_p * (X4_pp * (factor2_p * X4_pp));
     const wide v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm));
@@ -636,10 +637,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         * v25)));
 
     /* theta6 */
-    const wide v38 = v2 * T22 + s1 * T12;
-    const wide v39 = s1 * T22 - v2 * T12;
-    const wide v40 = v2 * T21 + s1 * T11;
-    const wide v41 = s1 * T21 - v2 * T11;
+    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12));
+    const wide v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const wide v40 = w1 * (v2 * (t14 * T21 + Y1 * T11));
+    const wide v41 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const wide v42 = -X4_pp * v40 + v28 * (c23_pp * v41 - s23_pp * T31);
     const wide v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31);
     const wide v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40;
@@ -756,9 +757,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = t14 * t14 + Y1 * Y1;
     const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double factor1 = 1.0 / w1;
-    const double v2 = t14 * factor1;
-    const double s1 = Y1 * factor1;
+    const double v2 = 1.0 / v1;
     const double v3 = copysign(half_turn, Y1);
 
     /* theta3 */
@@ -786,19 +785,19 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta4 */
     const four c23 = c3 * C2 + v8 * S2;
     const four s23 = c3 * S2 - v8 * C2;
-    const double v14 = T23 * s1 - T13 * v2;
+    const double v14 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const four X4 = e1 * (c23 * v14) - T33 * s23;
-    const double v15 = T23 * v2 + T13 * s1;
+    const double v15 = w1 * (v2 * (T13 * Y1 + t14 * T23));
     const double v16 = v15 * v15;
     const four v17 = v16 + factor2 * (X4 * (factor2 * X4));
     const four_mask doubt3 = v17 <= m9;
     const four v18 = copysign_four(all_four(half_turn), -(e1 * v15)) * h1;
 
     /* theta6 */
-    const double v19 = v2 * T22 + s1 * T12;
-    const double v20 = s1 * T22 - v2 * T12;
-    const double v21 = v2 * T21 + s1 * T11;
-    const double v22 = s1 * T21 - v2 * T11;
+    const double v19 = w1 * (v2 * (t14 * T22 + Y1 * T12));
+    const double v20 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const double v21 = w1 * (v2 * (t14 * T21 + Y1 * T11));
+    const double v22 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const four v23 = e1 * (-X4 * v21 + v15 * (e1 * (c23 * v22) - s23 * T31));
 
     /* joint values */

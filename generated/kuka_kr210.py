@@ -503,9 +503,7 @@ def _regular(pose, q, status):
     Y1 = d7 * T23 - T24
     v1 = t14 * t14 + Y1 * Y1
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = t14 * factor1
-    s1 = Y1 * factor1
+    v2 = 1.0 / v1
     angle1 = _atan2(Y1, -t14)
 
     # theta3, type 6: U1[3, 4] and U1[1, 4]
@@ -568,12 +566,12 @@ def _regular(pose, q, status):
     s23_pm = c3_pm * S2_pm - v10 * C2_pm
     s23_mp = c3_mp * S2_mp - v12 * C2_mp
     s23_mm = c3_mm * S2_mm - v13 * C2_mm
-    v25 = T23 * s1 - T13 * v2
+    v25 = w1 * (v2 * (T23 * Y1 - T13 * t14))
     X4_pp = c23_pp * v25 - T33 * s23_pp
     X4_pm = c23_pm * v25 - T33 * s23_pm
     v26 = c23_mp * v25 + T33 * s23_mp
     v27 = c23_mm * v25 + T33 * s23_mm
-    v28 = T23 * v2 + T13 * s1
+    v28 = w1 * (v2 * (T13 * Y1 + t14 * T23))
     v29 = v28 * v28
     v30 = v29 + factor2_p * (X4_pp * (factor2_p * X4_pp))
     v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm))
@@ -599,10 +597,10 @@ def _regular(pose, q, status):
     angle1____________ = _atan2(math.sqrt(v35), -(factor2_m * (T33 * c23_mm - s23_mm * v25)))
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
-    v38 = v2 * T22 + s1 * T12
-    v39 = s1 * T22 - v2 * T12
-    v40 = v2 * T21 + s1 * T11
-    v41 = s1 * T21 - v2 * T11
+    v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
+    v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
+    v40 = w1 * (v2 * (t14 * T21 + Y1 * T11))
+    v41 = w1 * (v2 * (Y1 * T21 - t14 * T11))
     v42 = -X4_pp * v40 + v28 * (c23_pp * v41 - s23_pp * T31)
     v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31)
     v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40
@@ -884,9 +882,7 @@ def _in_tiles(T, q, status):
             Y1 = d7 * T23 - T24
             v1 = t14 * t14 + Y1 * Y1
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = t14 * factor1
-            s1 = Y1 * factor1
+            v2 = 1.0 / v1
             Z1_3 = T34 - d7 * T33 - d1
             v3 = a1 + w1
             v4 = a1 - w1
@@ -938,12 +934,12 @@ def _in_tiles(T, q, status):
             s23_pm = c3_pm * S2_pm - v10 * C2_pm
             s23_mp = c3_mp * S2_mp - v12 * C2_mp
             s23_mm = c3_mm * S2_mm - v13 * C2_mm
-            v25 = T23 * s1 - T13 * v2
+            v25 = w1 * (v2 * (T23 * Y1 - T13 * t14))
             X4_pp = c23_pp * v25 - T33 * s23_pp
             X4_pm = c23_pm * v25 - T33 * s23_pm
             v26 = c23_mp * v25 + T33 * s23_mp
             v27 = c23_mm * v25 + T33 * s23_mm
-            v28 = T23 * v2 + T13 * s1
+            v28 = w1 * (v2 * (T13 * Y1 + t14 * T23))
             v29 = v28 * v28
             v30 = v29 + factor2_p * (X4_pp * (factor2_p * X4_pp))
             v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm))
@@ -953,10 +949,10 @@ def _in_tiles(T, q, status):
             v35 = v29 + factor2_m * (v27 * v34)
             v36 = math.copysign(half_turn, -v28) * h1
             v37 = math.copysign(half_turn, v28) * h1
-            v38 = v2 * T22 + s1 * T12
-            v39 = s1 * T22 - v2 * T12
-            v40 = v2 * T21 + s1 * T11
-            v41 = s1 * T21 - v2 * T11
+            v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
+            v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
+            v40 = w1 * (v2 * (t14 * T21 + Y1 * T11))
+            v41 = w1 * (v2 * (Y1 * T21 - t14 * T11))
             v42 = -X4_pp * v40 + v28 * (c23_pp * v41 - s23_pp * T31)
             v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31)
             v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40

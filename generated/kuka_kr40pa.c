@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef KUKA_KR40PA_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef KUKA_KR40PA_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -333,7 +336,7 @@ static const double k1 = 1.2800000000000002; /* 2 * a3 * a2 [m^2] */
 static const double k2 = 0.7812499999999999; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m2 = 0.625; /* a coefficient of v7 */
+static const double m2 = 0.625; /* a coefficient of Y1_2 */
 static const double m3 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const kuka_kr40pa_branches[2] = {
@@ -483,70 +486,71 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta234 */
     const wide v1 = T31 * T31 + T33 * T33;
-    const wide factor234 = 1.0 / sqrt_wide(v1);
-    const wide c234 = T33 * factor234;
-    const wide v2 = T31 * factor234;
+    const wide factor234 = sqrt_wide(v1) * (1.0 / v1);
     const wide angle1 = atan2_wide(-T31, T33);
 
     /* theta1 */
-    const wide v3 = T12 * T12 + T22 * T22;
-    const wide v4 = 1.0 / sqrt_wide(v3);
-    const wide c1 = T22 * v4;
-    const wide v5 = T12 * v4;
+    const wide v2 = T12 * T12 + T22 * T22;
+    const wide v3 = sqrt_wide(v2) * (1.0 / v2);
+    const wide c1 = T22 * v3;
+    const wide v4 = T12 * v3;
 
     /* theta3 */
-    const wide v6 = a4 * v2;
-    const wide Z1_3 = T34 - d1 - v6;
-    const wide v7 = a1 + a4 * c234;
-    const wide Z2_3 = c1 * T14 - v5 * T24 - v7;
+    const wide v5 = factor234 * (a4 * T31);
+    const wide Z1_3 = T34 - d1 - v5;
+    const wide v6 = a1 + factor234 * (a4 * T33);
+    const wide Z2_3 = c1 * T14 - v4 * T24 - v6;
     const wide N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide angle1_ = atan2_wide(w3, N3 - k1);
 
     /* theta2 */
-    const wide v8 = w3 * (m2 * Z2_3);
-    const wide v9 = w3 * (m2 * -Z2_3);
-    const wide v10 = m2 * (Z1_3 * N3);
-    const wide v11 = v8 + v10;
-    const wide v12 = v9 + v10;
-    const wide v13 = m2 * (Z2_3 * N3);
+    const wide v7 = w3 * (m2 * Z2_3);
+    const wide v8 = w3 * (m2 * -Z2_3);
+    const wide v9 = m2 * (Z1_3 * N3);
+    const wide v10 = v7 + v9;
+    const wide v11 = v8 + v9;
+    const wide v12 = m2 * (Z2_3 * N3);
     const wide factor2 = 1.0 / N3;
-    const wide v14 = m2 * (N3 * -Z1_3);
-    const wide angle1__ = atan2_wide(-v11, v13 - w3 * (m2 * Z1_3));
-    const wide angle1___ = atan2_wide(-v12, v13 - w3 * (m2 * -Z1_3));
+    const wide v13 = m2 * (N3 * -Z1_3);
+    const wide angle1__ = atan2_wide(-v10, v12 - w3 * (m2 * Z1_3));
+    const wide angle1___ = atan2_wide(-v11, v12 - w3 * (m2 * -Z1_3));
 
     /* is the pose one that the arm can take? */
-    const wide v15 = v7 + Z2_3;
-    const wide v16 = d1 + v6;
-    const double v17 = sqrt(-1.0);
-    const wide v18 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32) <= pose_slack)
-        & ((abs_wide(T31 - v2) <= pose_slack) & ((abs_wide(T23 - v2 * v5) <= pose_slack) &
-        ((abs_wide(T22 - c1) <= pose_slack) & ((abs_wide(T21 + c234 * v5) <= pose_slack) &
-        ((abs_wide(T13 + v2 * c1) <= pose_slack) & ((abs_wide(T11 - c234 * c1) <= pose_slack) &
-        (abs_wide(T12 - v5) <= pose_slack)))))))), all_wide(0.0), all_wide(v17));
-    const wide_mask v19 = (abs_wide(T14 - c1 * v15) <= pose_slack1) & (abs_wide(T24 + v5 * v15) <=
-        pose_slack1);
-    const wide v20 = pick_wide(v19 & (abs_wide(T34 + (factor2 * (a3 * (v8 + v14)) - (v16 + factor2 *
-        (a2 * v11)))) <= pose_slack1), all_wide(0.0), all_wide(v17));
-    const wide v21 = pick_wide(v19 & (abs_wide(T34 + (factor2 * (a3 * (v9 + v14)) - (v16 + factor2 *
-        (a2 * v12)))) <= pose_slack1), all_wide(0.0), all_wide(v17));
+    const wide v14 = v6 + Z2_3;
+    const wide v15 = d1 + v5;
+    const double v16 = sqrt(-1.0);
+    const wide v17 = pick_wide(maximum_wide(abs_wide(T12 - v4), maximum_wide(abs_wide(T11 -
+        factor234 * (T33 * c1)), maximum_wide(abs_wide(T13 + factor234 * (T31 * c1)),
+        maximum_wide(abs_wide(T21 + factor234 * (T33 * v4)), maximum_wide(abs_wide(T22 - c1),
+        maximum_wide(abs_wide(T23 - factor234 * (T31 * v4)), maximum_wide(abs_wide(T31 - T31 *
+        factor234), maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32))))))))) <=
+        pose_slack, all_wide(0.0), all_wide(v16));
+    const wide v18 = abs_wide(T14 - c1 * v14);
+    const wide v19 = abs_wide(T24 + v4 * v14);
+    const wide v20 = pick_wide(maximum_wide(v19, maximum_wide(v18, abs_wide(T34 + (factor2 * (a3 *
+        (v7 + v13)) - (v15 + factor2 * (a2 * v10)))))) <= pose_slack1, all_wide(0.0),
+        all_wide(v16));
+    const wide v21 = pick_wide(maximum_wide(v19, maximum_wide(v18, abs_wide(T34 + (factor2 * (a3 *
+        (v8 + v13)) - (v15 + factor2 * (a2 * v11)))))) <= pose_slack1, all_wide(0.0),
+        all_wide(v16));
 
     /* joint values */
     const wide v22 = angle1 - (angle1_ + angle1__);
     const wide v23 = angle1 - (angle1___ - angle1_);
     const wide angle1____ = atan2_wide(-T12, T22);
-    const wide v24 = v18 + (angle1____ + (w3 - w3));
+    const wide v24 = v17 + (angle1____ + (w3 - w3));
     const wide q1_p = v20 + v24;
     const wide q1_m = v21 + v24;
-    const wide q2_p = v20 + (angle1__ + v18);
-    const wide q2_m = v21 + (angle1___ + v18);
-    const wide q3_p = v20 + (angle1_ + v18);
-    const wide q3_m = v21 + (v18 - angle1_);
-    const wide q4_p = v20 + (v18 + (v22 - pick_wide(half_turn < v22, all_wide(m3), all_wide(0.0)) +
+    const wide q2_p = v20 + (angle1__ + v17);
+    const wide q2_m = v21 + (angle1___ + v17);
+    const wide q3_p = v20 + (angle1_ + v17);
+    const wide q3_m = v21 + (v17 - angle1_);
+    const wide q4_p = v20 + (v17 + (v22 - pick_wide(half_turn < v22, all_wide(m3), all_wide(0.0)) +
         pick_wide(v22 <= -half_turn, all_wide(m3), all_wide(0.0))));
-    const wide q4_m = v21 + (v18 + (v23 - pick_wide(half_turn < v23, all_wide(m3), all_wide(0.0)) +
+    const wide q4_m = v21 + (v17 + (v23 - pick_wide(half_turn < v23, all_wide(m3), all_wide(0.0)) +
         pick_wide(v23 <= -half_turn, all_wide(m3), all_wide(0.0))));
-    const wide_mask doubt1 = (v3 <= m1) | ((v1 <= m1) | ((N3 <= free_limit_squared2) |
+    const wide_mask doubt1 = (v2 <= m1) | ((v1 <= m1) | ((N3 <= free_limit_squared2) |
         (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0))));
 
@@ -576,52 +580,53 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* theta234 */
     const double v1 = T31 * T31 + T33 * T33;
-    const double factor234 = 1.0 / sqrt(v1);
-    const double c234 = T33 * factor234;
-    const double v2 = T31 * factor234;
+    const double factor234 = sqrt(v1) * (1.0 / v1);
 
     /* theta1 */
-    const double v3 = T12 * T12 + T22 * T22;
-    const double v4 = 1.0 / sqrt(v3);
-    const double c1 = T22 * v4;
-    const double v5 = T12 * v4;
+    const double v2 = T12 * T12 + T22 * T22;
+    const double v3 = sqrt(v2) * (1.0 / v2);
+    const double c1 = T22 * v3;
+    const double v4 = T12 * v3;
 
     /* theta3 */
-    const double v6 = a4 * v2;
-    const double Z1_3 = T34 - d1 - v6;
-    const double v7 = a1 + a4 * c234;
-    const double Z2_3 = c1 * T14 - v5 * T24 - v7;
+    const double v5 = factor234 * (a4 * T31);
+    const double Z1_3 = T34 - d1 - v5;
+    const double v6 = a1 + factor234 * (a4 * T33);
+    const double Z2_3 = c1 * T14 - v4 * T24 - v6;
     const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const four v8 = w3 * (m2 * (e1 * Z2_3));
-    const double v9 = m2 * (Z1_3 * N3);
-    const four v10 = v8 + v9;
-    const double v11 = m2 * (Z2_3 * N3);
+    const four v7 = w3 * (m2 * (e1 * Z2_3));
+    const double v8 = m2 * (Z1_3 * N3);
+    const four v9 = v7 + v8;
+    const double v10 = m2 * (Z2_3 * N3);
     const double factor2 = 1.0 / N3;
-    const double v12 = m2 * (N3 * -Z1_3);
+    const double v11 = m2 * (N3 * -Z1_3);
 
     /* is the pose one that the arm can take? */
-    const double v13 = v7 + Z2_3;
-    const double v14 = d1 + v6;
-    const double v15 = sqrt(-1.0);
-    const double v16 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T32) <= pose_slack) & ((fabs(T31 -
-        v2) <= pose_slack) & ((fabs(T23 - v2 * v5) <= pose_slack) & ((fabs(T22 - c1) <= pose_slack)
-        & ((fabs(T21 + c234 * v5) <= pose_slack) & ((fabs(T13 + v2 * c1) <= pose_slack) & ((fabs(T11
-        - c234 * c1) <= pose_slack) & (fabs(T12 - v5) <= pose_slack))))))))) ? 0.0 : v15;
-    const int v17 = (fabs(T14 - c1 * v13) <= pose_slack1) & (fabs(T24 + v5 * v13) <= pose_slack1);
-    const four v18 = pick_four(where_four(v17) & (abs_four(T34 + (factor2 * (a3 * (v8 + v12)) - (v14
-        + factor2 * (a2 * v10)))) <= pose_slack1), all_four(0.0), all_four(v15));
+    const double v12 = v6 + Z2_3;
+    const double v13 = d1 + v5;
+    const double v14 = sqrt(-1.0);
+    const double v15 = (maximum_double(fabs(T12 - v4), maximum_double(fabs(T11 - factor234 * (T33 *
+        c1)), maximum_double(fabs(T13 + factor234 * (T31 * c1)), maximum_double(fabs(T21 + factor234
+        * (T33 * v4)), maximum_double(fabs(T22 - c1), maximum_double(fabs(T23 - factor234 * (T31 *
+        v4)), maximum_double(fabs(T31 - T31 * factor234), maximum_double(fabs(T33 - T33 *
+        factor234), fabs(T32))))))))) <= pose_slack) ? 0.0 : v14;
+    const double v16 = fabs(T14 - c1 * v12);
+    const double v17 = fabs(T24 + v4 * v12);
+    const four v18 = pick_four(maximum_four(all_four(v17), maximum_four(all_four(v16), abs_four(T34
+        + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)))))) <= pose_slack1,
+        all_four(0.0), all_four(v14));
 
     /* joint values */
-    const int doubt1 = (v3 <= m1) | ((v1 <= m1) | ((N3 <= free_limit_squared2) | (((shortest3_reach
+    const int doubt1 = (v2 <= m1) | ((v1 <= m1) | ((N3 <= free_limit_squared2) | (((shortest3_reach
         <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) ==
         0))));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(-v10,
+    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(-v9,
         all_four(-T31), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(v11 - w3 * (m2 * (e1 * Z1_3)),
+        __builtin_shufflevector(__builtin_shufflevector(v10 - w3 * (m2 * (e1 * Z1_3)),
         all_four(T33), 0, 1, 6, 3), all_four(N3 - k1), 0, 1, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
@@ -630,11 +635,11 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
     const four v19 = e1 * angle1_;
     const four v20 = angle1 - (angle1__ + v19);
-    const four v21 = v16 + (angle1___ + (w3 - w3));
+    const four v21 = v15 + (angle1___ + (w3 - w3));
     const four q1 = v18 + v21;
-    const four q2 = v18 + (angle1__ + v16);
-    const four q3 = v18 + (v16 + v19);
-    const four q4 = v18 + (v16 + (v20 - pick_four(half_turn < v20, all_four(m3), all_four(0.0)) +
+    const four q2 = v18 + (angle1__ + v15);
+    const four q3 = v18 + (v15 + v19);
+    const four q4 = v18 + (v15 + (v20 - pick_four(half_turn < v20, all_four(m3), all_four(0.0)) +
         pick_four(v20 <= -half_turn, all_four(m3), all_four(0.0))));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))

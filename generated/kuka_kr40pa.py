@@ -68,7 +68,7 @@ k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
 k2 = 0.7812499999999999  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999998e-49  # free_limit_squared^2
-m2 = 0.625  # a coefficient of v7
+m2 = 0.625  # a coefficient of Y1_2
 m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
@@ -535,77 +535,76 @@ def _regular(pose, q, status):
 
     # theta234, type 3: U0[3, 3] and U0[3, 1]
     v1 = T31 * T31 + T33 * T33
-    factor234 = 1.0 / math.sqrt(v1)
-    c234 = T33 * factor234
-    v2 = T31 * factor234
+    factor234 = math.sqrt(v1) * (1.0 / v1)
     angle1 = _atan2(-T31, T33)
 
     # theta1, type 3: U0[1, 2] and U0[2, 2]
-    v3 = T12 * T12 + T22 * T22
-    v4 = 1.0 / math.sqrt(v3)
-    c1 = T22 * v4
-    v5 = T12 * v4
+    v2 = T12 * T12 + T22 * T22
+    v3 = math.sqrt(v2) * (1.0 / v2)
+    c1 = T22 * v3
+    v4 = T12 * v3
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v6 = a4 * v2
-    Z1_3 = T34 - d1 - v6
-    v7 = a1 + a4 * c234
-    Z2_3 = c1 * T14 - v5 * T24 - v7
+    v5 = factor234 * (a4 * T31)
+    Z1_3 = T34 - d1 - v5
+    v6 = a1 + factor234 * (a4 * T33)
+    Z2_3 = c1 * T14 - v4 * T24 - v6
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     angle1_ = _atan2(w3, N3 - k1)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v8 = w3 * (m2 * Z2_3)
-    v9 = w3 * (m2 * -Z2_3)
-    v10 = m2 * (Z1_3 * N3)
-    v11 = v8 + v10
-    v12 = v9 + v10
-    v13 = m2 * (Z2_3 * N3)
+    v7 = w3 * (m2 * Z2_3)
+    v8 = w3 * (m2 * -Z2_3)
+    v9 = m2 * (Z1_3 * N3)
+    v10 = v7 + v9
+    v11 = v8 + v9
+    v12 = m2 * (Z2_3 * N3)
     factor2 = 1.0 / N3
-    v14 = m2 * (N3 * -Z1_3)
-    angle1__ = _atan2(-v11, v13 - w3 * (m2 * Z1_3))
-    angle1___ = _atan2(-v12, v13 - w3 * (m2 * -Z1_3))
+    v13 = m2 * (N3 * -Z1_3)
+    angle1__ = _atan2(-v10, v12 - w3 * (m2 * Z1_3))
+    angle1___ = _atan2(-v11, v12 - w3 * (m2 * -Z1_3))
 
     # is the pose one that the arm can take?
-    v15 = v7 + Z2_3
-    v16 = d1 + v6
-    v17 = math.sqrt(-1.0)
-    v18 = (
-        0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31 - v2) <=
-        pose_slack and (abs(T23 - v2 * v5) <= pose_slack and (abs(T22 - c1) <= pose_slack and
-        (abs(T21 + c234 * v5) <= pose_slack and (abs(T13 + v2 * c1) <= pose_slack and (abs(T11 -
-        c234 * c1) <= pose_slack and abs(T12 - v5) <= pose_slack)))))))) else v17
+    v14 = v6 + Z2_3
+    v15 = d1 + v5
+    v16 = math.sqrt(-1.0)
+    v17 = (
+        0.0 if max(abs(T12 - v4), max(abs(T11 - factor234 * (T33 * c1)), max(abs(T13 + factor234 *
+        (T31 * c1)), max(abs(T21 + factor234 * (T33 * v4)), max(abs(T22 - c1), max(abs(T23 -
+        factor234 * (T31 * v4)), max(abs(T31 - T31 * factor234), max(abs(T33 - T33 * factor234),
+        abs(T32))))))))) <= pose_slack else v16
     )
-    v19 = abs(T14 - c1 * v15) <= pose_slack1 and abs(T24 + v5 * v15) <= pose_slack1
+    v18 = abs(T14 - c1 * v14)
+    v19 = abs(T24 + v4 * v14)
     v20 = (
-        0.0 if (v19 and abs(T34 + (factor2 * (a3 * (v8 + v14)) - (v16 + factor2 * (a2 * v11)))) <=
-        pose_slack1) else v17
+        0.0 if max(v19, max(v18, abs(T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 *
+        v10)))))) <= pose_slack1 else v16
     )
     v21 = (
-        0.0 if (v19 and abs(T34 + (factor2 * (a3 * (v9 + v14)) - (v16 + factor2 * (a2 * v12)))) <=
-        pose_slack1) else v17
+        0.0 if max(v19, max(v18, abs(T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 *
+        v11)))))) <= pose_slack1 else v16
     )
 
     # joint values
     v22 = angle1 - (angle1_ + angle1__)
     v23 = angle1 - (angle1___ - angle1_)
     angle1____ = _atan2(-T12, T22)
-    v24 = v18 + (angle1____ + (w3 - w3))
+    v24 = v17 + (angle1____ + (w3 - w3))
     q1_p = v20 + v24
     q1_m = v21 + v24
-    q2_p = v20 + (angle1__ + v18)
-    q2_m = v21 + (angle1___ + v18)
-    q3_p = v20 + (angle1_ + v18)
-    q3_m = v21 + (v18 - angle1_)
+    q2_p = v20 + (angle1__ + v17)
+    q2_m = v21 + (angle1___ + v17)
+    q3_p = v20 + (angle1_ + v17)
+    q3_m = v21 + (v17 - angle1_)
     q4_p = (
-        v20 + (v18 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else 0.0)))
+        v20 + (v17 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else 0.0)))
     )
     q4_m = (
-        v21 + (v18 + (v23 - (m3 if half_turn < v23 else 0.0) + (m3 if v23 <= -half_turn else 0.0)))
+        v21 + (v17 + (v23 - (m3 if half_turn < v23 else 0.0) + (m3 if v23 <= -half_turn else 0.0)))
     )
     doubt1 = (
-        v3 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3 <=
+        v2 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3 <=
         longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
     )
     # a joint is free, or branches meet
@@ -800,69 +799,68 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             v1 = T31 * T31 + T33 * T33
-            factor234 = 1.0 / math.sqrt(v1)
-            c234 = T33 * factor234
-            v2 = T31 * factor234
-            v3 = T12 * T12 + T22 * T22
-            v4 = 1.0 / math.sqrt(v3)
-            c1 = T22 * v4
-            v5 = T12 * v4
-            v6 = a4 * v2
-            Z1_3 = T34 - d1 - v6
-            v7 = a1 + a4 * c234
-            Z2_3 = c1 * T14 - v5 * T24 - v7
+            factor234 = math.sqrt(v1) * (1.0 / v1)
+            v2 = T12 * T12 + T22 * T22
+            v3 = math.sqrt(v2) * (1.0 / v2)
+            c1 = T22 * v3
+            v4 = T12 * v3
+            v5 = factor234 * (a4 * T31)
+            Z1_3 = T34 - d1 - v5
+            v6 = a1 + factor234 * (a4 * T33)
+            Z2_3 = c1 * T14 - v4 * T24 - v6
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v8 = w3 * (m2 * Z2_3)
-            v9 = w3 * (m2 * -Z2_3)
-            v10 = m2 * (Z1_3 * N3)
-            v11 = v8 + v10
-            v12 = v9 + v10
-            v13 = m2 * (Z2_3 * N3)
+            v7 = w3 * (m2 * Z2_3)
+            v8 = w3 * (m2 * -Z2_3)
+            v9 = m2 * (Z1_3 * N3)
+            v10 = v7 + v9
+            v11 = v8 + v9
+            v12 = m2 * (Z2_3 * N3)
             factor2 = 1.0 / N3
-            v14 = m2 * (N3 * -Z1_3)
-            v15 = v7 + Z2_3
-            v16 = d1 + v6
-            v17 = math.sqrt(-1.0)
-            v18 = (
-                0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31 - v2)
-                <= pose_slack and (abs(T23 - v2 * v5) <= pose_slack and (abs(T22 - c1) <= pose_slack
-                and (abs(T21 + c234 * v5) <= pose_slack and (abs(T13 + v2 * c1) <= pose_slack and
-                (abs(T11 - c234 * c1) <= pose_slack and abs(T12 - v5) <= pose_slack)))))))) else v17
+            v13 = m2 * (N3 * -Z1_3)
+            v14 = v6 + Z2_3
+            v15 = d1 + v5
+            v16 = math.sqrt(-1.0)
+            v17 = (
+                0.0 if max(abs(T12 - v4), max(abs(T11 - factor234 * (T33 * c1)), max(abs(T13 +
+                factor234 * (T31 * c1)), max(abs(T21 + factor234 * (T33 * v4)), max(abs(T22 - c1),
+                max(abs(T23 - factor234 * (T31 * v4)), max(abs(T31 - T31 * factor234), max(abs(T33 -
+                T33 * factor234), abs(T32))))))))) <= pose_slack else v16
             )
-            v19 = abs(T14 - c1 * v15) <= pose_slack1 and abs(T24 + v5 * v15) <= pose_slack1
+            v18 = abs(T14 - c1 * v14)
+            v19 = abs(T24 + v4 * v14)
             v20 = (
-                0.0 if (v19 and abs(T34 + (factor2 * (a3 * (v8 + v14)) - (v16 + factor2 * (a2 *
-                v11)))) <= pose_slack1) else v17
+                0.0 if max(v19, max(v18, abs(T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 *
+                (a2 * v10)))))) <= pose_slack1 else v16
             )
             v21 = (
-                0.0 if (v19 and abs(T34 + (factor2 * (a3 * (v9 + v14)) - (v16 + factor2 * (a2 *
-                v12)))) <= pose_slack1) else v17
+                0.0 if max(v19, max(v18, abs(T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 *
+                (a2 * v11)))))) <= pose_slack1 else v16
             )
             doubt1 = (
-                v3 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3
+                v2 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3
                 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
             )
             work[544 + k] = w3
-            work[576 + k] = v18
+            work[576 + k] = v17
             work[608 + k] = v20
             work[640 + k] = v21
             work[672 + k] = doubt1
             work[704 + k] = -T31
             work[736 + k] = w3
-            work[768 + k] = -v11
-            work[800 + k] = -v12
+            work[768 + k] = -v10
+            work[800 + k] = -v11
             work[832 + k] = -T12
             work[864 + k] = T33
             work[896 + k] = N3 - k1
-            work[928 + k] = v13 - w3 * (m2 * Z1_3)
-            work[960 + k] = v13 - w3 * (m2 * -Z1_3)
+            work[928 + k] = v12 - w3 * (m2 * Z1_3)
+            work[960 + k] = v12 - w3 * (m2 * -Z1_3)
             work[992 + k] = T22
         for k in range(704, 864):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
             w3 = work[544 + k]
-            v18 = work[576 + k]
+            v17 = work[576 + k]
             v20 = work[608 + k]
             v21 = work[640 + k]
             doubt1 = work[672 + k] != 0.0
@@ -873,19 +871,19 @@ def _in_tiles(T, q, status):
             angle1____ = work[832 + k]
             v22 = angle1 - (angle1_ + angle1__)
             v23 = angle1 - (angle1___ - angle1_)
-            v24 = v18 + (angle1____ + (w3 - w3))
+            v24 = v17 + (angle1____ + (w3 - w3))
             q1_p = v20 + v24
             q1_m = v21 + v24
-            q2_p = v20 + (angle1__ + v18)
-            q2_m = v21 + (angle1___ + v18)
-            q3_p = v20 + (angle1_ + v18)
-            q3_m = v21 + (v18 - angle1_)
+            q2_p = v20 + (angle1__ + v17)
+            q2_m = v21 + (angle1___ + v17)
+            q3_p = v20 + (angle1_ + v17)
+            q3_m = v21 + (v17 - angle1_)
             q4_p = (
-                v20 + (v18 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else
+                v20 + (v17 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else
                 0.0)))
             )
             q4_m = (
-                v21 + (v18 + (v23 - (m3 if half_turn < v23 else 0.0) + (m3 if v23 <= -half_turn else
+                v21 + (v17 + (v23 - (m3 if half_turn < v23 else 0.0) + (m3 if v23 <= -half_turn else
                 0.0)))
             )
             _1024 = q1_p

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef KUKA_YOUBOT_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef KUKA_YOUBOT_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -339,11 +342,14 @@ static const double k2 = 23.894862604540023; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 4.726562499999999e-25; /* free_limit1^2 [m^2] */
 static const double m3 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m4 = 3.2258064516129035; /* a coefficient of S2 */
-static const double m5 = 0.018709677419354823; /* a coefficient of S2 */
-static const double m6 = 3.7037037037037037; /* a coefficient of c23 */
-static const double m7 = 0.021481481481481466; /* a coefficient of c23 */
-static const double m8 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 0.2175; /* a coefficient of Z1_3 */
+static const double m5 = 3.2258064516129035; /* a coefficient of S2 */
+static const double m6 = 0.018709677419354823; /* a coefficient of S2 */
+static const double m7 = 2.234039306640625e-49; /* free_limit_squared2^2 [m^4] */
+static const double m8 = 3.7037037037037037; /* a coefficient of c23 */
+static const double m9 = 0.021481481481481466; /* a coefficient of c23 */
+static const double m10 = 0.147; /* a coefficient of v14 */
+static const double m11 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const kuka_youbot_branches[4] = {
@@ -508,150 +514,184 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     /* theta1 */
     const wide v1 = T14 * T14 + T24 * T24;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
+    const wide v2 = 1.0 / v1;
+    const wide factor1 = w1 * v2;
     const wide c1 = T14 * factor1;
     const wide s1 = T24 * factor1;
     const wide angle1 = atan2_wide(T24, T14);
 
     /* theta234 */
-    const wide Z2_234 = c1 * T13 + s1 * T23;
-    const wide v2 = T33 * T33 + Z2_234 * Z2_234;
-    const wide factor234 = 1.0 / sqrt_wide(v2);
-    const wide v3 = T33 * factor234;
+    const wide Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23));
+    const wide v3 = T33 * T33 + Z2_234 * Z2_234;
+    const wide w234 = sqrt_wide(v3);
+    const wide v4 = 1.0 / v3;
+    const wide factor234 = w234 * v4;
+    const wide v5 = T33 * factor234;
     const wide s234 = Z2_234 * factor234;
     const wide angle1_ = atan2_wide(Z2_234, -T33);
 
     /* theta5 */
-    const wide S5 = c1 * T21 - s1 * T11;
-    const wide C5 = c1 * T22 - s1 * T12;
-    const wide v4 = S5 * S5 + C5 * C5;
-    const wide v5 = 1.0 / sqrt_wide(v4);
-    const wide v6 = C5 * v5;
-    const wide v7 = S5 * v5;
+    const wide S5 = w1 * (v2 * (T14 * T21 - T24 * T11));
+    const wide C5 = w1 * (v2 * (T14 * T22 - T24 * T12));
+    const wide v6 = S5 * S5 + C5 * C5;
+    const wide v7 = sqrt_wide(v6) * (1.0 / v6);
+    const wide v8 = C5 * v7;
+    const wide v9 = S5 * v7;
     const wide angle1__ = atan2_wide(-S5, -C5);
 
     /* theta3 */
-    const wide v8 = d5 * v3;
-    const wide Z1_3 = T34 - d1 - v8;
-    const wide v9 = d5 * s234;
-    const wide Z2_3_p = w1 - a1 - v9;
-    const wide Z2_3_m = v9 - (a1 + w1);
-    const wide v10 = Z1_3 * Z1_3;
-    const wide N3_p = v10 + Z2_3_p * Z2_3_p;
-    const wide N3_m = v10 + Z2_3_m * Z2_3_m;
+    const wide v10 = T34 - d1;
+    const wide v11 = v10 - d5 * v5;
+    const wide v12 = w234 * (m4 * (T33 * v4));
+    const wide Z1_3 = v10 - v12;
+    const wide v13 = d5 * s234;
+    const wide v14 = w1 - a1;
+    const wide v15 = a1 + w1;
+    const wide v16 = v14 - v13;
+    const wide v17 = v13 - v15;
+    const wide v18 = w234 * (m4 * ((c1 * T13 + s1 * T23) * v4));
+    const wide Z2_3_p = v14 - v18;
+    const wide Z2_3_m = v18 - v15;
+    const wide v19 = Z1_3 * Z1_3;
+    const wide N3_p = v19 + Z2_3_p * Z2_3_p;
+    const wide N3_m = v19 + Z2_3_m * Z2_3_m;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v11 = w3_p - w3_p;
-    const wide v12 = w3_m - w3_m;
+    const wide v20 = w3_p - w3_p;
+    const wide v21 = w3_m - w3_m;
     const wide angle1___ = atan2_wide(w3_p, N3_p - k1);
     const wide angle1____ = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide v13 = m5 + m4 * N3_p;
-    const wide v14 = m5 + m4 * N3_m;
-    const wide v15 = Z1_3 * v13;
-    const wide v16 = Z1_3 * v14;
-    const wide S2_pp = v15 - w3_p * (m4 * Z2_3_p);
-    const wide S2_pm = v15 - w3_p * (m4 * -Z2_3_p);
-    const wide S2_mp = v16 - w3_m * (m4 * Z2_3_m);
-    const wide S2_mm = v16 - w3_m * (m4 * -Z2_3_m);
-    const wide v17 = m4 * Z1_3;
-    const wide v18 = m4 * -Z1_3;
-    const wide v19 = Z2_3_p * v13;
-    const wide v20 = Z2_3_m * v14;
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
-    const wide angle1_____ = atan2_wide(S2_pp, v19 + w3_p * v17);
-    const wide angle1______ = atan2_wide(S2_pm, v19 + w3_p * v18);
-    const wide angle1_______ = atan2_wide(S2_mp, v20 + w3_m * v17);
-    const wide angle1________ = atan2_wide(S2_mm, v20 + w3_m * v18);
+    const wide v22 = m6 + m5 * N3_p;
+    const wide v23 = m6 + m5 * N3_m;
+    const wide v24 = v11 * v22;
+    const wide v25 = v11 * v23;
+    const wide S2_pp = v24 - w3_p * (m5 * v16);
+    const wide S2_pm = v24 - w3_p * (m5 * -v16);
+    const wide S2_mp = v25 - w3_m * (m5 * v17);
+    const wide S2_mm = v25 - w3_m * (m5 * -v17);
+    const wide v26 = m5 * v11;
+    const wide v27 = m5 * -v11;
+    const wide v28 = v16 * v22;
+    const wide v29 = v17 * v23;
+    const wide C2_pp = v28 + w3_p * v26;
+    const wide C2_pm = v28 + w3_p * v27;
+    const wide C2_mp = v29 + w3_m * v26;
+    const wide C2_mm = v29 + w3_m * v27;
+    const wide v30 = S2_pp * S2_pp + C2_pp * C2_pp;
+    const wide v31 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v32 = S2_mp * S2_mp + C2_mp * C2_mp;
+    const wide v33 = S2_mm * S2_mm + C2_mm * C2_mm;
+    const wide w2_pp = sqrt_wide(v30);
+    const wide w2_pm = sqrt_wide(v31);
+    const wide w2_mp = sqrt_wide(v32);
+    const wide w2_mm = sqrt_wide(v33);
+    const wide v34 = 1.0 / v30;
+    const wide v35 = 1.0 / v31;
+    const wide v36 = 1.0 / v32;
+    const wide v37 = 1.0 / v33;
+    const wide factor2_pp = w2_pp * v34;
+    const wide factor2_pm = w2_pm * v35;
+    const wide factor2_mp = w2_mp * v36;
+    const wide factor2_mm = w2_mm * v37;
+    const wide angle1_____ = atan2_wide(S2_pp, C2_pp);
+    const wide angle1______ = atan2_wide(S2_pm, C2_pm);
+    const wide angle1_______ = atan2_wide(S2_mp, C2_mp);
+    const wide angle1________ = atan2_wide(S2_mm, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const wide v21 = c1 * v3;
-    const wide v22 = Z1_3 * (m6 - m7 * factor2_p);
-    const wide v23 = Z1_3 * (m6 - m7 * factor2_m);
-    const wide v24 = Z2_3_p + (a1 + v9);
-    const wide v25 = Z2_3_m + (a1 - v9);
-    const wide v26 = s1 * v3;
-    const wide v27 = d1 + v8;
-    const double v28 = sqrt(-1.0);
-    const wide v29 = pick_wide((abs_wide(T33 - v3) <= pose_slack) & ((abs_wide(T32 - s234 * v7) <=
-        pose_slack) & ((abs_wide(T31 + s234 * v6) <= pose_slack) & ((abs_wide(T23 - s1 * s234) <=
-        pose_slack) & ((abs_wide(T22 + (v7 * v26 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 - (v6 *
-        v26 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * s234) <= pose_slack) & ((abs_wide(T11
-        - (v6 * v21 - s1 * v7)) <= pose_slack) & (abs_wide(T12 + (s1 * v6 + v7 * v21)) <=
-        pose_slack)))))))), all_wide(0.0), all_wide(v28));
-    const wide_mask v30 = (abs_wide(T14 - c1 * v24) <= pose_slack1) & (abs_wide(T24 - s1 * v24) <=
-        pose_slack1);
-    const wide_mask v31 = (abs_wide(T14 + c1 * v25) <= pose_slack1) & (abs_wide(T24 + s1 * v25) <=
-        pose_slack1);
-    const wide v32 = pick_wide(v30 & (abs_wide(T34 - (a3 * (v22 + w3_p * (m6 * (Z2_3_p *
-        factor2_p))) + (v27 + a2 * (S2_pp * factor2_p)))) <= pose_slack1), all_wide(0.0),
-        all_wide(v28));
-    const wide v33 = pick_wide(v30 & (abs_wide(T34 - (a3 * (v22 + w3_p * (m6 * (-Z2_3_p *
-        factor2_p))) + (v27 + a2 * (S2_pm * factor2_p)))) <= pose_slack1), all_wide(0.0),
-        all_wide(v28));
-    const wide v34 = pick_wide(v31 & (abs_wide(T34 - (a3 * (v23 + w3_m * (m6 * (Z2_3_m *
-        factor2_m))) + (v27 + a2 * (S2_mp * factor2_m)))) <= pose_slack1), all_wide(0.0),
-        all_wide(v28));
-    const wide v35 = pick_wide(v31 & (abs_wide(T34 - (a3 * (v23 + w3_m * (m6 * (-Z2_3_m *
-        factor2_m))) + (v27 + a2 * (S2_mm * factor2_m)))) <= pose_slack1), all_wide(0.0),
-        all_wide(v28));
+    const wide v38 = c1 * v5;
+    const wide v39 = m8 * v11;
+    const wide v40 = m8 * -v11;
+    const wide v41 = m8 * N3_p - m9;
+    const wide v42 = m8 * N3_m - m9;
+    const wide v43 = v16 * v41;
+    const wide v44 = v17 * v42;
+    const wide v45 = v11 * v41;
+    const wide v46 = v11 * v42;
+    const wide v47 = a1 + v13;
+    const wide v48 = a1 - v13;
+    const wide v49 = v47 + w2_pp * (v34 * (a3 * (v43 - w3_p * v39) + a2 * C2_pp));
+    const wide v50 = v47 + w2_pm * (v35 * (a3 * (v43 - w3_p * v40) + a2 * C2_pm));
+    const wide v51 = v48 + w2_mp * (v36 * (a3 * (v44 - w3_m * v39) + a2 * C2_mp));
+    const wide v52 = v48 + w2_mm * (v37 * (a3 * (v44 - w3_m * v40) + a2 * C2_mm));
+    const wide v53 = s1 * v5;
+    const wide v54 = m10 + v12;
+    const double v55 = sqrt(-1.0);
+    const wide v56 = pick_wide(maximum_wide(abs_wide(T12 + (s1 * v8 + v9 * v38)),
+        maximum_wide(abs_wide(T11 - (v8 * v38 - s1 * v9)), maximum_wide(abs_wide(T13 - c1 * s234),
+        maximum_wide(abs_wide(T21 - (v8 * v53 + c1 * v9)), maximum_wide(abs_wide(T22 + (v9 * v53 -
+        c1 * v8)), maximum_wide(abs_wide(T23 - s1 * s234), maximum_wide(abs_wide(T31 + s234 * v8),
+        maximum_wide(abs_wide(T33 - v5), abs_wide(T32 - s234 * v9))))))))) <= pose_slack,
+        all_wide(0.0), all_wide(v55));
+    const wide v57 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v49), maximum_wide(abs_wide(T34 -
+        (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v45 + w3_p * (m8 * v16))))),
+        abs_wide(T14 - c1 * v49))) <= pose_slack1, all_wide(0.0), all_wide(v55));
+    const wide v58 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v50), maximum_wide(abs_wide(T34 -
+        (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v45 + w3_p * (m8 * -v16))))),
+        abs_wide(T14 - c1 * v50))) <= pose_slack1, all_wide(0.0), all_wide(v55));
+    const wide v59 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v51), maximum_wide(abs_wide(T34 -
+        (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v46 + w3_m * (m8 * v17))))),
+        abs_wide(T14 + c1 * v51))) <= pose_slack1, all_wide(0.0), all_wide(v55));
+    const wide v60 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v52), maximum_wide(abs_wide(T34 -
+        (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v46 + w3_m * (m8 * -v17))))),
+        abs_wide(T14 + c1 * v52))) <= pose_slack1, all_wide(0.0), all_wide(v55));
 
     /* joint values */
-    const wide v36 = angle1_____ - offset2;
-    const wide v37 = angle1______ - offset2;
-    const wide v38 = angle1_______ - offset2;
-    const wide v39 = angle1________ - offset2;
-    const wide v40 = angle1_ - (angle1___ + angle1_____) - offset4;
-    const wide v41 = angle1_ - (angle1______ - angle1___) - offset4;
-    const wide v42 = offset4 + (angle1_ + (angle1____ + angle1_______));
-    const wide v43 = offset4 + (angle1_ + (angle1________ - angle1____));
-    const wide v44 = v40 - pick_wide(half_turn < v40, all_wide(m8), all_wide(0.0)) + pick_wide(v40
-        <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide v45 = v41 - pick_wide(half_turn < v41, all_wide(m8), all_wide(0.0)) + pick_wide(v41
-        <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide v46 = pick_wide(-v42 <= -half_turn, all_wide(m8), all_wide(0.0)) - (v42 +
-        pick_wide(half_turn < -v42, all_wide(m8), all_wide(0.0)));
-    const wide v47 = pick_wide(-v43 <= -half_turn, all_wide(m8), all_wide(0.0)) - (v43 +
-        pick_wide(half_turn < -v43, all_wide(m8), all_wide(0.0)));
-    const wide v48 = v29 + (angle1 + v11);
-    const wide v49 = v29 + (v12 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
-    const wide q1_pp = v32 + v48;
-    const wide q1_pm = v33 + v48;
-    const wide q1_mp = v34 + v49;
-    const wide q1_mm = v35 + v49;
-    const wide q2_pp = v32 + (v29 + (v36 + pick_wide(v36 <= -half_turn, all_wide(m8),
+    const wide v61 = angle1_____ - offset2;
+    const wide v62 = angle1______ - offset2;
+    const wide v63 = angle1_______ - offset2;
+    const wide v64 = angle1________ - offset2;
+    const wide v65 = angle1_ - (angle1___ + angle1_____) - offset4;
+    const wide v66 = angle1_ - (angle1______ - angle1___) - offset4;
+    const wide v67 = offset4 + (angle1_ + (angle1____ + angle1_______));
+    const wide v68 = offset4 + (angle1_ + (angle1________ - angle1____));
+    const wide v69 = v65 - pick_wide(half_turn < v65, all_wide(m11), all_wide(0.0)) + pick_wide(v65
+        <= -half_turn, all_wide(m11), all_wide(0.0));
+    const wide v70 = v66 - pick_wide(half_turn < v66, all_wide(m11), all_wide(0.0)) + pick_wide(v66
+        <= -half_turn, all_wide(m11), all_wide(0.0));
+    const wide v71 = pick_wide(-v67 <= -half_turn, all_wide(m11), all_wide(0.0)) - (v67 +
+        pick_wide(half_turn < -v67, all_wide(m11), all_wide(0.0)));
+    const wide v72 = pick_wide(-v68 <= -half_turn, all_wide(m11), all_wide(0.0)) - (v68 +
+        pick_wide(half_turn < -v68, all_wide(m11), all_wide(0.0)));
+    const wide v73 = v56 + (angle1 + v20);
+    const wide v74 = v56 + (v21 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
+    const wide q1_pp = v57 + v73;
+    const wide q1_pm = v58 + v73;
+    const wide q1_mp = v59 + v74;
+    const wide q1_mm = v60 + v74;
+    const wide q2_pp = v57 + (v56 + (v61 + pick_wide(v61 <= -half_turn, all_wide(m11),
         all_wide(0.0))));
-    const wide q2_pm = v33 + (v29 + (v37 + pick_wide(v37 <= -half_turn, all_wide(m8),
+    const wide q2_pm = v58 + (v56 + (v62 + pick_wide(v62 <= -half_turn, all_wide(m11),
         all_wide(0.0))));
-    const wide q2_mp = v34 + (v29 + (v38 + pick_wide(v38 <= -half_turn, all_wide(m8),
+    const wide q2_mp = v59 + (v56 + (v63 + pick_wide(v63 <= -half_turn, all_wide(m11),
         all_wide(0.0))));
-    const wide q2_mm = v35 + (v29 + (v39 + pick_wide(v39 <= -half_turn, all_wide(m8),
+    const wide q2_mm = v60 + (v56 + (v64 + pick_wide(v64 <= -half_turn, all_wide(m11),
         all_wide(0.0))));
-    const wide q3_pp = v32 + (angle1___ + v29);
-    const wide q3_pm = v33 + (v29 - angle1___);
-    const wide q3_mp = v34 + (angle1____ + v29);
-    const wide q3_mm = v35 + (v29 - angle1____);
-    const wide q4_pp = v32 + (v29 + (v44 + pick_wide(v44 <= -half_turn, all_wide(m8),
+    const wide q3_pp = v57 + (angle1___ + v56);
+    const wide q3_pm = v58 + (v56 - angle1___);
+    const wide q3_mp = v59 + (angle1____ + v56);
+    const wide q3_mm = v60 + (v56 - angle1____);
+    const wide q4_pp = v57 + (v56 + (v69 + pick_wide(v69 <= -half_turn, all_wide(m11),
         all_wide(0.0))));
-    const wide q4_pm = v33 + (v29 + (v45 + pick_wide(v45 <= -half_turn, all_wide(m8),
+    const wide q4_pm = v58 + (v56 + (v70 + pick_wide(v70 <= -half_turn, all_wide(m11),
         all_wide(0.0))));
-    const wide q4_mp = v34 + (v29 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m8),
+    const wide q4_mp = v59 + (v56 + (v71 + pick_wide(v71 <= -half_turn, all_wide(m11),
         all_wide(0.0))));
-    const wide q4_mm = v35 + (v29 + (v47 + pick_wide(v47 <= -half_turn, all_wide(m8),
+    const wide q4_mm = v60 + (v56 + (v72 + pick_wide(v72 <= -half_turn, all_wide(m11),
         all_wide(0.0))));
-    const wide v50 = v29 + (angle1__ + v11);
-    const wide v51 = v29 + (v12 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -S5)));
-    const wide q5_pp = v32 + v50;
-    const wide q5_pm = v33 + v50;
-    const wide q5_mp = v34 + v51;
-    const wide q5_mm = v35 + v51;
-    const wide_mask doubt1 = (v2 <= m3) | ((v1 <= m1) | ((N3_m <= free_limit_squared2) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((N3_p <= free_limit_squared2) | ((v4 <= m3) |
-        (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p
-        < longest3_apart)) == 0)))))));
+    const wide v75 = v56 + (angle1__ + v20);
+    const wide v76 = v56 + (v21 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -S5)));
+    const wide q5_pp = v57 + v75;
+    const wide q5_pm = v58 + v75;
+    const wide q5_mp = v59 + v76;
+    const wide q5_mm = v60 + v76;
+    const wide_mask doubt1 = (v3 <= m3) | ((v1 <= m1) | ((v6 <= m3) | ((v33 <= m7) | ((v32 <= m7) |
+        ((v31 <= m7) | ((v30 <= m7) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) &
+        (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) ==
+        0)))))))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -696,71 +736,88 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* theta1 */
     const double v1 = T14 * T14 + T24 * T24;
     const double w1 = sqrt(v1);
-    const double factor1 = 1.0 / w1;
+    const double v2 = 1.0 / v1;
+    const double factor1 = w1 * v2;
     const double c1 = T14 * factor1;
     const double s1 = T24 * factor1;
-    const double v2 = copysign(half_turn, T24);
-    const four v3 = m2 * (e1 - 1.0);
+    const double v3 = copysign(half_turn, T24);
+    const four v4 = m2 * (e1 - 1.0);
 
     /* theta234 */
-    const double Z2_234 = c1 * T13 + s1 * T23;
-    const double v4 = T33 * T33 + Z2_234 * Z2_234;
-    const double factor234 = 1.0 / sqrt(v4);
-    const double v5 = T33 * factor234;
+    const double v5 = c1 * T13 + s1 * T23;
+    const double Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23));
+    const double v6 = T33 * T33 + Z2_234 * Z2_234;
+    const double w234 = sqrt(v6);
+    const double v7 = 1.0 / v6;
+    const double factor234 = w234 * v7;
+    const double v8 = T33 * factor234;
     const double s234 = Z2_234 * factor234;
 
     /* theta5 */
-    const double S5 = c1 * T21 - s1 * T11;
-    const double C5 = c1 * T22 - s1 * T12;
-    const double v6 = S5 * S5 + C5 * C5;
-    const double v7 = 1.0 / sqrt(v6);
-    const double v8 = C5 * v7;
-    const double v9 = S5 * v7;
-    const double v10 = copysign(half_turn, -S5);
+    const double S5 = w1 * (v2 * (T14 * T21 - T24 * T11));
+    const double C5 = w1 * (v2 * (T14 * T22 - T24 * T12));
+    const double v9 = S5 * S5 + C5 * C5;
+    const double v10 = sqrt(v9) * (1.0 / v9);
+    const double v11 = C5 * v10;
+    const double v12 = S5 * v10;
+    const double v13 = copysign(half_turn, -S5);
 
     /* theta3 */
-    const double v11 = d5 * v5;
-    const double Z1_3 = T34 - d1 - v11;
-    const double v12 = d5 * s234;
-    const four v13 = e1 * v12;
-    const four Z2_3 = e1 * w1 - a1 - v13;
-    const double v14 = Z1_3 * Z1_3;
-    const four N3 = v14 + Z2_3 * Z2_3;
+    const double v14 = T34 - d1;
+    const double v15 = v14 - d5 * v8;
+    const double v16 = w234 * (m4 * (T33 * v7));
+    const double Z1_3 = v14 - v16;
+    const double v17 = d5 * s234;
+    const four v18 = e1 * w1 - a1;
+    const four v19 = e1 * v17;
+    const four v20 = v18 - v19;
+    const four Z2_3 = v18 - w234 * (m4 * (v7 * (e1 * v5)));
+    const double v21 = Z1_3 * Z1_3;
+    const four N3 = v21 + Z2_3 * Z2_3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v15 = w3 - w3;
+    const four v22 = w3 - w3;
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0);
 
     /* theta2 */
-    const four v16 = e2 * Z2_3;
-    const four v17 = m5 + m4 * N3;
-    const four v18 = Z1_3 * v17;
-    const four S2 = v18 - w3 * (m4 * v16);
-    const four v19 = m4 * (e2 * Z1_3);
-    const four v20 = Z2_3 * v17;
-    const four factor2 = 1.0 / N3;
+    const four v23 = e2 * v20;
+    const four v24 = m6 + m5 * N3;
+    const four v25 = v15 * v24;
+    const four S2 = v25 - w3 * (m5 * v23);
+    const four v26 = e2 * v15;
+    const four v27 = m5 * v26;
+    const four v28 = v20 * v24;
+    const four C2 = v28 + w3 * v27;
+    const four v29 = S2 * S2 + C2 * C2;
+    const four w2 = sqrt_four(v29);
+    const four_mask doubt3 = v29 <= m7;
+    const four v30 = 1.0 / v29;
+    const four factor2 = w2 * v30;
 
     /* is the pose one that the arm can take? */
-    const double v21 = c1 * v5;
-    const four v22 = Z1_3 * (m6 - m7 * factor2);
-    const four v23 = Z2_3 + (a1 + v13);
-    const double v24 = s1 * v5;
-    const double v25 = d1 + v11;
-    const double v26 = sqrt(-1.0);
-    const double v27 = ((fabs(T33 - v5) <= pose_slack) & ((fabs(T32 - s234 * v9) <= pose_slack) &
-        ((fabs(T31 + s234 * v8) <= pose_slack) & ((fabs(T23 - s1 * s234) <= pose_slack) & ((fabs(T22
-        + (v9 * v24 - c1 * v8)) <= pose_slack) & ((fabs(T21 - (v8 * v24 + c1 * v9)) <= pose_slack) &
-        ((fabs(T13 - c1 * s234) <= pose_slack) & ((fabs(T11 - (v8 * v21 - s1 * v9)) <= pose_slack) &
-        (fabs(T12 + (s1 * v8 + v9 * v21)) <= pose_slack))))))))) ? 0.0 : v26;
-    const four_mask v28 = (abs_four(T14 - e1 * (c1 * v23)) <= pose_slack1) & (abs_four(T24 - e1 *
-        (s1 * v23)) <= pose_slack1);
-    const four v29 = pick_four(v28 & (abs_four(T34 - (a3 * (v22 + w3 * (m6 * (v16 * factor2))) +
-        (v25 + a2 * (S2 * factor2)))) <= pose_slack1), all_four(0.0), all_four(v26));
+    const double v31 = c1 * v8;
+    const four v32 = m8 * v26;
+    const four v33 = m8 * N3 - m9;
+    const four v34 = v20 * v33;
+    const four v35 = v15 * v33;
+    const four v36 = a1 + v19;
+    const four v37 = v36 + w2 * (v30 * (a3 * (v34 - w3 * v32) + a2 * C2));
+    const double v38 = s1 * v8;
+    const double v39 = m10 + v16;
+    const double v40 = sqrt(-1.0);
+    const double v41 = (maximum_double(fabs(T12 + (s1 * v11 + v12 * v31)), maximum_double(fabs(T11 -
+        (v11 * v31 - s1 * v12)), maximum_double(fabs(T13 - c1 * s234), maximum_double(fabs(T21 -
+        (v11 * v38 + c1 * v12)), maximum_double(fabs(T22 + (v12 * v38 - c1 * v11)),
+        maximum_double(fabs(T23 - s1 * s234), maximum_double(fabs(T31 + s234 * v11),
+        maximum_double(fabs(T33 - v8), fabs(T32 - s234 * v12))))))))) <= pose_slack) ? 0.0 : v40;
+    const four v42 = pick_four(maximum_four(abs_four(T24 - e1 * (s1 * v37)),
+        maximum_four(abs_four(T34 - (v39 + factor2 * (a2 * S2) + factor2 * (a3 * (v35 + w3 * (m8 *
+        v23))))), abs_four(T14 - e1 * (c1 * v37)))) <= pose_slack1, all_four(0.0), all_four(v40));
 
     /* joint values */
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
-    const int doubt1 = (v4 <= m3) | ((v6 <= m3) | (v1 <= m1));
+    const int doubt1 = (v6 <= m3) | ((v9 <= m3) | (v1 <= m1));
 
-    const four angle1____ = atan2_four(S2, v20 + w3 * v19);
+    const four angle1____ = atan2_four(S2, C2);
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
         all_four(T24), 0, 5, 2, 3), all_four(Z2_234), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T14), 0, 5, 2, 3),
@@ -770,21 +827,23 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
     const four packed3 = atan2_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5 });
     const four angle1__ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v30 = angle1____ - offset2;
-    const four v31 = e2 * angle1___;
-    const four v32 = e1 * angle1_;
-    const four v33 = v32 - (angle1____ + v31) - offset4;
-    const four v34 = v33 - pick_four(half_turn < v33, all_four(m8), all_four(0.0)) + pick_four(v33
-        <= -half_turn, all_four(m8), all_four(0.0));
-    const four v35 = v27 + (v15 + (angle1 + v2 * v3));
-    const four q1 = v29 + v35;
-    const four q2 = v29 + (v27 + (v30 + pick_four(v30 <= -half_turn, all_four(m8), all_four(0.0))));
-    const four q3 = v29 + (v27 + v31);
-    const four q4 = v29 + (v27 + (v34 + pick_four(v34 <= -half_turn, all_four(m8), all_four(0.0))));
-    const four v36 = v27 + (v15 + (angle1__ + v3 * v10));
-    const four q5 = v29 + v36;
+    const four v43 = angle1____ - offset2;
+    const four v44 = e2 * angle1___;
+    const four v45 = e1 * angle1_;
+    const four v46 = v45 - (angle1____ + v44) - offset4;
+    const four v47 = v46 - pick_four(half_turn < v46, all_four(m11), all_four(0.0)) + pick_four(v46
+        <= -half_turn, all_four(m11), all_four(0.0));
+    const four v48 = v41 + (v22 + (angle1 + v3 * v4));
+    const four q1 = v42 + v48;
+    const four q2 = v42 + (v41 + (v43 + pick_four(v43 <= -half_turn, all_four(m11),
+        all_four(0.0))));
+    const four q3 = v42 + (v41 + v44);
+    const four q4 = v42 + (v41 + (v47 + pick_four(v47 <= -half_turn, all_four(m11),
+        all_four(0.0))));
+    const four v49 = v41 + (v22 + (angle1__ + v4 * v13));
+    const four q5 = v42 + v49;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);

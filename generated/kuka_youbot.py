@@ -75,11 +75,14 @@ k2 = 23.894862604540023  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 4.726562499999999e-25  # free_limit1^2 [m^2]
 m3 = 9.999999999999998e-49  # free_limit_squared^2
-m4 = 3.2258064516129035  # a coefficient of S2
-m5 = 0.018709677419354823  # a coefficient of S2
-m6 = 3.7037037037037037  # a coefficient of c23
-m7 = 0.021481481481481466  # a coefficient of c23
-m8 = 6.283185307179586  # 2 * half_turn
+m4 = 0.2175  # a coefficient of Z1_3
+m5 = 3.2258064516129035  # a coefficient of S2
+m6 = 0.018709677419354823  # a coefficient of S2
+m7 = 2.234039306640625e-49  # free_limit_squared2^2 [m^4]
+m8 = 3.7037037037037037  # a coefficient of c23
+m9 = 0.021481481481481466  # a coefficient of c23
+m10 = 0.147  # a coefficient of v14
+m11 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -601,141 +604,176 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[3, 4]
     v1 = T14 * T14 + T24 * T24
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
+    v2 = 1.0 / v1
+    factor1 = w1 * v2
     c1 = T14 * factor1
     s1 = T24 * factor1
     angle1 = _atan2(T24, T14)
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    Z2_234 = c1 * T13 + s1 * T23
-    v2 = T33 * T33 + Z2_234 * Z2_234
-    factor234 = 1.0 / math.sqrt(v2)
-    v3 = T33 * factor234
+    Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23))
+    v3 = T33 * T33 + Z2_234 * Z2_234
+    w234 = math.sqrt(v3)
+    v4 = 1.0 / v3
+    factor234 = w234 * v4
+    v5 = T33 * factor234
     s234 = Z2_234 * factor234
     angle1_ = _atan2(Z2_234, -T33)
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
-    S5 = c1 * T21 - s1 * T11
-    C5 = c1 * T22 - s1 * T12
-    v4 = S5 * S5 + C5 * C5
-    v5 = 1.0 / math.sqrt(v4)
-    v6 = C5 * v5
-    v7 = S5 * v5
+    S5 = w1 * (v2 * (T14 * T21 - T24 * T11))
+    C5 = w1 * (v2 * (T14 * T22 - T24 * T12))
+    v6 = S5 * S5 + C5 * C5
+    v7 = math.sqrt(v6) * (1.0 / v6)
+    v8 = C5 * v7
+    v9 = S5 * v7
     angle1__ = _atan2(-S5, -C5)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v8 = d5 * v3
-    Z1_3 = T34 - d1 - v8
-    v9 = d5 * s234
-    Z2_3_p = w1 - a1 - v9
-    Z2_3_m = v9 - (a1 + w1)
-    v10 = Z1_3 * Z1_3
-    N3_p = v10 + Z2_3_p * Z2_3_p
-    N3_m = v10 + Z2_3_m * Z2_3_m
+    v10 = T34 - d1
+    v11 = v10 - d5 * v5
+    v12 = w234 * (m4 * (T33 * v4))
+    Z1_3 = v10 - v12
+    v13 = d5 * s234
+    v14 = w1 - a1
+    v15 = a1 + w1
+    v16 = v14 - v13
+    v17 = v13 - v15
+    v18 = w234 * (m4 * ((c1 * T13 + s1 * T23) * v4))
+    Z2_3_p = v14 - v18
+    Z2_3_m = v18 - v15
+    v19 = Z1_3 * Z1_3
+    N3_p = v19 + Z2_3_p * Z2_3_p
+    N3_m = v19 + Z2_3_m * Z2_3_m
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v11 = w3_p - w3_p
-    v12 = w3_m - w3_m
+    v20 = w3_p - w3_p
+    v21 = w3_m - w3_m
     angle1___ = _atan2(w3_p, N3_p - k1)
     angle1____ = _atan2(w3_m, N3_m - k1)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v13 = m5 + m4 * N3_p
-    v14 = m5 + m4 * N3_m
-    v15 = Z1_3 * v13
-    v16 = Z1_3 * v14
-    S2_pp = v15 - w3_p * (m4 * Z2_3_p)
-    S2_pm = v15 - w3_p * (m4 * -Z2_3_p)
-    S2_mp = v16 - w3_m * (m4 * Z2_3_m)
-    S2_mm = v16 - w3_m * (m4 * -Z2_3_m)
-    v17 = m4 * Z1_3
-    v18 = m4 * -Z1_3
-    v19 = Z2_3_p * v13
-    v20 = Z2_3_m * v14
-    factor2_p = 1.0 / N3_p
-    factor2_m = 1.0 / N3_m
-    angle1_____ = _atan2(S2_pp, v19 + w3_p * v17)
-    angle1______ = _atan2(S2_pm, v19 + w3_p * v18)
-    angle1_______ = _atan2(S2_mp, v20 + w3_m * v17)
-    angle1________ = _atan2(S2_mm, v20 + w3_m * v18)
+    v22 = m6 + m5 * N3_p
+    v23 = m6 + m5 * N3_m
+    v24 = v11 * v22
+    v25 = v11 * v23
+    S2_pp = v24 - w3_p * (m5 * v16)
+    S2_pm = v24 - w3_p * (m5 * -v16)
+    S2_mp = v25 - w3_m * (m5 * v17)
+    S2_mm = v25 - w3_m * (m5 * -v17)
+    v26 = m5 * v11
+    v27 = m5 * -v11
+    v28 = v16 * v22
+    v29 = v17 * v23
+    C2_pp = v28 + w3_p * v26
+    C2_pm = v28 + w3_p * v27
+    C2_mp = v29 + w3_m * v26
+    C2_mm = v29 + w3_m * v27
+    v30 = S2_pp * S2_pp + C2_pp * C2_pp
+    v31 = S2_pm * S2_pm + C2_pm * C2_pm
+    v32 = S2_mp * S2_mp + C2_mp * C2_mp
+    v33 = S2_mm * S2_mm + C2_mm * C2_mm
+    w2_pp = math.sqrt(v30)
+    w2_pm = math.sqrt(v31)
+    w2_mp = math.sqrt(v32)
+    w2_mm = math.sqrt(v33)
+    v34 = 1.0 / v30
+    v35 = 1.0 / v31
+    v36 = 1.0 / v32
+    v37 = 1.0 / v33
+    factor2_pp = w2_pp * v34
+    factor2_pm = w2_pm * v35
+    factor2_mp = w2_mp * v36
+    factor2_mm = w2_mm * v37
+    angle1_____ = _atan2(S2_pp, C2_pp)
+    angle1______ = _atan2(S2_pm, C2_pm)
+    angle1_______ = _atan2(S2_mp, C2_mp)
+    angle1________ = _atan2(S2_mm, C2_mm)
 
     # is the pose one that the arm can take?
-    v21 = c1 * v3
-    v22 = Z1_3 * (m6 - m7 * factor2_p)
-    v23 = Z1_3 * (m6 - m7 * factor2_m)
-    v24 = Z2_3_p + (a1 + v9)
-    v25 = Z2_3_m + (a1 - v9)
-    v26 = s1 * v3
-    v27 = d1 + v8
-    v28 = math.sqrt(-1.0)
-    v29 = (
-        0.0 if (abs(T33 - v3) <= pose_slack and (abs(T32 - s234 * v7) <= pose_slack and (abs(T31 +
-        s234 * v6) <= pose_slack and (abs(T23 - s1 * s234) <= pose_slack and (abs(T22 + (v7 * v26 -
-        c1 * v6)) <= pose_slack and (abs(T21 - (v6 * v26 + c1 * v7)) <= pose_slack and (abs(T13 - c1
-        * s234) <= pose_slack and (abs(T11 - (v6 * v21 - s1 * v7)) <= pose_slack and abs(T12 + (s1 *
-        v6 + v7 * v21)) <= pose_slack)))))))) else v28
+    v38 = c1 * v5
+    v39 = m8 * v11
+    v40 = m8 * -v11
+    v41 = m8 * N3_p - m9
+    v42 = m8 * N3_m - m9
+    v43 = v16 * v41
+    v44 = v17 * v42
+    v45 = v11 * v41
+    v46 = v11 * v42
+    v47 = a1 + v13
+    v48 = a1 - v13
+    v49 = v47 + w2_pp * (v34 * (a3 * (v43 - w3_p * v39) + a2 * C2_pp))
+    v50 = v47 + w2_pm * (v35 * (a3 * (v43 - w3_p * v40) + a2 * C2_pm))
+    v51 = v48 + w2_mp * (v36 * (a3 * (v44 - w3_m * v39) + a2 * C2_mp))
+    v52 = v48 + w2_mm * (v37 * (a3 * (v44 - w3_m * v40) + a2 * C2_mm))
+    v53 = s1 * v5
+    v54 = m10 + v12
+    v55 = math.sqrt(-1.0)
+    v56 = (
+        0.0 if max(abs(T12 + (s1 * v8 + v9 * v38)), max(abs(T11 - (v8 * v38 - s1 * v9)), max(abs(T13
+        - c1 * s234), max(abs(T21 - (v8 * v53 + c1 * v9)), max(abs(T22 + (v9 * v53 - c1 * v8)),
+        max(abs(T23 - s1 * s234), max(abs(T31 + s234 * v8), max(abs(T33 - v5), abs(T32 - s234 *
+        v9))))))))) <= pose_slack else v55
     )
-    v30 = abs(T14 - c1 * v24) <= pose_slack1 and abs(T24 - s1 * v24) <= pose_slack1
-    v31 = abs(T14 + c1 * v25) <= pose_slack1 and abs(T24 + s1 * v25) <= pose_slack1
-    v32 = (
-        0.0 if (v30 and abs(T34 - (a3 * (v22 + w3_p * (m6 * (Z2_3_p * factor2_p))) + (v27 + a2 *
-        (S2_pp * factor2_p)))) <= pose_slack1) else v28
+    v57 = (
+        0.0 if max(abs(T24 - s1 * v49), max(abs(T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp
+        * (a3 * (v45 + w3_p * (m8 * v16))))), abs(T14 - c1 * v49))) <= pose_slack1 else v55
     )
-    v33 = (
-        0.0 if (v30 and abs(T34 - (a3 * (v22 + w3_p * (m6 * (-Z2_3_p * factor2_p))) + (v27 + a2 *
-        (S2_pm * factor2_p)))) <= pose_slack1) else v28
+    v58 = (
+        0.0 if max(abs(T24 - s1 * v50), max(abs(T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm
+        * (a3 * (v45 + w3_p * (m8 * -v16))))), abs(T14 - c1 * v50))) <= pose_slack1 else v55
     )
-    v34 = (
-        0.0 if (v31 and abs(T34 - (a3 * (v23 + w3_m * (m6 * (Z2_3_m * factor2_m))) + (v27 + a2 *
-        (S2_mp * factor2_m)))) <= pose_slack1) else v28
+    v59 = (
+        0.0 if max(abs(T24 + s1 * v51), max(abs(T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp
+        * (a3 * (v46 + w3_m * (m8 * v17))))), abs(T14 + c1 * v51))) <= pose_slack1 else v55
     )
-    v35 = (
-        0.0 if (v31 and abs(T34 - (a3 * (v23 + w3_m * (m6 * (-Z2_3_m * factor2_m))) + (v27 + a2 *
-        (S2_mm * factor2_m)))) <= pose_slack1) else v28
+    v60 = (
+        0.0 if max(abs(T24 + s1 * v52), max(abs(T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm
+        * (a3 * (v46 + w3_m * (m8 * -v17))))), abs(T14 + c1 * v52))) <= pose_slack1 else v55
     )
 
     # joint values
-    v36 = angle1_____ - offset2
-    v37 = angle1______ - offset2
-    v38 = angle1_______ - offset2
-    v39 = angle1________ - offset2
-    v40 = angle1_ - (angle1___ + angle1_____) - offset4
-    v41 = angle1_ - (angle1______ - angle1___) - offset4
-    v42 = offset4 + (angle1_ + (angle1____ + angle1_______))
-    v43 = offset4 + (angle1_ + (angle1________ - angle1____))
-    v44 = v40 - (m8 if half_turn < v40 else 0.0) + (m8 if v40 <= -half_turn else 0.0)
-    v45 = v41 - (m8 if half_turn < v41 else 0.0) + (m8 if v41 <= -half_turn else 0.0)
-    v46 = (m8 if -v42 <= -half_turn else 0.0) - (v42 + (m8 if half_turn < -v42 else 0.0))
-    v47 = (m8 if -v43 <= -half_turn else 0.0) - (v43 + (m8 if half_turn < -v43 else 0.0))
-    v48 = v29 + (angle1 + v11)
-    v49 = v29 + (v12 + (angle1 - math.copysign(half_turn, T24) * h1))
-    q1_pp = v32 + v48
-    q1_pm = v33 + v48
-    q1_mp = v34 + v49
-    q1_mm = v35 + v49
-    q2_pp = v32 + (v29 + (v36 + (m8 if v36 <= -half_turn else 0.0)))
-    q2_pm = v33 + (v29 + (v37 + (m8 if v37 <= -half_turn else 0.0)))
-    q2_mp = v34 + (v29 + (v38 + (m8 if v38 <= -half_turn else 0.0)))
-    q2_mm = v35 + (v29 + (v39 + (m8 if v39 <= -half_turn else 0.0)))
-    q3_pp = v32 + (angle1___ + v29)
-    q3_pm = v33 + (v29 - angle1___)
-    q3_mp = v34 + (angle1____ + v29)
-    q3_mm = v35 + (v29 - angle1____)
-    q4_pp = v32 + (v29 + (v44 + (m8 if v44 <= -half_turn else 0.0)))
-    q4_pm = v33 + (v29 + (v45 + (m8 if v45 <= -half_turn else 0.0)))
-    q4_mp = v34 + (v29 + (v46 + (m8 if v46 <= -half_turn else 0.0)))
-    q4_mm = v35 + (v29 + (v47 + (m8 if v47 <= -half_turn else 0.0)))
-    v50 = v29 + (angle1__ + v11)
-    v51 = v29 + (v12 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
-    q5_pp = v32 + v50
-    q5_pm = v33 + v50
-    q5_mp = v34 + v51
-    q5_mm = v35 + v51
+    v61 = angle1_____ - offset2
+    v62 = angle1______ - offset2
+    v63 = angle1_______ - offset2
+    v64 = angle1________ - offset2
+    v65 = angle1_ - (angle1___ + angle1_____) - offset4
+    v66 = angle1_ - (angle1______ - angle1___) - offset4
+    v67 = offset4 + (angle1_ + (angle1____ + angle1_______))
+    v68 = offset4 + (angle1_ + (angle1________ - angle1____))
+    v69 = v65 - (m11 if half_turn < v65 else 0.0) + (m11 if v65 <= -half_turn else 0.0)
+    v70 = v66 - (m11 if half_turn < v66 else 0.0) + (m11 if v66 <= -half_turn else 0.0)
+    v71 = (m11 if -v67 <= -half_turn else 0.0) - (v67 + (m11 if half_turn < -v67 else 0.0))
+    v72 = (m11 if -v68 <= -half_turn else 0.0) - (v68 + (m11 if half_turn < -v68 else 0.0))
+    v73 = v56 + (angle1 + v20)
+    v74 = v56 + (v21 + (angle1 - math.copysign(half_turn, T24) * h1))
+    q1_pp = v57 + v73
+    q1_pm = v58 + v73
+    q1_mp = v59 + v74
+    q1_mm = v60 + v74
+    q2_pp = v57 + (v56 + (v61 + (m11 if v61 <= -half_turn else 0.0)))
+    q2_pm = v58 + (v56 + (v62 + (m11 if v62 <= -half_turn else 0.0)))
+    q2_mp = v59 + (v56 + (v63 + (m11 if v63 <= -half_turn else 0.0)))
+    q2_mm = v60 + (v56 + (v64 + (m11 if v64 <= -half_turn else 0.0)))
+    q3_pp = v57 + (angle1___ + v56)
+    q3_pm = v58 + (v56 - angle1___)
+    q3_mp = v59 + (angle1____ + v56)
+    q3_mm = v60 + (v56 - angle1____)
+    q4_pp = v57 + (v56 + (v69 + (m11 if v69 <= -half_turn else 0.0)))
+    q4_pm = v58 + (v56 + (v70 + (m11 if v70 <= -half_turn else 0.0)))
+    q4_mp = v59 + (v56 + (v71 + (m11 if v71 <= -half_turn else 0.0)))
+    q4_mm = v60 + (v56 + (v72 + (m11 if v72 <= -half_turn else 0.0)))
+    v75 = v56 + (angle1__ + v20)
+    v76 = v56 + (v21 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+    q5_pp = v57 + v75
+    q5_pm = v58 + v75
+    q5_mp = v59 + v76
+    q5_mm = v60 + v76
     doubt1 = (
-        v2 <= m3 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m
-        <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-        free_limit_squared2 or (v4 <= m3 or shortest3_reach <= N3_p and N3_p <= longest3_reach and
-        not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+        v3 <= m3 or (v1 <= m1 or (v6 <= m3 or (v33 <= m7 or (v32 <= m7 or (v31 <= m7 or (v30 <= m7
+        or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
+        N3_p < longest3_apart) or shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart))))))))
     )
     # a joint is free, or branches meet
     if doubt1:
@@ -946,95 +984,133 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             v1 = T14 * T14 + T24 * T24
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
+            v2 = 1.0 / v1
+            factor1 = w1 * v2
             c1 = T14 * factor1
             s1 = T24 * factor1
-            Z2_234 = c1 * T13 + s1 * T23
-            v2 = T33 * T33 + Z2_234 * Z2_234
-            factor234 = 1.0 / math.sqrt(v2)
-            v3 = T33 * factor234
+            Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23))
+            v3 = T33 * T33 + Z2_234 * Z2_234
+            w234 = math.sqrt(v3)
+            v4 = 1.0 / v3
+            factor234 = w234 * v4
+            v5 = T33 * factor234
             s234 = Z2_234 * factor234
-            S5 = c1 * T21 - s1 * T11
-            C5 = c1 * T22 - s1 * T12
-            v4 = S5 * S5 + C5 * C5
-            v5 = 1.0 / math.sqrt(v4)
-            v6 = C5 * v5
-            v7 = S5 * v5
-            v8 = d5 * v3
-            Z1_3 = T34 - d1 - v8
-            v9 = d5 * s234
-            Z2_3_p = w1 - a1 - v9
-            Z2_3_m = v9 - (a1 + w1)
-            v10 = Z1_3 * Z1_3
-            N3_p = v10 + Z2_3_p * Z2_3_p
-            N3_m = v10 + Z2_3_m * Z2_3_m
+            S5 = w1 * (v2 * (T14 * T21 - T24 * T11))
+            C5 = w1 * (v2 * (T14 * T22 - T24 * T12))
+            v6 = S5 * S5 + C5 * C5
+            v7 = math.sqrt(v6) * (1.0 / v6)
+            v8 = C5 * v7
+            v9 = S5 * v7
+            v10 = T34 - d1
+            v11 = v10 - d5 * v5
+            v12 = w234 * (m4 * (T33 * v4))
+            Z1_3 = v10 - v12
+            v13 = d5 * s234
+            v14 = w1 - a1
+            v15 = a1 + w1
+            v16 = v14 - v13
+            v17 = v13 - v15
+            v18 = w234 * (m4 * ((c1 * T13 + s1 * T23) * v4))
+            Z2_3_p = v14 - v18
+            Z2_3_m = v18 - v15
+            v19 = Z1_3 * Z1_3
+            N3_p = v19 + Z2_3_p * Z2_3_p
+            N3_m = v19 + Z2_3_m * Z2_3_m
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v11 = w3_p - w3_p
-            v12 = w3_m - w3_m
-            v13 = m5 + m4 * N3_p
-            v14 = m5 + m4 * N3_m
-            v15 = Z1_3 * v13
-            v16 = Z1_3 * v14
-            S2_pp = v15 - w3_p * (m4 * Z2_3_p)
-            S2_pm = v15 - w3_p * (m4 * -Z2_3_p)
-            S2_mp = v16 - w3_m * (m4 * Z2_3_m)
-            S2_mm = v16 - w3_m * (m4 * -Z2_3_m)
-            v17 = m4 * Z1_3
-            v18 = m4 * -Z1_3
-            v19 = Z2_3_p * v13
-            v20 = Z2_3_m * v14
-            factor2_p = 1.0 / N3_p
-            factor2_m = 1.0 / N3_m
-            v21 = c1 * v3
-            v22 = Z1_3 * (m6 - m7 * factor2_p)
-            v23 = Z1_3 * (m6 - m7 * factor2_m)
-            v24 = Z2_3_p + (a1 + v9)
-            v25 = Z2_3_m + (a1 - v9)
-            v26 = s1 * v3
-            v27 = d1 + v8
-            v28 = math.sqrt(-1.0)
-            v29 = (
-                0.0 if (abs(T33 - v3) <= pose_slack and (abs(T32 - s234 * v7) <= pose_slack and
-                (abs(T31 + s234 * v6) <= pose_slack and (abs(T23 - s1 * s234) <= pose_slack and
-                (abs(T22 + (v7 * v26 - c1 * v6)) <= pose_slack and (abs(T21 - (v6 * v26 + c1 * v7))
-                <= pose_slack and (abs(T13 - c1 * s234) <= pose_slack and (abs(T11 - (v6 * v21 - s1
-                * v7)) <= pose_slack and abs(T12 + (s1 * v6 + v7 * v21)) <= pose_slack)))))))) else
-                v28
+            v20 = w3_p - w3_p
+            v21 = w3_m - w3_m
+            v22 = m6 + m5 * N3_p
+            v23 = m6 + m5 * N3_m
+            v24 = v11 * v22
+            v25 = v11 * v23
+            S2_pp = v24 - w3_p * (m5 * v16)
+            S2_pm = v24 - w3_p * (m5 * -v16)
+            S2_mp = v25 - w3_m * (m5 * v17)
+            S2_mm = v25 - w3_m * (m5 * -v17)
+            v26 = m5 * v11
+            v27 = m5 * -v11
+            v28 = v16 * v22
+            v29 = v17 * v23
+            C2_pp = v28 + w3_p * v26
+            C2_pm = v28 + w3_p * v27
+            C2_mp = v29 + w3_m * v26
+            C2_mm = v29 + w3_m * v27
+            v30 = S2_pp * S2_pp + C2_pp * C2_pp
+            v31 = S2_pm * S2_pm + C2_pm * C2_pm
+            v32 = S2_mp * S2_mp + C2_mp * C2_mp
+            v33 = S2_mm * S2_mm + C2_mm * C2_mm
+            w2_pp = math.sqrt(v30)
+            w2_pm = math.sqrt(v31)
+            w2_mp = math.sqrt(v32)
+            w2_mm = math.sqrt(v33)
+            v34 = 1.0 / v30
+            v35 = 1.0 / v31
+            v36 = 1.0 / v32
+            v37 = 1.0 / v33
+            factor2_pp = w2_pp * v34
+            factor2_pm = w2_pm * v35
+            factor2_mp = w2_mp * v36
+            factor2_mm = w2_mm * v37
+            v38 = c1 * v5
+            v39 = m8 * v11
+            v40 = m8 * -v11
+            v41 = m8 * N3_p - m9
+            v42 = m8 * N3_m - m9
+            v43 = v16 * v41
+            v44 = v17 * v42
+            v45 = v11 * v41
+            v46 = v11 * v42
+            v47 = a1 + v13
+            v48 = a1 - v13
+            v49 = v47 + w2_pp * (v34 * (a3 * (v43 - w3_p * v39) + a2 * C2_pp))
+            v50 = v47 + w2_pm * (v35 * (a3 * (v43 - w3_p * v40) + a2 * C2_pm))
+            v51 = v48 + w2_mp * (v36 * (a3 * (v44 - w3_m * v39) + a2 * C2_mp))
+            v52 = v48 + w2_mm * (v37 * (a3 * (v44 - w3_m * v40) + a2 * C2_mm))
+            v53 = s1 * v5
+            v54 = m10 + v12
+            v55 = math.sqrt(-1.0)
+            v56 = (
+                0.0 if max(abs(T12 + (s1 * v8 + v9 * v38)), max(abs(T11 - (v8 * v38 - s1 * v9)),
+                max(abs(T13 - c1 * s234), max(abs(T21 - (v8 * v53 + c1 * v9)), max(abs(T22 + (v9 *
+                v53 - c1 * v8)), max(abs(T23 - s1 * s234), max(abs(T31 + s234 * v8), max(abs(T33 -
+                v5), abs(T32 - s234 * v9))))))))) <= pose_slack else v55
             )
-            v30 = abs(T14 - c1 * v24) <= pose_slack1 and abs(T24 - s1 * v24) <= pose_slack1
-            v31 = abs(T14 + c1 * v25) <= pose_slack1 and abs(T24 + s1 * v25) <= pose_slack1
-            v32 = (
-                0.0 if (v30 and abs(T34 - (a3 * (v22 + w3_p * (m6 * (Z2_3_p * factor2_p))) + (v27 +
-                a2 * (S2_pp * factor2_p)))) <= pose_slack1) else v28
+            v57 = (
+                0.0 if max(abs(T24 - s1 * v49), max(abs(T34 - (v54 + factor2_pp * (a2 * S2_pp) +
+                factor2_pp * (a3 * (v45 + w3_p * (m8 * v16))))), abs(T14 - c1 * v49))) <=
+                pose_slack1 else v55
             )
-            v33 = (
-                0.0 if (v30 and abs(T34 - (a3 * (v22 + w3_p * (m6 * (-Z2_3_p * factor2_p))) + (v27 +
-                a2 * (S2_pm * factor2_p)))) <= pose_slack1) else v28
+            v58 = (
+                0.0 if max(abs(T24 - s1 * v50), max(abs(T34 - (v54 + factor2_pm * (a2 * S2_pm) +
+                factor2_pm * (a3 * (v45 + w3_p * (m8 * -v16))))), abs(T14 - c1 * v50))) <=
+                pose_slack1 else v55
             )
-            v34 = (
-                0.0 if (v31 and abs(T34 - (a3 * (v23 + w3_m * (m6 * (Z2_3_m * factor2_m))) + (v27 +
-                a2 * (S2_mp * factor2_m)))) <= pose_slack1) else v28
+            v59 = (
+                0.0 if max(abs(T24 + s1 * v51), max(abs(T34 - (v54 + factor2_mp * (a2 * S2_mp) +
+                factor2_mp * (a3 * (v46 + w3_m * (m8 * v17))))), abs(T14 + c1 * v51))) <=
+                pose_slack1 else v55
             )
-            v35 = (
-                0.0 if (v31 and abs(T34 - (a3 * (v23 + w3_m * (m6 * (-Z2_3_m * factor2_m))) + (v27 +
-                a2 * (S2_mm * factor2_m)))) <= pose_slack1) else v28
+            v60 = (
+                0.0 if max(abs(T24 + s1 * v52), max(abs(T34 - (v54 + factor2_mm * (a2 * S2_mm) +
+                factor2_mm * (a3 * (v46 + w3_m * (m8 * -v17))))), abs(T14 + c1 * v52))) <=
+                pose_slack1 else v55
             )
             doubt1 = (
-                v2 <= m3 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m
-                and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart) or (N3_p <= free_limit_squared2 or (v4 <= m3 or shortest3_reach <=
-                N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart))))))
+                v3 <= m3 or (v1 <= m1 or (v6 <= m3 or (v33 <= m7 or (v32 <= m7 or (v31 <= m7 or (v30
+                <= m7 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart) or shortest3_reach <= N3_m and
+                N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
+                longest3_apart))))))))
             )
             work[544 + k] = S5
-            work[576 + k] = v11
-            work[608 + k] = v12
-            work[640 + k] = v29
-            work[672 + k] = v32
-            work[704 + k] = v33
-            work[736 + k] = v34
-            work[768 + k] = v35
+            work[576 + k] = v20
+            work[608 + k] = v21
+            work[640 + k] = v56
+            work[672 + k] = v57
+            work[704 + k] = v58
+            work[736 + k] = v59
+            work[768 + k] = v60
             work[800 + k] = doubt1
             work[832 + k] = T24
             work[864 + k] = Z2_234
@@ -1050,22 +1126,22 @@ def _in_tiles(T, q, status):
             work[1184 + k] = -C5
             work[1216 + k] = N3_p - k1
             work[1248 + k] = N3_m - k1
-            work[1280 + k] = v19 + w3_p * v17
-            work[1312 + k] = v19 + w3_p * v18
-            work[1344 + k] = v20 + w3_m * v17
-            work[1376 + k] = v20 + w3_m * v18
+            work[1280 + k] = C2_pp
+            work[1312 + k] = C2_pm
+            work[1344 + k] = C2_mp
+            work[1376 + k] = C2_mm
         for k in range(832, 1120):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
             T24 = work[224 + k]
             S5 = work[544 + k]
-            v11 = work[576 + k]
-            v12 = work[608 + k]
-            v29 = work[640 + k]
-            v32 = work[672 + k]
-            v33 = work[704 + k]
-            v34 = work[736 + k]
-            v35 = work[768 + k]
+            v20 = work[576 + k]
+            v21 = work[608 + k]
+            v56 = work[640 + k]
+            v57 = work[672 + k]
+            v58 = work[704 + k]
+            v59 = work[736 + k]
+            v60 = work[768 + k]
             doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
@@ -1076,42 +1152,42 @@ def _in_tiles(T, q, status):
             angle1______ = work[1024 + k]
             angle1_______ = work[1056 + k]
             angle1________ = work[1088 + k]
-            v36 = angle1_____ - offset2
-            v37 = angle1______ - offset2
-            v38 = angle1_______ - offset2
-            v39 = angle1________ - offset2
-            v40 = angle1_ - (angle1___ + angle1_____) - offset4
-            v41 = angle1_ - (angle1______ - angle1___) - offset4
-            v42 = offset4 + (angle1_ + (angle1____ + angle1_______))
-            v43 = offset4 + (angle1_ + (angle1________ - angle1____))
-            v44 = v40 - (m8 if half_turn < v40 else 0.0) + (m8 if v40 <= -half_turn else 0.0)
-            v45 = v41 - (m8 if half_turn < v41 else 0.0) + (m8 if v41 <= -half_turn else 0.0)
-            v46 = (m8 if -v42 <= -half_turn else 0.0) - (v42 + (m8 if half_turn < -v42 else 0.0))
-            v47 = (m8 if -v43 <= -half_turn else 0.0) - (v43 + (m8 if half_turn < -v43 else 0.0))
-            v48 = v29 + (angle1 + v11)
-            v49 = v29 + (v12 + (angle1 - math.copysign(half_turn, T24) * h1))
-            q1_pp = v32 + v48
-            q1_pm = v33 + v48
-            q1_mp = v34 + v49
-            q1_mm = v35 + v49
-            q2_pp = v32 + (v29 + (v36 + (m8 if v36 <= -half_turn else 0.0)))
-            q2_pm = v33 + (v29 + (v37 + (m8 if v37 <= -half_turn else 0.0)))
-            q2_mp = v34 + (v29 + (v38 + (m8 if v38 <= -half_turn else 0.0)))
-            q2_mm = v35 + (v29 + (v39 + (m8 if v39 <= -half_turn else 0.0)))
-            q3_pp = v32 + (angle1___ + v29)
-            q3_pm = v33 + (v29 - angle1___)
-            q3_mp = v34 + (angle1____ + v29)
-            q3_mm = v35 + (v29 - angle1____)
-            q4_pp = v32 + (v29 + (v44 + (m8 if v44 <= -half_turn else 0.0)))
-            q4_pm = v33 + (v29 + (v45 + (m8 if v45 <= -half_turn else 0.0)))
-            q4_mp = v34 + (v29 + (v46 + (m8 if v46 <= -half_turn else 0.0)))
-            q4_mm = v35 + (v29 + (v47 + (m8 if v47 <= -half_turn else 0.0)))
-            v50 = v29 + (angle1__ + v11)
-            v51 = v29 + (v12 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
-            q5_pp = v32 + v50
-            q5_pm = v33 + v50
-            q5_mp = v34 + v51
-            q5_mm = v35 + v51
+            v61 = angle1_____ - offset2
+            v62 = angle1______ - offset2
+            v63 = angle1_______ - offset2
+            v64 = angle1________ - offset2
+            v65 = angle1_ - (angle1___ + angle1_____) - offset4
+            v66 = angle1_ - (angle1______ - angle1___) - offset4
+            v67 = offset4 + (angle1_ + (angle1____ + angle1_______))
+            v68 = offset4 + (angle1_ + (angle1________ - angle1____))
+            v69 = v65 - (m11 if half_turn < v65 else 0.0) + (m11 if v65 <= -half_turn else 0.0)
+            v70 = v66 - (m11 if half_turn < v66 else 0.0) + (m11 if v66 <= -half_turn else 0.0)
+            v71 = (m11 if -v67 <= -half_turn else 0.0) - (v67 + (m11 if half_turn < -v67 else 0.0))
+            v72 = (m11 if -v68 <= -half_turn else 0.0) - (v68 + (m11 if half_turn < -v68 else 0.0))
+            v73 = v56 + (angle1 + v20)
+            v74 = v56 + (v21 + (angle1 - math.copysign(half_turn, T24) * h1))
+            q1_pp = v57 + v73
+            q1_pm = v58 + v73
+            q1_mp = v59 + v74
+            q1_mm = v60 + v74
+            q2_pp = v57 + (v56 + (v61 + (m11 if v61 <= -half_turn else 0.0)))
+            q2_pm = v58 + (v56 + (v62 + (m11 if v62 <= -half_turn else 0.0)))
+            q2_mp = v59 + (v56 + (v63 + (m11 if v63 <= -half_turn else 0.0)))
+            q2_mm = v60 + (v56 + (v64 + (m11 if v64 <= -half_turn else 0.0)))
+            q3_pp = v57 + (angle1___ + v56)
+            q3_pm = v58 + (v56 - angle1___)
+            q3_mp = v59 + (angle1____ + v56)
+            q3_mm = v60 + (v56 - angle1____)
+            q4_pp = v57 + (v56 + (v69 + (m11 if v69 <= -half_turn else 0.0)))
+            q4_pm = v58 + (v56 + (v70 + (m11 if v70 <= -half_turn else 0.0)))
+            q4_mp = v59 + (v56 + (v71 + (m11 if v71 <= -half_turn else 0.0)))
+            q4_mm = v60 + (v56 + (v72 + (m11 if v72 <= -half_turn else 0.0)))
+            v75 = v56 + (angle1__ + v20)
+            v76 = v56 + (v21 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+            q5_pp = v57 + v75
+            q5_pm = v58 + v75
+            q5_mp = v59 + v76
+            q5_mm = v60 + v76
             _1408 = q1_pp
             work[1408 + k] = _1408
             _1440 = q2_pp

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef OLSON_PPRRRR_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef OLSON_PPRRRR_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -323,7 +326,8 @@ static const double merge_slack1 = 7e-14; /* nearer to that boundary two branche
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-24; /* free_limit^2 */
 static const double m2 = 1e-06; /* near_limit^2 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 4.0; /* a coefficient of Y5 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const olson_pprrrr_branches[4] = {
@@ -465,75 +469,75 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     /* theta3 */
     const wide v1 = T23 * T23 + T13 * T13;
     const wide w3 = sqrt_wide(v1);
-    const wide factor3 = 1.0 / w3;
-    const wide c3 = T23 * factor3;
-    const wide v2 = T13 * factor3;
+    const wide v2 = 1.0 / v1;
+    const wide factor3 = w3 * v2;
     const wide angle1 = atan2_wide(-T13, T23);
 
     /* theta45 */
     const wide angle1_ = atan2_wide(-w3, -T33);
 
     /* theta6 */
-    const wide Z1_6 = c3 * T12 - v2 * T22;
-    const wide Z2_6 = c3 * T11 - v2 * T21;
-    const wide angle1__ = atan2_wide(-Z2_6, -Z1_6);
+    const wide v3 = v2 * (T23 * T12 - T13 * T22);
+    const wide v4 = v2 * (T23 * T11 - T13 * T21);
+    const wide angle1__ = atan2_wide(-v4, -v3);
 
     /* theta5 */
     const wide X5 = a4 * T33;
-    const wide Y5 = a4 * (Z2_6 * T32 - Z1_6 * T31);
-    const wide v3 = d6 * T33 + (d3 - T34);
+    const wide Y5 = w3 * (m4 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
+        T32))));
+    const wide v5 = d6 * T33 + (d3 - T34);
     const wide N5 = X5 * X5 + Y5 * Y5;
-    const wide D5 = N5 - v3 * v3;
+    const wide D5 = N5 - v5 * v5;
     const wide_mask free5 = N5 <= free_limit_squared2;
-    const wide v4 = 2.0 * abs_wide(v3);
+    const wide v6 = 2.0 * abs_wide(v5);
     const wide w5 = sqrt_wide(D5);
-    const wide v5 = w5 - w5;
+    const wide v7 = w5 - w5;
     const wide inverse5 = 1.0 / N5;
-    const wide v6 = X5 * v3;
-    const wide v7 = Y5 * v3;
-    const wide v8 = X5 * w5;
-    const wide v9 = Y5 * w5;
-    const wide v10 = v9 - v6;
-    const wide v11 = v7 + v8;
-    const wide angle1___ = atan2_wide(v10, -v11);
-    const wide v12 = v7 - v8;
-    const wide angle1____ = atan2_wide(-(v6 + v9), -v12);
-    const wide angle1_____ = atan2_wide(-(v6 + v9), v12);
-    const wide angle1______ = atan2_wide(v10, v11);
+    const wide v8 = X5 * v5;
+    const wide v9 = Y5 * v5;
+    const wide v10 = X5 * w5;
+    const wide v11 = Y5 * w5;
+    const wide v12 = v11 - v8;
+    const wide v13 = v9 + v10;
+    const wide angle1___ = atan2_wide(v12, -v13);
+    const wide v14 = v9 - v10;
+    const wide angle1____ = atan2_wide(-(v8 + v11), -v14);
+    const wide angle1_____ = atan2_wide(-(v8 + v11), v14);
+    const wide angle1______ = atan2_wide(v12, v13);
 
     /* r2 */
-    const wide v13 = a4 * v2;
-    const wide v14 = T33 * X5 - w3 * Y5;
-    const wide v15 = w3 * v6 + T33 * v7;
-    const wide v16 = T14 - d6 * T13 + inverse5 * (v13 * v15);
-    const wide q2_pp = v16 + w5 * (inverse5 * (v13 * v14));
-    const wide q2_pm = v16 + w5 * (inverse5 * (v13 * -v14));
+    const wide v15 = a4 * (T13 * factor3);
+    const wide v16 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31));
+    const wide v17 = w3 * v8 + T33 * v9;
+    const wide v18 = T14 - d6 * T13 + inverse5 * (v15 * v17);
+    const wide q2_pp = v18 + w5 * (inverse5 * (v15 * v16));
+    const wide q2_pm = v18 + w5 * (inverse5 * (v15 * -v16));
 
     /* r1 */
-    const wide v17 = a4 * c3;
-    const wide v18 = T24 - d6 * T23 + inverse5 * (v15 * v17);
-    const wide q1_pp = v18 + w5 * (inverse5 * (v14 * v17));
-    const wide q1_pm = v18 + w5 * (inverse5 * (-v14 * v17));
+    const wide v19 = a4 * (T23 * factor3);
+    const wide v20 = T24 - d6 * T23 + inverse5 * (v17 * v19);
+    const wide q1_pp = v20 + w5 * (inverse5 * (v16 * v19));
+    const wide q1_pm = v20 + w5 * (inverse5 * (-v16 * v19));
 
     /* joint values */
-    const wide v19 = angle1_ - angle1___;
-    const wide v20 = angle1_ - angle1____;
-    const wide v21 = angle1_ + angle1_____;
-    const wide v22 = angle1_ + angle1______;
-    const wide q4_pp = v19 - pick_wide(half_turn < v19, all_wide(m4), all_wide(0.0)) + pick_wide(v19
-        <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_pm = v20 - pick_wide(half_turn < v20, all_wide(m4), all_wide(0.0)) + pick_wide(v20
-        <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4_mp = pick_wide(-v21 <= -half_turn, all_wide(m4), all_wide(0.0)) - (v21 +
-        pick_wide(half_turn < -v21, all_wide(m4), all_wide(0.0)));
-    const wide q4_mm = pick_wide(-v22 <= -half_turn, all_wide(m4), all_wide(0.0)) - (v22 +
-        pick_wide(half_turn < -v22, all_wide(m4), all_wide(0.0)));
-    const wide q3_pp = angle1 + v5;
-    const wide q3_mp = v5 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1);
-    const wide q6_pp = angle1__ + v5;
-    const wide q6_mp = v5 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -Z2_6));
+    const wide v21 = angle1_ - angle1___;
+    const wide v22 = angle1_ - angle1____;
+    const wide v23 = angle1_ + angle1_____;
+    const wide v24 = angle1_ + angle1______;
+    const wide q4_pp = v21 - pick_wide(half_turn < v21, all_wide(m5), all_wide(0.0)) + pick_wide(v21
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_pm = v22 - pick_wide(half_turn < v22, all_wide(m5), all_wide(0.0)) + pick_wide(v22
+        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_mp = pick_wide(-v23 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v23 +
+        pick_wide(half_turn < -v23, all_wide(m5), all_wide(0.0)));
+    const wide q4_mm = pick_wide(-v24 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v24 +
+        pick_wide(half_turn < -v24, all_wide(m5), all_wide(0.0)));
+    const wide q3_pp = angle1 + v7;
+    const wide q3_mp = v7 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1);
+    const wide q6_pp = angle1__ + v7;
+    const wide q6_mp = v7 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -v4));
     const wide_mask doubt1 = (v1 <= m2) | ((v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 +
-        v4)) <= D5) & (free5 | ((merge_slack1 * (merge_slack1 + v4) < D5) == 0)))));
+        v6)) <= D5) & (free5 | ((merge_slack1 * (merge_slack1 + v6) < D5) == 0)))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -582,67 +586,67 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     /* theta3 */
     const double v1 = T23 * T23 + T13 * T13;
     const double w3 = sqrt(v1);
-    const double factor3 = 1.0 / w3;
-    const double c3 = T23 * factor3;
-    const double v2 = T13 * factor3;
+    const double v2 = 1.0 / v1;
+    const double factor3 = w3 * v2;
     const double v3 = copysign(half_turn, -T13);
     const four v4 = m3 * (e1 - 1.0);
 
     /* theta6 */
-    const double Z1_6 = c3 * T12 - v2 * T22;
-    const double Z2_6 = c3 * T11 - v2 * T21;
-    const double v5 = copysign(half_turn, -Z2_6);
+    const double v5 = v2 * (T23 * T12 - T13 * T22);
+    const double v6 = v2 * (T23 * T11 - T13 * T21);
+    const double v7 = copysign(half_turn, -v6);
 
     /* theta5 */
     const double X5 = a4 * T33;
-    const double Y5 = a4 * (Z2_6 * T32 - Z1_6 * T31);
-    const double v6 = d6 * T33 + (d3 - T34);
+    const double v8 = a4 * (w3 * v6 * T32 - w3 * v5 * T31);
+    const double Y5 = w3 * (m4 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
+        T32))));
+    const double v9 = d6 * T33 + (d3 - T34);
     const double N5 = X5 * X5 + Y5 * Y5;
-    const double D5 = N5 - v6 * v6;
+    const double D5 = N5 - v9 * v9;
     const int free5 = N5 <= free_limit_squared2;
-    const double v7 = 2.0 * fabs(v6);
+    const double v10 = 2.0 * fabs(v9);
     const double w5 = sqrt(D5);
-    const double v8 = w5 - w5;
+    const double v11 = w5 - w5;
     const double inverse5 = 1.0 / N5;
-    const double v9 = X5 * v6;
-    const double v10 = Y5 * v6;
-    const double v11 = X5 * w5;
-    const four v12 = e1 * v10;
-    const four v13 = e2 * v11;
-    const double v14 = Y5 * w5;
-    const four v15 = e1 * e2;
+    const double v12 = X5 * v9;
+    const double v13 = Y5 * v9;
+    const double v14 = X5 * w5;
+    const four v15 = e1 * v13;
+    const four v16 = e2 * v14;
+    const double v17 = Y5 * w5;
+    const four v18 = e1 * e2;
 
     /* r2 */
     const double wx = T14 - d6 * T13;
-    const double v16 = a4 * v2;
-    const four v17 = X5 * (T33 * v15) - Y5 * (w3 * v15);
-    const double v18 = w3 * v9;
-    const four v19 = v18 + v12 * (e1 * T33);
-    const four v20 = wx + inverse5 * (v16 * v19);
-    const four q2 = v20 + w5 * (inverse5 * (v16 * v17));
+    const double v19 = a4 * (T13 * factor3);
+    const four v20 = X5 * (T33 * v18) - v8 * (w3 * v18);
+    const double v21 = w3 * v12;
+    const four v22 = v21 + v15 * (e1 * T33);
+    const four v23 = wx + inverse5 * (v19 * v22);
+    const four q2 = v23 + w5 * (inverse5 * (v19 * v20));
 
     /* r1 */
     const double wy = T24 - d6 * T23;
-    const double v21 = a4 * c3;
-    const four v22 = wy + inverse5 * (v19 * v21);
-    const four q1 = v22 + w5 * (inverse5 * (v17 * v21));
+    const double v24 = a4 * (T23 * factor3);
+    const four v25 = wy + inverse5 * (v22 * v24);
+    const four q1 = v25 + w5 * (inverse5 * (v20 * v24));
 
     /* joint values */
-    const int doubt1 = (v1 <= m2) | ((v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 + v7))
-        <= D5) & (free5 | ((merge_slack1 * (merge_slack1 + v7) < D5) == 0)))));
+    const int doubt1 = (v1 <= m2) | ((v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 + v10))
+        <= D5) & (free5 | ((merge_slack1 * (merge_slack1 + v10) < D5) == 0)))));
 
-    const four angle1___ = atan2_four(v14 * v15 - v9, -(v12 + v13));
-    const four packed2 = atan2_four((four){ -T13, -w3, -Z2_6, -T13 }, (four){ T23, -T33, -Z1_6, T23
-        });
+    const four angle1___ = atan2_four(v17 * v18 - v12, -(v15 + v16));
+    const four packed2 = atan2_four((four){ -T13, -w3, -v6, -T13 }, (four){ T23, -T33, -v5, T23 });
     const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
     const four angle1_ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle1__ = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four v23 = e1 * angle1_;
-    const four v24 = v23 - angle1___;
-    const four q4 = v24 - pick_four(half_turn < v24, all_four(m4), all_four(0.0)) + pick_four(v24 <=
-        -half_turn, all_four(m4), all_four(0.0));
-    const four q3 = v8 + (angle1 + v3 * v4);
-    const four q6 = v8 + (angle1__ + v4 * v5);
+    const four v26 = e1 * angle1_;
+    const four v27 = v26 - angle1___;
+    const four q4 = v27 - pick_four(half_turn < v27, all_four(m5), all_four(0.0)) + pick_four(v27 <=
+        -half_turn, all_four(m5), all_four(0.0));
+    const four q3 = v11 + (angle1 + v3 * v4);
+    const four q6 = v11 + (angle1__ + v4 * v7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

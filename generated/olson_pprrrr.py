@@ -64,7 +64,8 @@ merge_slack1 = 7e-14  # nearer to that boundary two branches are one [m]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-24  # free_limit^2
 m2 = 1e-06  # near_limit^2
-m4 = 6.283185307179586  # 2 * half_turn
+m4 = 4.0  # a coefficient of Y5
+m5 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
@@ -526,72 +527,71 @@ def _regular(pose, q, status):
     # theta3, type 2: U3[2, 3]
     v1 = T23 * T23 + T13 * T13
     w3 = math.sqrt(v1)
-    factor3 = 1.0 / w3
-    c3 = T23 * factor3
-    v2 = T13 * factor3
+    v2 = 1.0 / v1
+    factor3 = w3 * v2
     angle1 = _atan2(-T13, T23)
 
     # theta45, type 3: U3[3, 3] and U3[1, 3]
     angle1_ = _atan2(-w3, -T33)
 
     # theta6, type 3: U3[2, 2] and U3[2, 1]
-    Z1_6 = c3 * T12 - v2 * T22
-    Z2_6 = c3 * T11 - v2 * T21
-    angle1__ = _atan2(-Z2_6, -Z1_6)
+    v3 = v2 * (T23 * T12 - T13 * T22)
+    v4 = v2 * (T23 * T11 - T13 * T21)
+    angle1__ = _atan2(-v4, -v3)
 
     # theta5, type 2: U0 (A5 A6)^-1 [3, 4]
     X5 = a4 * T33
-    Y5 = a4 * (Z2_6 * T32 - Z1_6 * T31)
-    v3 = d6 * T33 + (d3 - T34)
+    Y5 = w3 * (m4 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
+    v5 = d6 * T33 + (d3 - T34)
     N5 = X5 * X5 + Y5 * Y5
-    D5 = N5 - v3 * v3
+    D5 = N5 - v5 * v5
     free5 = N5 <= free_limit_squared2
-    v4 = 2.0 * abs(v3)
+    v6 = 2.0 * abs(v5)
     w5 = math.sqrt(D5)
-    v5 = w5 - w5
+    v7 = w5 - w5
     inverse5 = 1.0 / N5
-    v6 = X5 * v3
-    v7 = Y5 * v3
-    v8 = X5 * w5
-    v9 = Y5 * w5
-    v10 = v9 - v6
-    v11 = v7 + v8
-    angle1___ = _atan2(v10, -v11)
-    v12 = v7 - v8
-    angle1____ = _atan2(-(v6 + v9), -v12)
-    angle1_____ = _atan2(-(v6 + v9), v12)
-    angle1______ = _atan2(v10, v11)
+    v8 = X5 * v5
+    v9 = Y5 * v5
+    v10 = X5 * w5
+    v11 = Y5 * w5
+    v12 = v11 - v8
+    v13 = v9 + v10
+    angle1___ = _atan2(v12, -v13)
+    v14 = v9 - v10
+    angle1____ = _atan2(-(v8 + v11), -v14)
+    angle1_____ = _atan2(-(v8 + v11), v14)
+    angle1______ = _atan2(v12, v13)
 
     # r2, type 1: U0 A6^-1 [1, 4]
-    v13 = a4 * v2
-    v14 = T33 * X5 - w3 * Y5
-    v15 = w3 * v6 + T33 * v7
-    v16 = T14 - d6 * T13 + inverse5 * (v13 * v15)
-    q2_pp = v16 + w5 * (inverse5 * (v13 * v14))
-    q2_pm = v16 + w5 * (inverse5 * (v13 * -v14))
+    v15 = a4 * (T13 * factor3)
+    v16 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31))
+    v17 = w3 * v8 + T33 * v9
+    v18 = T14 - d6 * T13 + inverse5 * (v15 * v17)
+    q2_pp = v18 + w5 * (inverse5 * (v15 * v16))
+    q2_pm = v18 + w5 * (inverse5 * (v15 * -v16))
 
     # r1, type 1: U0 A6^-1 [2, 4]
-    v17 = a4 * c3
-    v18 = T24 - d6 * T23 + inverse5 * (v15 * v17)
-    q1_pp = v18 + w5 * (inverse5 * (v14 * v17))
-    q1_pm = v18 + w5 * (inverse5 * (-v14 * v17))
+    v19 = a4 * (T23 * factor3)
+    v20 = T24 - d6 * T23 + inverse5 * (v17 * v19)
+    q1_pp = v20 + w5 * (inverse5 * (v16 * v19))
+    q1_pm = v20 + w5 * (inverse5 * (-v16 * v19))
 
     # joint values
-    v19 = angle1_ - angle1___
-    v20 = angle1_ - angle1____
-    v21 = angle1_ + angle1_____
-    v22 = angle1_ + angle1______
-    q4_pp = v19 - (m4 if half_turn < v19 else 0.0) + (m4 if v19 <= -half_turn else 0.0)
-    q4_pm = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
-    q4_mp = (m4 if -v21 <= -half_turn else 0.0) - (v21 + (m4 if half_turn < -v21 else 0.0))
-    q4_mm = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
-    q3_pp = angle1 + v5
-    q3_mp = v5 + (angle1 - math.copysign(half_turn, -T13) * h1)
-    q6_pp = angle1__ + v5
-    q6_mp = v5 + (angle1__ - h1 * math.copysign(half_turn, -Z2_6))
+    v21 = angle1_ - angle1___
+    v22 = angle1_ - angle1____
+    v23 = angle1_ + angle1_____
+    v24 = angle1_ + angle1______
+    q4_pp = v21 - (m5 if half_turn < v21 else 0.0) + (m5 if v21 <= -half_turn else 0.0)
+    q4_pm = v22 - (m5 if half_turn < v22 else 0.0) + (m5 if v22 <= -half_turn else 0.0)
+    q4_mp = (m5 if -v23 <= -half_turn else 0.0) - (v23 + (m5 if half_turn < -v23 else 0.0))
+    q4_mm = (m5 if -v24 <= -half_turn else 0.0) - (v24 + (m5 if half_turn < -v24 else 0.0))
+    q3_pp = angle1 + v7
+    q3_mp = v7 + (angle1 - math.copysign(half_turn, -T13) * h1)
+    q6_pp = angle1__ + v7
+    q6_mp = v7 + (angle1__ - h1 * math.copysign(half_turn, -v4))
     doubt1 = (
-        v1 <= m2 or (v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v4)) <= D5 and (free5 or
-        not (merge_slack1 * (merge_slack1 + v4) < D5))))
+        v1 <= m2 or (v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or
+        not (merge_slack1 * (merge_slack1 + v6) < D5))))
     )
     # a joint is free, or branches meet
     if doubt1:
@@ -808,44 +808,43 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             v1 = T23 * T23 + T13 * T13
             w3 = math.sqrt(v1)
-            factor3 = 1.0 / w3
-            c3 = T23 * factor3
-            v2 = T13 * factor3
-            Z1_6 = c3 * T12 - v2 * T22
-            Z2_6 = c3 * T11 - v2 * T21
+            v2 = 1.0 / v1
+            factor3 = w3 * v2
+            v3 = v2 * (T23 * T12 - T13 * T22)
+            v4 = v2 * (T23 * T11 - T13 * T21)
             X5 = a4 * T33
-            Y5 = a4 * (Z2_6 * T32 - Z1_6 * T31)
-            v3 = d6 * T33 + (d3 - T34)
+            Y5 = w3 * (m4 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
+            v5 = d6 * T33 + (d3 - T34)
             N5 = X5 * X5 + Y5 * Y5
-            D5 = N5 - v3 * v3
+            D5 = N5 - v5 * v5
             free5 = N5 <= free_limit_squared2
-            v4 = 2.0 * abs(v3)
+            v6 = 2.0 * abs(v5)
             w5 = math.sqrt(D5)
-            v5 = w5 - w5
+            v7 = w5 - w5
             inverse5 = 1.0 / N5
-            v6 = X5 * v3
-            v7 = Y5 * v3
-            v8 = X5 * w5
-            v9 = Y5 * w5
-            v10 = v9 - v6
-            v11 = v7 + v8
-            v12 = v7 - v8
-            v13 = a4 * v2
-            v14 = T33 * X5 - w3 * Y5
-            v15 = w3 * v6 + T33 * v7
-            v16 = T14 - d6 * T13 + inverse5 * (v13 * v15)
-            q2_pp = v16 + w5 * (inverse5 * (v13 * v14))
-            q2_pm = v16 + w5 * (inverse5 * (v13 * -v14))
-            v17 = a4 * c3
-            v18 = T24 - d6 * T23 + inverse5 * (v15 * v17)
-            q1_pp = v18 + w5 * (inverse5 * (v14 * v17))
-            q1_pm = v18 + w5 * (inverse5 * (-v14 * v17))
+            v8 = X5 * v5
+            v9 = Y5 * v5
+            v10 = X5 * w5
+            v11 = Y5 * w5
+            v12 = v11 - v8
+            v13 = v9 + v10
+            v14 = v9 - v10
+            v15 = a4 * (T13 * factor3)
+            v16 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31))
+            v17 = w3 * v8 + T33 * v9
+            v18 = T14 - d6 * T13 + inverse5 * (v15 * v17)
+            q2_pp = v18 + w5 * (inverse5 * (v15 * v16))
+            q2_pm = v18 + w5 * (inverse5 * (v15 * -v16))
+            v19 = a4 * (T23 * factor3)
+            v20 = T24 - d6 * T23 + inverse5 * (v17 * v19)
+            q1_pp = v20 + w5 * (inverse5 * (v16 * v19))
+            q1_pm = v20 + w5 * (inverse5 * (-v16 * v19))
             doubt1 = (
-                v1 <= m2 or (v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v4)) <= D5 and
-                (free5 or not (merge_slack1 * (merge_slack1 + v4) < D5))))
+                v1 <= m2 or (v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v6)) <= D5 and
+                (free5 or not (merge_slack1 * (merge_slack1 + v6) < D5))))
             )
-            work[544 + k] = Z2_6
-            work[576 + k] = v5
+            work[544 + k] = v4
+            work[576 + k] = v7
             work[608 + k] = q2_pp
             work[640 + k] = q2_pm
             work[672 + k] = q1_pp
@@ -853,24 +852,24 @@ def _in_tiles(T, q, status):
             work[736 + k] = doubt1
             work[768 + k] = -T13
             work[800 + k] = -w3
-            work[832 + k] = -Z2_6
-            work[864 + k] = v10
-            work[896 + k] = -(v6 + v9)
-            work[928 + k] = -(v6 + v9)
-            work[960 + k] = v10
+            work[832 + k] = -v4
+            work[864 + k] = v12
+            work[896 + k] = -(v8 + v11)
+            work[928 + k] = -(v8 + v11)
+            work[960 + k] = v12
             work[992 + k] = T23
             work[1024 + k] = -T33
-            work[1056 + k] = -Z1_6
-            work[1088 + k] = -v11
-            work[1120 + k] = -v12
-            work[1152 + k] = v12
-            work[1184 + k] = v11
+            work[1056 + k] = -v3
+            work[1088 + k] = -v13
+            work[1120 + k] = -v14
+            work[1152 + k] = v14
+            work[1184 + k] = v13
         for k in range(768, 992):
             work[k] = _atan2(work[k], work[k + 224])
         for k in range(0, 32):
             T13 = work[64 + k]
-            Z2_6 = work[544 + k]
-            v5 = work[576 + k]
+            v4 = work[544 + k]
+            v7 = work[576 + k]
             q2_pp = work[608 + k]
             q2_pm = work[640 + k]
             q1_pp = work[672 + k]
@@ -883,18 +882,18 @@ def _in_tiles(T, q, status):
             angle1____ = work[896 + k]
             angle1_____ = work[928 + k]
             angle1______ = work[960 + k]
-            v19 = angle1_ - angle1___
-            v20 = angle1_ - angle1____
-            v21 = angle1_ + angle1_____
-            v22 = angle1_ + angle1______
-            q4_pp = v19 - (m4 if half_turn < v19 else 0.0) + (m4 if v19 <= -half_turn else 0.0)
-            q4_pm = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
-            q4_mp = (m4 if -v21 <= -half_turn else 0.0) - (v21 + (m4 if half_turn < -v21 else 0.0))
-            q4_mm = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
-            q3_pp = angle1 + v5
-            q3_mp = v5 + (angle1 - math.copysign(half_turn, -T13) * h1)
-            q6_pp = angle1__ + v5
-            q6_mp = v5 + (angle1__ - h1 * math.copysign(half_turn, -Z2_6))
+            v21 = angle1_ - angle1___
+            v22 = angle1_ - angle1____
+            v23 = angle1_ + angle1_____
+            v24 = angle1_ + angle1______
+            q4_pp = v21 - (m5 if half_turn < v21 else 0.0) + (m5 if v21 <= -half_turn else 0.0)
+            q4_pm = v22 - (m5 if half_turn < v22 else 0.0) + (m5 if v22 <= -half_turn else 0.0)
+            q4_mp = (m5 if -v23 <= -half_turn else 0.0) - (v23 + (m5 if half_turn < -v23 else 0.0))
+            q4_mm = (m5 if -v24 <= -half_turn else 0.0) - (v24 + (m5 if half_turn < -v24 else 0.0))
+            q3_pp = angle1 + v7
+            q3_mp = v7 + (angle1 - math.copysign(half_turn, -T13) * h1)
+            q6_pp = angle1__ + v7
+            q6_mp = v7 + (angle1__ - h1 * math.copysign(half_turn, -v4))
             _1216 = q1_pp
             work[1216 + k] = _1216
             _1248 = q2_pp

@@ -21,6 +21,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef PHANTOMX_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -38,21 +41,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -84,7 +87,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -128,7 +131,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -154,8 +157,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef PHANTOMX_LIBM
 #define atan2_wide atan2
 #else
@@ -165,7 +168,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -478,52 +481,51 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta1 */
     const wide v1 = T12 * T12 + T22 * T22;
-    const wide v2 = 1.0 / sqrt_wide(v1);
+    const wide v2 = sqrt_wide(v1) * (1.0 / v1);
     const wide v3 = T22 * v2;
     const wide s1 = T12 * v2;
 
     /* theta2m3m4 */
     const wide v4 = T33 * T33 + T31 * T31;
-    const wide factor2m3m4 = 1.0 / sqrt_wide(v4);
-    const wide v5 = T31 * factor2m3m4;
-    const wide s2m3m4 = T33 * factor2m3m4;
+    const wide factor2m3m4 = sqrt_wide(v4) * (1.0 / v4);
     const wide angle1 = atan2_wide(T33, -T31);
 
     /* theta3 */
-    const wide v6 = a4 * s2m3m4;
-    const wide Z1_3 = T34 - d1 - v6;
-    const wide v7 = a4 * v5;
-    const wide Z2_3 = s1 * T24 - v3 * T14 - v7;
+    const wide v5 = factor2m3m4 * (a4 * T33);
+    const wide Z1_3 = T34 - d1 - v5;
+    const wide v6 = factor2m3m4 * (a4 * T31);
+    const wide Z2_3 = s1 * T24 - v3 * T14 - v6;
     const wide N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide angle1_ = atan2_wide(w3, N3 - k1);
 
     /* theta2 */
-    const wide v8 = w3 * (m2 * Z2_3);
-    const wide v9 = w3 * (m2 * -Z2_3);
-    const wide v10 = m2 * (Z1_3 * N3);
-    const wide S2_p = v10 - v8;
-    const wide S2_m = v10 - v9;
-    const wide v11 = m2 * (Z2_3 * N3);
+    const wide v7 = w3 * (m2 * Z2_3);
+    const wide v8 = w3 * (m2 * -Z2_3);
+    const wide v9 = m2 * (Z1_3 * N3);
+    const wide S2_p = v9 - v7;
+    const wide S2_m = v9 - v8;
+    const wide v10 = m2 * (Z2_3 * N3);
     const wide factor2 = 1.0 / N3;
-    const wide angle1__ = atan2_wide(S2_p, -(v11 + w3 * (m2 * Z1_3)));
-    const wide angle1___ = atan2_wide(S2_m, -(v11 + w3 * (m2 * -Z1_3)));
+    const wide angle1__ = atan2_wide(S2_p, -(v10 + w3 * (m2 * Z1_3)));
+    const wide angle1___ = atan2_wide(S2_m, -(v10 + w3 * (m2 * -Z1_3)));
 
     /* is the pose one that the arm can take? */
-    const wide v12 = -Z2_3 - v7;
-    const wide v13 = d1 + v6;
-    const double v14 = sqrt(-1.0);
-    const wide v15 = pick_wide((abs_wide(T32) <= pose_slack) & ((abs_wide(T31 - v5) <= pose_slack) &
-        ((abs_wide(s2m3m4 - T33) <= pose_slack) & ((abs_wide(T22 - v3) <= pose_slack) &
-        ((abs_wide(T21 + s1 * s2m3m4) <= pose_slack) & ((abs_wide(T23 - s1 * v5) <= pose_slack) &
-        ((abs_wide(T12 - s1) <= pose_slack) & ((abs_wide(T13 + v3 * v5) <= pose_slack) &
-        (abs_wide(T11 - v3 * s2m3m4) <= pose_slack)))))))), all_wide(0.0), all_wide(v14));
-    const wide_mask v16 = (abs_wide(T14 - v3 * v12) <= pose_slack1) & (abs_wide(T24 + s1 * v12) <=
-        pose_slack1);
-    const wide v17 = pick_wide(v16 & (abs_wide(T34 - (v13 + factor2 * (a2 * S2_p) + factor2 * (a3 *
-        (v8 + v10)))) <= pose_slack1), all_wide(0.0), all_wide(v14));
-    const wide v18 = pick_wide(v16 & (abs_wide(T34 - (v13 + factor2 * (a2 * S2_m) + factor2 * (a3 *
-        (v9 + v10)))) <= pose_slack1), all_wide(0.0), all_wide(v14));
+    const wide v11 = -Z2_3 - v6;
+    const wide v12 = d1 + v5;
+    const double v13 = sqrt(-1.0);
+    const wide v14 = pick_wide(maximum_wide(abs_wide(T11 - factor2m3m4 * (v3 * T33)),
+        maximum_wide(abs_wide(T13 + factor2m3m4 * (v3 * T31)), maximum_wide(abs_wide(T12 - s1),
+        maximum_wide(abs_wide(T23 - factor2m3m4 * (s1 * T31)), maximum_wide(abs_wide(T21 +
+        factor2m3m4 * (s1 * T33)), maximum_wide(abs_wide(T22 - v3), maximum_wide(abs_wide(T33 *
+        factor2m3m4 - T33), maximum_wide(abs_wide(T32), abs_wide(T31 - T31 * factor2m3m4))))))))) <=
+        pose_slack, all_wide(0.0), all_wide(v13));
+    const wide v15 = abs_wide(T14 - v3 * v11);
+    const wide v16 = abs_wide(T24 + s1 * v11);
+    const wide v17 = pick_wide(maximum_wide(v16, maximum_wide(v15, abs_wide(T34 - (v12 + factor2 *
+        (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
+    const wide v18 = pick_wide(maximum_wide(v16, maximum_wide(v15, abs_wide(T34 - (v12 + factor2 *
+        (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
 
     /* joint values */
     const wide v19 = angle1__ - offset2;
@@ -531,18 +533,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v21 = angle1__ - angle1_ - angle1;
     const wide v22 = angle1_ + angle1___ - angle1;
     const wide angle1____ = atan2_wide(T12, -T22);
-    const wide v23 = v15 + (angle1____ + (w3 - w3));
+    const wide v23 = v14 + (angle1____ + (w3 - w3));
     const wide q1_p = v17 + v23;
     const wide q1_m = v18 + v23;
-    const wide q2_p = v17 + (v15 + (v19 + pick_wide(v19 <= -half_turn, all_wide(m3),
+    const wide q2_p = v17 + (v14 + (v19 + pick_wide(v19 <= -half_turn, all_wide(m3),
         all_wide(0.0))));
-    const wide q2_m = v18 + (v15 + (v20 + pick_wide(v20 <= -half_turn, all_wide(m3),
+    const wide q2_m = v18 + (v14 + (v20 + pick_wide(v20 <= -half_turn, all_wide(m3),
         all_wide(0.0))));
-    const wide q3_p = v17 + (angle1_ + v15);
-    const wide q3_m = v18 + (v15 - angle1_);
-    const wide q4_p = v17 + (v15 + (v21 - pick_wide(half_turn < v21, all_wide(m3), all_wide(0.0)) +
+    const wide q3_p = v17 + (angle1_ + v14);
+    const wide q3_m = v18 + (v14 - angle1_);
+    const wide q4_p = v17 + (v14 + (v21 - pick_wide(half_turn < v21, all_wide(m3), all_wide(0.0)) +
         pick_wide(v21 <= -half_turn, all_wide(m3), all_wide(0.0))));
-    const wide q4_m = v18 + (v15 + (v22 - pick_wide(half_turn < v22, all_wide(m3), all_wide(0.0)) +
+    const wide q4_m = v18 + (v14 + (v22 - pick_wide(half_turn < v22, all_wide(m3), all_wide(0.0)) +
         pick_wide(v22 <= -half_turn, all_wide(m3), all_wide(0.0))));
     const wide_mask doubt1 = (v4 <= m1) | ((v1 <= m1) | ((N3 <= free_limit_squared2) |
         (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
@@ -574,43 +576,43 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* theta1 */
     const double v1 = T12 * T12 + T22 * T22;
-    const double v2 = 1.0 / sqrt(v1);
+    const double v2 = sqrt(v1) * (1.0 / v1);
     const double v3 = T22 * v2;
     const double s1 = T12 * v2;
 
     /* theta2m3m4 */
     const double v4 = T33 * T33 + T31 * T31;
-    const double factor2m3m4 = 1.0 / sqrt(v4);
-    const double v5 = T31 * factor2m3m4;
-    const double s2m3m4 = T33 * factor2m3m4;
+    const double factor2m3m4 = sqrt(v4) * (1.0 / v4);
 
     /* theta3 */
-    const double v6 = a4 * s2m3m4;
-    const double Z1_3 = T34 - d1 - v6;
-    const double v7 = a4 * v5;
-    const double Z2_3 = s1 * T24 - v3 * T14 - v7;
+    const double v5 = factor2m3m4 * (a4 * T33);
+    const double Z1_3 = T34 - d1 - v5;
+    const double v6 = factor2m3m4 * (a4 * T31);
+    const double Z2_3 = s1 * T24 - v3 * T14 - v6;
     const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const four v8 = w3 * (m2 * (e1 * Z2_3));
-    const double v9 = m2 * (Z1_3 * N3);
-    const four S2 = v9 - v8;
-    const double v10 = m2 * (Z2_3 * N3);
+    const four v7 = w3 * (m2 * (e1 * Z2_3));
+    const double v8 = m2 * (Z1_3 * N3);
+    const four S2 = v8 - v7;
+    const double v9 = m2 * (Z2_3 * N3);
     const double factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const double v11 = -Z2_3 - v7;
-    const double v12 = d1 + v6;
-    const double v13 = sqrt(-1.0);
-    const double v14 = ((fabs(T32) <= pose_slack) & ((fabs(T31 - v5) <= pose_slack) & ((fabs(s2m3m4
-        - T33) <= pose_slack) & ((fabs(T22 - v3) <= pose_slack) & ((fabs(T21 + s1 * s2m3m4) <=
-        pose_slack) & ((fabs(T23 - s1 * v5) <= pose_slack) & ((fabs(T12 - s1) <= pose_slack) &
-        ((fabs(T13 + v3 * v5) <= pose_slack) & (fabs(T11 - v3 * s2m3m4) <= pose_slack))))))))) ? 0.0
-        : v13;
-    const int v15 = (fabs(T14 - v3 * v11) <= pose_slack1) & (fabs(T24 + s1 * v11) <= pose_slack1);
-    const four v16 = pick_four(where_four(v15) & (abs_four(T34 - (v12 + factor2 * (a2 * S2) +
-        factor2 * (a3 * (v8 + v9)))) <= pose_slack1), all_four(0.0), all_four(v13));
+    const double v10 = -Z2_3 - v6;
+    const double v11 = d1 + v5;
+    const double v12 = sqrt(-1.0);
+    const double v13 = (maximum_double(fabs(T11 - factor2m3m4 * (v3 * T33)), maximum_double(fabs(T13
+        + factor2m3m4 * (v3 * T31)), maximum_double(fabs(T12 - s1), maximum_double(fabs(T23 -
+        factor2m3m4 * (s1 * T31)), maximum_double(fabs(T21 + factor2m3m4 * (s1 * T33)),
+        maximum_double(fabs(T22 - v3), maximum_double(fabs(T33 * factor2m3m4 - T33),
+        maximum_double(fabs(T32), fabs(T31 - T31 * factor2m3m4))))))))) <= pose_slack) ? 0.0 : v12;
+    const double v14 = fabs(T14 - v3 * v10);
+    const double v15 = fabs(T24 + s1 * v10);
+    const four v16 = pick_four(maximum_four(all_four(v15), maximum_four(all_four(v14), abs_four(T34
+        - (v11 + factor2 * (a2 * S2) + factor2 * (a3 * (v7 + v8)))))) <= pose_slack1, all_four(0.0),
+        all_four(v12));
 
     /* joint values */
     const int doubt1 = (v4 <= m1) | ((v1 <= m1) | ((N3 <= free_limit_squared2) | (((shortest3_reach
@@ -619,7 +621,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S2,
         all_four(T33), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(-(v10 + w3 * (m2 * (e1 * Z1_3))),
+        __builtin_shufflevector(__builtin_shufflevector(-(v9 + w3 * (m2 * (e1 * Z1_3))),
         all_four(-T31), 0, 1, 6, 3), all_four(N3 - k1), 0, 1, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
@@ -629,11 +631,11 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four v17 = angle1__ - offset2;
     const four v18 = e1 * angle1_;
     const four v19 = angle1__ - v18 - angle1;
-    const four v20 = v14 + (angle1___ + (w3 - w3));
+    const four v20 = v13 + (angle1___ + (w3 - w3));
     const four q1 = v16 + v20;
-    const four q2 = v16 + (v14 + (v17 + pick_four(v17 <= -half_turn, all_four(m3), all_four(0.0))));
-    const four q3 = v16 + (v14 + v18);
-    const four q4 = v16 + (v14 + (v19 - pick_four(half_turn < v19, all_four(m3), all_four(0.0)) +
+    const four q2 = v16 + (v13 + (v17 + pick_four(v17 <= -half_turn, all_four(m3), all_four(0.0))));
+    const four q3 = v16 + (v13 + v18);
+    const four q4 = v16 + (v13 + (v19 - pick_four(half_turn < v19, all_four(m3), all_four(0.0)) +
         pick_four(v19 <= -half_turn, all_four(m3), all_four(0.0))));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))

@@ -534,55 +534,54 @@ def _regular(pose, q, status):
 
     # theta1, type 3: U0[1, 3] and U0[2, 3]
     v1 = T12 * T12 + T22 * T22
-    v2 = 1.0 / math.sqrt(v1)
+    v2 = math.sqrt(v1) * (1.0 / v1)
     v3 = T22 * v2
     s1 = T12 * v2
 
     # theta2m3m4, type 3: U0[3, 2] and U0[3, 1]
     v4 = T33 * T33 + T31 * T31
-    factor2m3m4 = 1.0 / math.sqrt(v4)
-    v5 = T31 * factor2m3m4
-    s2m3m4 = T33 * factor2m3m4
+    factor2m3m4 = math.sqrt(v4) * (1.0 / v4)
     angle1 = _atan2(T33, -T31)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v6 = a4 * s2m3m4
-    Z1_3 = T34 - d1 - v6
-    v7 = a4 * v5
-    Z2_3 = s1 * T24 - v3 * T14 - v7
+    v5 = factor2m3m4 * (a4 * T33)
+    Z1_3 = T34 - d1 - v5
+    v6 = factor2m3m4 * (a4 * T31)
+    Z2_3 = s1 * T24 - v3 * T14 - v6
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     angle1_ = _atan2(w3, N3 - k1)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v8 = w3 * (m2 * Z2_3)
-    v9 = w3 * (m2 * -Z2_3)
-    v10 = m2 * (Z1_3 * N3)
-    S2_p = v10 - v8
-    S2_m = v10 - v9
-    v11 = m2 * (Z2_3 * N3)
+    v7 = w3 * (m2 * Z2_3)
+    v8 = w3 * (m2 * -Z2_3)
+    v9 = m2 * (Z1_3 * N3)
+    S2_p = v9 - v7
+    S2_m = v9 - v8
+    v10 = m2 * (Z2_3 * N3)
     factor2 = 1.0 / N3
-    angle1__ = _atan2(S2_p, -(v11 + w3 * (m2 * Z1_3)))
-    angle1___ = _atan2(S2_m, -(v11 + w3 * (m2 * -Z1_3)))
+    angle1__ = _atan2(S2_p, -(v10 + w3 * (m2 * Z1_3)))
+    angle1___ = _atan2(S2_m, -(v10 + w3 * (m2 * -Z1_3)))
 
     # is the pose one that the arm can take?
-    v12 = -Z2_3 - v7
-    v13 = d1 + v6
-    v14 = math.sqrt(-1.0)
-    v15 = (
-        0.0 if (abs(T32) <= pose_slack and (abs(T31 - v5) <= pose_slack and (abs(s2m3m4 - T33) <=
-        pose_slack and (abs(T22 - v3) <= pose_slack and (abs(T21 + s1 * s2m3m4) <= pose_slack and
-        (abs(T23 - s1 * v5) <= pose_slack and (abs(T12 - s1) <= pose_slack and (abs(T13 + v3 * v5)
-        <= pose_slack and abs(T11 - v3 * s2m3m4) <= pose_slack)))))))) else v14
+    v11 = -Z2_3 - v6
+    v12 = d1 + v5
+    v13 = math.sqrt(-1.0)
+    v14 = (
+        0.0 if max(abs(T11 - factor2m3m4 * (v3 * T33)), max(abs(T13 + factor2m3m4 * (v3 * T31)),
+        max(abs(T12 - s1), max(abs(T23 - factor2m3m4 * (s1 * T31)), max(abs(T21 + factor2m3m4 * (s1
+        * T33)), max(abs(T22 - v3), max(abs(T33 * factor2m3m4 - T33), max(abs(T32), abs(T31 - T31 *
+        factor2m3m4))))))))) <= pose_slack else v13
     )
-    v16 = abs(T14 - v3 * v12) <= pose_slack1 and abs(T24 + s1 * v12) <= pose_slack1
+    v15 = abs(T14 - v3 * v11)
+    v16 = abs(T24 + s1 * v11)
     v17 = (
-        0.0 if (v16 and abs(T34 - (v13 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v8 + v10)))) <=
-        pose_slack1) else v14
+        0.0 if max(v16, max(v15, abs(T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 +
+        v9)))))) <= pose_slack1 else v13
     )
     v18 = (
-        0.0 if (v16 and abs(T34 - (v13 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v9 + v10)))) <=
-        pose_slack1) else v14
+        0.0 if max(v16, max(v15, abs(T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 +
+        v9)))))) <= pose_slack1 else v13
     )
 
     # joint values
@@ -591,18 +590,18 @@ def _regular(pose, q, status):
     v21 = angle1__ - angle1_ - angle1
     v22 = angle1_ + angle1___ - angle1
     angle1____ = _atan2(T12, -T22)
-    v23 = v15 + (angle1____ + (w3 - w3))
+    v23 = v14 + (angle1____ + (w3 - w3))
     q1_p = v17 + v23
     q1_m = v18 + v23
-    q2_p = v17 + (v15 + (v19 + (m3 if v19 <= -half_turn else 0.0)))
-    q2_m = v18 + (v15 + (v20 + (m3 if v20 <= -half_turn else 0.0)))
-    q3_p = v17 + (angle1_ + v15)
-    q3_m = v18 + (v15 - angle1_)
+    q2_p = v17 + (v14 + (v19 + (m3 if v19 <= -half_turn else 0.0)))
+    q2_m = v18 + (v14 + (v20 + (m3 if v20 <= -half_turn else 0.0)))
+    q3_p = v17 + (angle1_ + v14)
+    q3_m = v18 + (v14 - angle1_)
     q4_p = (
-        v17 + (v15 + (v21 - (m3 if half_turn < v21 else 0.0) + (m3 if v21 <= -half_turn else 0.0)))
+        v17 + (v14 + (v21 - (m3 if half_turn < v21 else 0.0) + (m3 if v21 <= -half_turn else 0.0)))
     )
     q4_m = (
-        v18 + (v15 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else 0.0)))
+        v18 + (v14 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else 0.0)))
     )
     doubt1 = (
         v4 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3 <=
@@ -800,51 +799,49 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             v1 = T12 * T12 + T22 * T22
-            v2 = 1.0 / math.sqrt(v1)
+            v2 = math.sqrt(v1) * (1.0 / v1)
             v3 = T22 * v2
             s1 = T12 * v2
             v4 = T33 * T33 + T31 * T31
-            factor2m3m4 = 1.0 / math.sqrt(v4)
-            v5 = T31 * factor2m3m4
-            s2m3m4 = T33 * factor2m3m4
-            v6 = a4 * s2m3m4
-            Z1_3 = T34 - d1 - v6
-            v7 = a4 * v5
-            Z2_3 = s1 * T24 - v3 * T14 - v7
+            factor2m3m4 = math.sqrt(v4) * (1.0 / v4)
+            v5 = factor2m3m4 * (a4 * T33)
+            Z1_3 = T34 - d1 - v5
+            v6 = factor2m3m4 * (a4 * T31)
+            Z2_3 = s1 * T24 - v3 * T14 - v6
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v8 = w3 * (m2 * Z2_3)
-            v9 = w3 * (m2 * -Z2_3)
-            v10 = m2 * (Z1_3 * N3)
-            S2_p = v10 - v8
-            S2_m = v10 - v9
-            v11 = m2 * (Z2_3 * N3)
+            v7 = w3 * (m2 * Z2_3)
+            v8 = w3 * (m2 * -Z2_3)
+            v9 = m2 * (Z1_3 * N3)
+            S2_p = v9 - v7
+            S2_m = v9 - v8
+            v10 = m2 * (Z2_3 * N3)
             factor2 = 1.0 / N3
-            v12 = -Z2_3 - v7
-            v13 = d1 + v6
-            v14 = math.sqrt(-1.0)
-            v15 = (
-                0.0 if (abs(T32) <= pose_slack and (abs(T31 - v5) <= pose_slack and (abs(s2m3m4 -
-                T33) <= pose_slack and (abs(T22 - v3) <= pose_slack and (abs(T21 + s1 * s2m3m4) <=
-                pose_slack and (abs(T23 - s1 * v5) <= pose_slack and (abs(T12 - s1) <= pose_slack
-                and (abs(T13 + v3 * v5) <= pose_slack and abs(T11 - v3 * s2m3m4) <=
-                pose_slack)))))))) else v14
+            v11 = -Z2_3 - v6
+            v12 = d1 + v5
+            v13 = math.sqrt(-1.0)
+            v14 = (
+                0.0 if max(abs(T11 - factor2m3m4 * (v3 * T33)), max(abs(T13 + factor2m3m4 * (v3 *
+                T31)), max(abs(T12 - s1), max(abs(T23 - factor2m3m4 * (s1 * T31)), max(abs(T21 +
+                factor2m3m4 * (s1 * T33)), max(abs(T22 - v3), max(abs(T33 * factor2m3m4 - T33),
+                max(abs(T32), abs(T31 - T31 * factor2m3m4))))))))) <= pose_slack else v13
             )
-            v16 = abs(T14 - v3 * v12) <= pose_slack1 and abs(T24 + s1 * v12) <= pose_slack1
+            v15 = abs(T14 - v3 * v11)
+            v16 = abs(T24 + s1 * v11)
             v17 = (
-                0.0 if (v16 and abs(T34 - (v13 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v8 +
-                v10)))) <= pose_slack1) else v14
+                0.0 if max(v16, max(v15, abs(T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 *
+                (v7 + v9)))))) <= pose_slack1 else v13
             )
             v18 = (
-                0.0 if (v16 and abs(T34 - (v13 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v9 +
-                v10)))) <= pose_slack1) else v14
+                0.0 if max(v16, max(v15, abs(T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 *
+                (v8 + v9)))))) <= pose_slack1 else v13
             )
             doubt1 = (
                 v4 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3
                 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
             )
             work[544 + k] = w3
-            work[576 + k] = v15
+            work[576 + k] = v14
             work[608 + k] = v17
             work[640 + k] = v18
             work[672 + k] = doubt1
@@ -855,14 +852,14 @@ def _in_tiles(T, q, status):
             work[832 + k] = T12
             work[864 + k] = -T31
             work[896 + k] = N3 - k1
-            work[928 + k] = -(v11 + w3 * (m2 * Z1_3))
-            work[960 + k] = -(v11 + w3 * (m2 * -Z1_3))
+            work[928 + k] = -(v10 + w3 * (m2 * Z1_3))
+            work[960 + k] = -(v10 + w3 * (m2 * -Z1_3))
             work[992 + k] = -T22
         for k in range(704, 864):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
             w3 = work[544 + k]
-            v15 = work[576 + k]
+            v14 = work[576 + k]
             v17 = work[608 + k]
             v18 = work[640 + k]
             doubt1 = work[672 + k] != 0.0
@@ -875,19 +872,19 @@ def _in_tiles(T, q, status):
             v20 = angle1___ - offset2
             v21 = angle1__ - angle1_ - angle1
             v22 = angle1_ + angle1___ - angle1
-            v23 = v15 + (angle1____ + (w3 - w3))
+            v23 = v14 + (angle1____ + (w3 - w3))
             q1_p = v17 + v23
             q1_m = v18 + v23
-            q2_p = v17 + (v15 + (v19 + (m3 if v19 <= -half_turn else 0.0)))
-            q2_m = v18 + (v15 + (v20 + (m3 if v20 <= -half_turn else 0.0)))
-            q3_p = v17 + (angle1_ + v15)
-            q3_m = v18 + (v15 - angle1_)
+            q2_p = v17 + (v14 + (v19 + (m3 if v19 <= -half_turn else 0.0)))
+            q2_m = v18 + (v14 + (v20 + (m3 if v20 <= -half_turn else 0.0)))
+            q3_p = v17 + (angle1_ + v14)
+            q3_m = v18 + (v14 - angle1_)
             q4_p = (
-                v17 + (v15 + (v21 - (m3 if half_turn < v21 else 0.0) + (m3 if v21 <= -half_turn else
+                v17 + (v14 + (v21 - (m3 if half_turn < v21 else 0.0) + (m3 if v21 <= -half_turn else
                 0.0)))
             )
             q4_m = (
-                v18 + (v15 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else
+                v18 + (v14 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else
                 0.0)))
             )
             _1024 = q1_p

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef PLANAR_RRR_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef PLANAR_RRR_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -453,15 +456,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
 
     /* theta123 */
     const wide v1 = T21 * T21 + T11 * T11;
-    const wide v2 = 1.0 / sqrt_wide(v1);
-    const wide c123 = T11 * v2;
-    const wide s123 = T21 * v2;
+    const wide v2 = sqrt_wide(v1) * (1.0 / v1);
     const wide angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
-    const wide v3 = a3 * c123;
+    const wide v3 = v2 * (a3 * T11);
     const wide Z1_2 = T14 - v3;
-    const wide v4 = a3 * s123;
+    const wide v4 = v2 * (a3 * T21);
     const wide Z2_2 = T24 - v4;
     const wide N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
     const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
@@ -483,30 +484,32 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide v8 = m4 - m5 * factor1;
     const wide v9 = Z1_2 * v8;
     const wide v10 = Z2_2 * v8;
-    const double v11 = sqrt(-1.0);
-    const wide v12 = pick_wide((abs_wide(T34) <= pose_slack1) & ((abs_wide(T33 - 1.0) <= pose_slack)
-        & ((abs_wide(T32) <= pose_slack) & ((abs_wide(T31) <= pose_slack) & ((abs_wide(T23) <=
-        pose_slack) & ((abs_wide(T22 - c123) <= pose_slack) & ((abs_wide(T21 - s123) <= pose_slack)
-        & ((abs_wide(T13) <= pose_slack) & ((abs_wide(T11 - c123) <= pose_slack) & (abs_wide(s123 +
-        T12) <= pose_slack))))))))), all_wide(0.0), all_wide(v11));
-    const wide v13 = pick_wide((abs_wide(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1
-        * (C1_p * factor1)))) <= pose_slack1) & (abs_wide(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 *
-        factor1))) + (v4 + a1 * (S1_p * factor1)))) <= pose_slack1), all_wide(0.0), all_wide(v11));
-    const wide v14 = pick_wide((abs_wide(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1
-        * (C1_m * factor1)))) <= pose_slack1) & (abs_wide(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 *
-        factor1))) + (v4 + a1 * (S1_m * factor1)))) <= pose_slack1), all_wide(0.0), all_wide(v11));
+    const wide v11 = T11 * v2;
+    const wide v12 = T21 * v2;
+    const double v13 = sqrt(-1.0);
+    const wide v14 = pick_wide(abs_wide(T34) <= pose_slack1, all_wide(0.0), all_wide(v13));
+    const wide v15 = pick_wide(maximum_wide(abs_wide(v12 + T12), maximum_wide(abs_wide(T11 - v11),
+        maximum_wide(abs_wide(T13), maximum_wide(abs_wide(T21 - v12), maximum_wide(abs_wide(T22 -
+        v11), maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T31), maximum_wide(abs_wide(T33 -
+        1.0), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0), all_wide(v13));
+    const wide v16 = pick_wide(maximum_wide(abs_wide(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1)))
+        + (v3 + a1 * (C1_p * factor1)))), abs_wide(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1)))
+        + (v4 + a1 * (S1_p * factor1))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
+    const wide v17 = pick_wide(maximum_wide(abs_wide(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 *
+        factor1))) + (v3 + a1 * (C1_m * factor1)))), abs_wide(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 *
+        factor1))) + (v4 + a1 * (S1_m * factor1))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
 
     /* joint values */
-    const wide v15 = angle1 - (angle1_ + angle1__);
-    const wide v16 = angle1 - (angle1___ - angle1_);
-    const wide q1_p = v13 + (angle1__ + v12);
-    const wide q1_m = v14 + (angle1___ + v12);
-    const wide q2_p = v13 + (angle1_ + v12);
-    const wide q2_m = v14 + (v12 - angle1_);
-    const wide q3_p = v13 + (v12 + (v15 - pick_wide(half_turn < v15, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v15 <= -half_turn, all_wide(m6), all_wide(0.0))));
-    const wide q3_m = v14 + (v12 + (v16 - pick_wide(half_turn < v16, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v16 <= -half_turn, all_wide(m6), all_wide(0.0))));
+    const wide v18 = angle1 - (angle1_ + angle1__);
+    const wide v19 = angle1 - (angle1___ - angle1_);
+    const wide q1_p = v16 + (v15 + (angle1__ + v14));
+    const wide q1_m = v17 + (v15 + (angle1___ + v14));
+    const wide q2_p = v16 + (v15 + (angle1_ + v14));
+    const wide q2_m = v17 + (v15 + (v14 - angle1_));
+    const wide q3_p = v16 + (v15 + (v14 + (v18 - pick_wide(half_turn < v18, all_wide(m6),
+        all_wide(0.0)) + pick_wide(v18 <= -half_turn, all_wide(m6), all_wide(0.0)))));
+    const wide q3_m = v17 + (v15 + (v14 + (v19 - pick_wide(half_turn < v19, all_wide(m6),
+        all_wide(0.0)) + pick_wide(v19 <= -half_turn, all_wide(m6), all_wide(0.0)))));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
         (v1 <= m1));
@@ -535,14 +538,12 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
 
     /* theta123 */
     const double v1 = T21 * T21 + T11 * T11;
-    const double v2 = 1.0 / sqrt(v1);
-    const double c123 = T11 * v2;
-    const double s123 = T21 * v2;
+    const double v2 = sqrt(v1) * (1.0 / v1);
 
     /* theta2 */
-    const double v3 = a3 * c123;
+    const double v3 = v2 * (a3 * T11);
     const double Z1_2 = T14 - v3;
-    const double v4 = a3 * s123;
+    const double v4 = v2 * (a3 * T21);
     const double Z2_2 = T24 - v4;
     const double N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
     const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
@@ -561,14 +562,17 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double v10 = m4 - m5 * factor1;
     const double v11 = Z1_2 * v10;
     const double v12 = Z2_2 * v10;
-    const double v13 = sqrt(-1.0);
-    const double v14 = ((fabs(T34) <= pose_slack1) & ((fabs(T33 - 1.0) <= pose_slack) & ((fabs(T32)
-        <= pose_slack) & ((fabs(T31) <= pose_slack) & ((fabs(T23) <= pose_slack) & ((fabs(T22 -
-        c123) <= pose_slack) & ((fabs(T21 - s123) <= pose_slack) & ((fabs(T13) <= pose_slack) &
-        ((fabs(T11 - c123) <= pose_slack) & (fabs(s123 + T12) <= pose_slack)))))))))) ? 0.0 : v13;
-    const four v15 = pick_four((abs_four(T14 - (a2 * (v11 - w2 * (m4 * (v8 * factor1))) + (v3 + a1 *
-        (C1 * factor1)))) <= pose_slack1) & (abs_four(T24 - (a2 * (v12 + w2 * (m4 * (v5 * factor1)))
-        + (v4 + a1 * (S1 * factor1)))) <= pose_slack1), all_four(0.0), all_four(v13));
+    const double v13 = T11 * v2;
+    const double v14 = T21 * v2;
+    const double v15 = sqrt(-1.0);
+    const double v16 = (fabs(T34) <= pose_slack1) ? 0.0 : v15;
+    const double v17 = (maximum_double(fabs(v14 + T12), maximum_double(fabs(T11 - v13),
+        maximum_double(fabs(T13), maximum_double(fabs(T21 - v14), maximum_double(fabs(T22 - v13),
+        maximum_double(fabs(T23), maximum_double(fabs(T31), maximum_double(fabs(T33 - 1.0),
+        fabs(T32))))))))) <= pose_slack) ? 0.0 : v15;
+    const four v18 = pick_four(maximum_four(abs_four(T14 - (a2 * (v11 - w2 * (m4 * (v8 * factor1)))
+        + (v3 + a1 * (C1 * factor1)))), abs_four(T24 - (a2 * (v12 + w2 * (m4 * (v5 * factor1))) +
+        (v4 + a1 * (S1 * factor1))))) <= pose_slack1, all_four(0.0), all_four(v15));
 
     /* joint values */
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
@@ -581,12 +585,12 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v16 = e1 * angle1_;
-    const four v17 = angle1 - (angle1__ + v16);
-    const four q1 = v15 + (angle1__ + v14);
-    const four q2 = v15 + (v14 + v16);
-    const four q3 = v15 + (v14 + (v17 - pick_four(half_turn < v17, all_four(m6), all_four(0.0)) +
-        pick_four(v17 <= -half_turn, all_four(m6), all_four(0.0))));
+    const four v19 = e1 * angle1_;
+    const four v20 = angle1 - (angle1__ + v19);
+    const four q1 = v18 + (v17 + (angle1__ + v16));
+    const four q2 = v18 + (v17 + (v16 + v19));
+    const four q3 = v18 + (v17 + (v16 + (v20 - pick_four(half_turn < v20, all_four(m6),
+        all_four(0.0)) + pick_four(v20 <= -half_turn, all_four(m6), all_four(0.0)))));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

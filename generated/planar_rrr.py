@@ -476,15 +476,13 @@ def _regular(pose, q, status):
 
     # theta123, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
-    v2 = 1.0 / math.sqrt(v1)
-    c123 = T11 * v2
-    s123 = T21 * v2
+    v2 = math.sqrt(v1) * (1.0 / v1)
     angle1 = _atan2(T21, T11)
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
-    v3 = a3 * c123
+    v3 = v2 * (a3 * T11)
     Z1_2 = T14 - v3
-    v4 = a3 * s123
+    v4 = v2 * (a3 * T21)
     Z2_2 = T24 - v4
     N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
     w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
@@ -506,36 +504,40 @@ def _regular(pose, q, status):
     v8 = m4 - m5 * factor1
     v9 = Z1_2 * v8
     v10 = Z2_2 * v8
-    v11 = math.sqrt(-1.0)
-    v12 = (
-        0.0 if (abs(T34) <= pose_slack1 and (abs(T33 - 1.0) <= pose_slack and (abs(T32) <=
-        pose_slack and (abs(T31) <= pose_slack and (abs(T23) <= pose_slack and (abs(T22 - c123) <=
-        pose_slack and (abs(T21 - s123) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 -
-        c123) <= pose_slack and abs(s123 + T12) <= pose_slack))))))))) else v11
+    v11 = T11 * v2
+    v12 = T21 * v2
+    v13 = math.sqrt(-1.0)
+    v14 = 0.0 if abs(T34) <= pose_slack1 else v13
+    v15 = (
+        0.0 if max(abs(v12 + T12), max(abs(T11 - v11), max(abs(T13), max(abs(T21 - v12), max(abs(T22
+        - v11), max(abs(T23), max(abs(T31), max(abs(T33 - 1.0), abs(T32))))))))) <= pose_slack else
+        v13
     )
-    v13 = (
-        0.0 if (abs(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1))))
-        <= pose_slack1 and abs(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p *
-        factor1)))) <= pose_slack1) else v11
+    v16 = (
+        0.0 if max(abs(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p *
+        factor1)))), abs(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p *
+        factor1))))) <= pose_slack1 else v13
     )
-    v14 = (
-        0.0 if (abs(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m *
-        factor1)))) <= pose_slack1 and abs(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 +
-        a1 * (S1_m * factor1)))) <= pose_slack1) else v11
+    v17 = (
+        0.0 if max(abs(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m *
+        factor1)))), abs(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m *
+        factor1))))) <= pose_slack1 else v13
     )
 
     # joint values
-    v15 = angle1 - (angle1_ + angle1__)
-    v16 = angle1 - (angle1___ - angle1_)
-    q1_p = v13 + (angle1__ + v12)
-    q1_m = v14 + (angle1___ + v12)
-    q2_p = v13 + (angle1_ + v12)
-    q2_m = v14 + (v12 - angle1_)
+    v18 = angle1 - (angle1_ + angle1__)
+    v19 = angle1 - (angle1___ - angle1_)
+    q1_p = v16 + (v15 + (angle1__ + v14))
+    q1_m = v17 + (v15 + (angle1___ + v14))
+    q2_p = v16 + (v15 + (angle1_ + v14))
+    q2_m = v17 + (v15 + (v14 - angle1_))
     q3_p = (
-        v13 + (v12 + (v15 - (m6 if half_turn < v15 else 0.0) + (m6 if v15 <= -half_turn else 0.0)))
+        v16 + (v15 + (v14 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else
+        0.0))))
     )
     q3_m = (
-        v14 + (v12 + (v16 - (m6 if half_turn < v16 else 0.0) + (m6 if v16 <= -half_turn else 0.0)))
+        v17 + (v15 + (v14 + (v19 - (m6 if half_turn < v19 else 0.0) + (m6 if v19 <= -half_turn else
+        0.0))))
     )
     doubt1 = (
         shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
@@ -680,10 +682,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [928, 960, 992],
-    [1024, 1056, 1088],
+    [960, 992, 1024],
+    [1056, 1088, 1120],
 ])
-_KINDS = np.array([1120, 1152])
+_KINDS = np.array([1152, 1184])
 _LEFT_OVER = 255
 
 
@@ -694,7 +696,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1184)
+    work = np.empty(1216)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -731,12 +733,10 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             v1 = T21 * T21 + T11 * T11
-            v2 = 1.0 / math.sqrt(v1)
-            c123 = T11 * v2
-            s123 = T21 * v2
-            v3 = a3 * c123
+            v2 = math.sqrt(v1) * (1.0 / v1)
+            v3 = v2 * (a3 * T11)
             Z1_2 = T14 - v3
-            v4 = a3 * s123
+            v4 = v2 * (a3 * T21)
             Z2_2 = T24 - v4
             N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
@@ -751,79 +751,82 @@ def _in_tiles(T, q, status):
             v8 = m4 - m5 * factor1
             v9 = Z1_2 * v8
             v10 = Z2_2 * v8
-            v11 = math.sqrt(-1.0)
-            v12 = (
-                0.0 if (abs(T34) <= pose_slack1 and (abs(T33 - 1.0) <= pose_slack and (abs(T32) <=
-                pose_slack and (abs(T31) <= pose_slack and (abs(T23) <= pose_slack and (abs(T22 -
-                c123) <= pose_slack and (abs(T21 - s123) <= pose_slack and (abs(T13) <= pose_slack
-                and (abs(T11 - c123) <= pose_slack and abs(s123 + T12) <= pose_slack))))))))) else
-                v11
+            v11 = T11 * v2
+            v12 = T21 * v2
+            v13 = math.sqrt(-1.0)
+            v14 = 0.0 if abs(T34) <= pose_slack1 else v13
+            v15 = (
+                0.0 if max(abs(v12 + T12), max(abs(T11 - v11), max(abs(T13), max(abs(T21 - v12),
+                max(abs(T22 - v11), max(abs(T23), max(abs(T31), max(abs(T33 - 1.0), abs(T32)))))))))
+                <= pose_slack else v13
             )
-            v13 = (
-                0.0 if (abs(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p *
-                factor1)))) <= pose_slack1 and abs(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1)))
-                + (v4 + a1 * (S1_p * factor1)))) <= pose_slack1) else v11
+            v16 = (
+                0.0 if max(abs(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p *
+                factor1)))), abs(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p
+                * factor1))))) <= pose_slack1 else v13
             )
-            v14 = (
-                0.0 if (abs(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m *
-                factor1)))) <= pose_slack1 and abs(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1)))
-                + (v4 + a1 * (S1_m * factor1)))) <= pose_slack1) else v11
+            v17 = (
+                0.0 if max(abs(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m *
+                factor1)))), abs(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 *
+                (S1_m * factor1))))) <= pose_slack1 else v13
             )
             doubt1 = (
                 shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
                 < longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
             )
-            work[544 + k] = v12
-            work[576 + k] = v13
-            work[608 + k] = v14
-            work[640 + k] = doubt1
-            work[672 + k] = T21
-            work[704 + k] = w2
-            work[736 + k] = S1_p
-            work[768 + k] = S1_m
-            work[800 + k] = T11
-            work[832 + k] = N2 - k1
-            work[864 + k] = C1_p
-            work[896 + k] = C1_m
-        for k in range(672, 800):
+            work[544 + k] = v14
+            work[576 + k] = v15
+            work[608 + k] = v16
+            work[640 + k] = v17
+            work[672 + k] = doubt1
+            work[704 + k] = T21
+            work[736 + k] = w2
+            work[768 + k] = S1_p
+            work[800 + k] = S1_m
+            work[832 + k] = T11
+            work[864 + k] = N2 - k1
+            work[896 + k] = C1_p
+            work[928 + k] = C1_m
+        for k in range(704, 832):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v12 = work[544 + k]
-            v13 = work[576 + k]
-            v14 = work[608 + k]
-            doubt1 = work[640 + k] != 0.0
-            angle1 = work[672 + k]
-            angle1_ = work[704 + k]
-            angle1__ = work[736 + k]
-            angle1___ = work[768 + k]
-            v15 = angle1 - (angle1_ + angle1__)
-            v16 = angle1 - (angle1___ - angle1_)
-            q1_p = v13 + (angle1__ + v12)
-            q1_m = v14 + (angle1___ + v12)
-            q2_p = v13 + (angle1_ + v12)
-            q2_m = v14 + (v12 - angle1_)
+            v14 = work[544 + k]
+            v15 = work[576 + k]
+            v16 = work[608 + k]
+            v17 = work[640 + k]
+            doubt1 = work[672 + k] != 0.0
+            angle1 = work[704 + k]
+            angle1_ = work[736 + k]
+            angle1__ = work[768 + k]
+            angle1___ = work[800 + k]
+            v18 = angle1 - (angle1_ + angle1__)
+            v19 = angle1 - (angle1___ - angle1_)
+            q1_p = v16 + (v15 + (angle1__ + v14))
+            q1_m = v17 + (v15 + (angle1___ + v14))
+            q2_p = v16 + (v15 + (angle1_ + v14))
+            q2_m = v17 + (v15 + (v14 - angle1_))
             q3_p = (
-                v13 + (v12 + (v15 - (m6 if half_turn < v15 else 0.0) + (m6 if v15 <= -half_turn else
-                0.0)))
+                v16 + (v15 + (v14 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <=
+                -half_turn else 0.0))))
             )
             q3_m = (
-                v14 + (v12 + (v16 - (m6 if half_turn < v16 else 0.0) + (m6 if v16 <= -half_turn else
-                0.0)))
+                v17 + (v15 + (v14 + (v19 - (m6 if half_turn < v19 else 0.0) + (m6 if v19 <=
+                -half_turn else 0.0))))
             )
-            _928 = q1_p
-            work[928 + k] = _928
-            _960 = q2_p
+            _960 = q1_p
             work[960 + k] = _960
-            _992 = q3_p
+            _992 = q2_p
             work[992 + k] = _992
-            _1024 = q1_m
+            _1024 = q3_p
             work[1024 + k] = _1024
-            _1056 = q2_m
+            _1056 = q1_m
             work[1056 + k] = _1056
-            _1088 = q3_m
+            _1088 = q2_m
             work[1088 + k] = _1088
-            work[1120 + k] = UNREACHABLE if _928 != _928 else OK
-            work[1152 + k] = UNREACHABLE if _1024 != _1024 else OK
+            _1120 = q3_m
+            work[1120 + k] = _1120
+            work[1152 + k] = UNREACHABLE if _960 != _960 else OK
+            work[1184 + k] = UNREACHABLE if _1056 != _1056 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

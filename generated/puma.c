@@ -15,6 +15,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef PUMA_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -32,21 +35,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -78,7 +81,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -122,7 +125,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -148,8 +151,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef PUMA_LIBM
 #define atan2_wide atan2
 #else
@@ -159,7 +162,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -560,59 +563,56 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v14 = C2_pm * C2_pm;
     const wide v15 = v10 * v10 + v14;
     const wide v16 = v14 + -v10 * -v10;
-    const wide factor2_pp = 1.0 / sqrt_wide(v13);
-    const wide factor2_pm = 1.0 / sqrt_wide(v15);
-    const wide factor2_mp = 1.0 / sqrt_wide(v16);
+    const wide factor2_pp = sqrt_wide(v13) * (1.0 / v13);
+    const wide factor2_pm = sqrt_wide(v15) * (1.0 / v15);
+    const wide factor2_mp = sqrt_wide(v16) * (1.0 / v16);
     const wide angle1_ = atan2_wide(-v9, C2_pp);
     const wide angle1__ = atan2_wide(-v10, C2_pm);
     const wide angle1___ = atan2_wide(v10, C2_pm);
     const wide angle1____ = atan2_wide(v9, C2_pp);
 
     /* theta4 */
-    const wide c23_pp = C2_pm * factor2_pp;
-    const wide c23_pm = C2_pp * factor2_pm;
-    const wide c23_mp = C2_pp * factor2_mp;
     const wide v17 = m3 * N3;
     const wide v18 = m1 - v17;
     const wide v19 = v17 - m4;
-    const wide v20 = m1 * (t34 * w3);
-    const wide v21 = w1 * (N3 * (v18 + v19));
-    const wide s23_pp = factor2_pp * (v20 + v21);
-    const wide s23_pm = factor2_pm * (v21 - v20);
-    const wide v22 = w1 * (N3 * (-v18 + -v19));
-    const wide s23_mp = factor2_mp * (v20 + v22);
-    const wide s23_mm = factor2_pp * (v22 - v20);
-    const wide v23 = T13 * s1_p - T23 * c1_p;
-    const wide v24 = T13 * s1_m - T23 * c1_m;
-    const wide X4_pp = c23_pp * v23 - T33 * s23_pp;
-    const wide X4_pm = c23_pm * v23 - T33 * s23_pm;
-    const wide X4_mp = c23_mp * v24 - T33 * s23_mp;
-    const wide X4_mm = c23_pp * v24 - T33 * s23_mm;
-    const wide v25 = T13 * c1_p + T23 * s1_p;
-    const wide v26 = T13 * c1_m + T23 * s1_m;
+    const wide v20 = w1 * (N3 * (v18 + v19));
+    const wide s23_pp = v7 + v20;
+    const wide s23_pm = v20 - v7;
+    const wide v21 = w1 * (N3 * (-v18 + -v19));
+    const wide s23_mp = v7 + v21;
+    const wide s23_mm = v21 - v7;
+    const wide v22 = T13 * s1_p - T23 * c1_p;
+    const wide v23 = T13 * s1_m - T23 * c1_m;
+    const wide X4_pp = C2_pm * v22 - T33 * s23_pp;
+    const wide X4_pm = C2_pp * v22 - T33 * s23_pm;
+    const wide X4_mp = C2_pp * v23 - T33 * s23_mp;
+    const wide X4_mm = C2_pm * v23 - T33 * s23_mm;
+    const wide v24 = T13 * c1_p + T23 * s1_p;
+    const wide v25 = T13 * c1_m + T23 * s1_m;
+    const wide v26 = v24 * v24;
     const wide v27 = v25 * v25;
-    const wide v28 = v26 * v26;
-    const wide v29 = v27 + X4_pp * X4_pp;
-    const wide v30 = v27 + X4_pm * X4_pm;
-    const wide v31 = v28 + X4_mp * X4_mp;
-    const wide v32 = v28 + X4_mm * X4_mm;
-    const wide angle1_____ = atan2_wide(-v25, -X4_pp);
-    const wide angle1______ = atan2_wide(-v25, -X4_pm);
-    const wide angle1_______ = atan2_wide(-v26, -X4_mp);
-    const wide angle1________ = atan2_wide(-v26, -X4_mm);
+    const wide v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
+    const wide v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
+    const wide v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp));
+    const wide v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm));
+    const wide angle1_____ = atan2_wide(-v24, factor2_pp * -X4_pp);
+    const wide angle1______ = atan2_wide(-v24, factor2_pm * -X4_pm);
+    const wide angle1_______ = atan2_wide(-v25, factor2_mp * -X4_mp);
+    const wide angle1________ = atan2_wide(-v25, factor2_pp * -X4_mm);
+    const wide v32 = copysign_wide(all_wide(half_turn), -v24) * h1;
     const wide v33 = copysign_wide(all_wide(half_turn), -v25) * h1;
-    const wide v34 = copysign_wide(all_wide(half_turn), -v26) * h1;
-    const wide q4_ppm = angle1_____ - v33;
-    const wide q4_pmm = angle1______ - v33;
-    const wide q4_mpm = angle1_______ - v34;
-    const wide q4_mmm = angle1________ - v34;
+    const wide q4_ppm = angle1_____ - v32;
+    const wide q4_pmm = angle1______ - v32;
+    const wide q4_mpm = angle1_______ - v33;
+    const wide q4_mmm = angle1________ - v33;
 
     /* theta5 */
-    const wide v35 = T33 * c23_pp;
-    const wide angle1_________ = atan2_wide(-sqrt_wide(v29), v35 + s23_pp * v23);
-    const wide angle1__________ = atan2_wide(-sqrt_wide(v30), T33 * c23_pm + s23_pm * v23);
-    const wide angle1___________ = atan2_wide(-sqrt_wide(v31), T33 * c23_mp + s23_mp * v24);
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v32), v35 + s23_mm * v24);
+    const wide v34 = T33 * C2_pm;
+    const wide angle1_________ = atan2_wide(-sqrt_wide(v28), factor2_pp * (v34 + s23_pp * v22));
+    const wide v35 = T33 * C2_pp;
+    const wide angle1__________ = atan2_wide(-sqrt_wide(v29), factor2_pm * (v35 + s23_pm * v22));
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v30), factor2_mp * (v35 + s23_mp * v23));
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v31), factor2_pp * (v34 + s23_mm * v23));
 
     /* theta6 */
     const wide v36 = c1_p * T12 + s1_p * T22;
@@ -623,18 +623,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v41 = T11 * c1_m + T21 * s1_m;
     const wide v42 = T11 * s1_p - T21 * c1_p;
     const wide v43 = T11 * s1_m - T21 * c1_m;
-    const wide v44 = v25 * (s23_pp * T32 - c23_pp * v38) - -X4_pp * v36;
-    const wide v45 = v25 * (s23_pm * T32 - c23_pm * v38) - -X4_pm * v36;
-    const wide v46 = v26 * (s23_mp * T32 - c23_mp * v39) - -X4_mp * v37;
-    const wide v47 = v26 * (s23_mm * T32 - c23_pp * v39) - -X4_mm * v37;
-    const wide angle1_____________ = atan2_wide(v44, -X4_pp * v40 - v25 * (T31 * s23_pp - c23_pp *
+    const wide v44 = v24 * (s23_pp * T32 - C2_pm * v38) - -X4_pp * v36;
+    const wide v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36;
+    const wide v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37;
+    const wide v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37;
+    const wide angle1_____________ = atan2_wide(v44, -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm *
         v42));
-    const wide angle1______________ = atan2_wide(v45, -X4_pm * v40 - v25 * (T31 * s23_pm - c23_pm *
+    const wide angle1______________ = atan2_wide(v45, -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp *
         v42));
-    const wide angle1_______________ = atan2_wide(v46, -X4_mp * v41 - v26 * (T31 * s23_mp - c23_mp *
+    const wide angle1_______________ = atan2_wide(v46, -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp *
         v43));
-    const wide angle1________________ = atan2_wide(v47, -X4_mm * v41 - v26 * (T31 * s23_mm - c23_pp
-        * v43));
+    const wide angle1________________ = atan2_wide(v47, -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm *
+        v43));
     const wide q6_ppm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), v44);
     const wide q6_pmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v45);
     const wide q6_mpm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v46);
@@ -647,8 +647,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q1_mpp = v6 + angle1__________________;
     const wide q3_ppp = v1 + angle1;
     const wide q3_pmp = v1 - angle1;
-    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v32 <= m5) |
-        ((v31 <= m5) | ((v16 <= m2) | ((v30 <= m5) | ((v15 <= m2) | ((v29 <= m5) |
+    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v31 <= m5) |
+        ((v30 <= m5) | ((v16 <= m2) | ((v29 <= m5) | ((v15 <= m2) | ((v28 <= m5) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v13 <= m2)))))))));
 
@@ -744,54 +744,52 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v4 = w3 - w3;
 
     /* theta2 */
-    const four v5 = e2 * t34;
-    const four v6 = w3 * (m1 * v5);
-    const four v7 = m1 * (w1 * (e1 * N3));
-    const four v8 = v6 + v7;
-    const four v9 = e1 * e2;
-    const double v10 = m1 * (t34 * N3);
-    const four C2 = v10 - w3 * (m1 * (w1 * v9));
-    const four v11 = v8 * v8 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v11);
+    const four v5 = w3 * (m1 * (e2 * t34));
+    const four v6 = m1 * (w1 * (e1 * N3));
+    const four v7 = v5 + v6;
+    const four v8 = e1 * e2;
+    const double v9 = m1 * (t34 * N3);
+    const four C2 = v9 - w3 * (m1 * (w1 * v8));
+    const four v10 = v7 * v7 + C2 * C2;
+    const four factor2 = sqrt_four(v10) * (1.0 / v10);
 
     /* theta4 */
-    const four c23 = factor2 * (v10 + w3 * (w1 * (m1 * v9)));
-    const double v12 = m3 * N3;
-    const double v13 = m1 - v12;
-    const four v14 = e1 * v13;
-    const double v15 = v12 - m4;
-    const four v16 = e2 * v15;
-    const four v17 = m1 * (w3 * v5);
-    const four s23 = factor2 * (v17 + w1 * (N3 * (v14 + v9 * v16)));
-    const four v18 = T13 * s1 - T23 * c1;
-    const four X4 = c23 * v18 - T33 * s23;
-    const four v19 = T13 * c1 + T23 * s1;
-    const four v20 = v19 * v19;
-    const four v21 = v20 + X4 * X4;
-    const four v22 = copysign_four(all_four(half_turn), -v19) * h1;
+    const four c23 = v9 + w3 * (w1 * (m1 * v8));
+    const double v11 = m3 * N3;
+    const double v12 = m1 - v11;
+    const four v13 = e1 * v12;
+    const double v14 = v11 - m4;
+    const four v15 = e2 * v14;
+    const four s23 = v5 + w1 * (N3 * (v13 + v8 * v15));
+    const four v16 = T13 * s1 - T23 * c1;
+    const four X4 = c23 * v16 - T33 * s23;
+    const four v17 = T13 * c1 + T23 * s1;
+    const four v18 = v17 * v17;
+    const four v19 = v18 + factor2 * (X4 * (factor2 * X4));
+    const four v20 = copysign_four(all_four(half_turn), -v17) * h1;
 
     /* theta6 */
-    const four v23 = c1 * T12 + s1 * T22;
-    const four v24 = s1 * T12 - c1 * T22;
-    const four v25 = T11 * c1 + T21 * s1;
-    const four v26 = T11 * s1 - T21 * c1;
-    const four v27 = v19 * (s23 * T32 - c23 * v24) - -X4 * v23;
+    const four v21 = c1 * T12 + s1 * T22;
+    const four v22 = s1 * T12 - c1 * T22;
+    const four v23 = T11 * c1 + T21 * s1;
+    const four v24 = T11 * s1 - T21 * c1;
+    const four v25 = v17 * (s23 * T32 - c23 * v22) - -X4 * v21;
 
     /* joint values */
-    const four_mask doubt2 = (v11 <= m2) | (v21 <= m5);
+    const four_mask doubt2 = (v10 <= m2) | (v19 <= m5);
     const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (((shortest3_reach <=
         N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
-    const four angle1_ = atan2_four(-v8, C2);
-    const four angle1__ = atan2_four(-v19, -X4);
-    const four angle1___ = atan2_four(-sqrt_four(v21), T33 * c23 + s23 * v18);
-    const four angle1____ = atan2_four(v27, -X4 * v25 - v19 * (T31 * s23 - c23 * v26));
+    const four angle1_ = atan2_four(-v7, C2);
+    const four angle1__ = atan2_four(-v17, factor2 * -X4);
+    const four angle1___ = atan2_four(-sqrt_four(v19), factor2 * (T33 * c23 + s23 * v16));
+    const four angle1____ = atan2_four(v25, -X4 * v23 - v17 * (T31 * s23 - c23 * v24));
     const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
         __builtin_shufflevector(c1, all_four(N3 - k5), 0, 5, 2, 3));
     const four angle1_____ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle1__ - v22;
-    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v27);
+    const four q4_m = angle1__ - v20;
+    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v25);
     const four q1_p = v4 + angle1_____;
     const four q3_p = v1 + e2 * angle1;
 

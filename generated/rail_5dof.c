@@ -16,6 +16,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef RAIL_5DOF_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -33,21 +36,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -79,7 +82,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -123,7 +126,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -149,8 +152,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef RAIL_5DOF_LIBM
 #define atan2_wide atan2
 #else
@@ -160,7 +163,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -318,6 +321,7 @@ static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1.2959999999999999e-45; /* free_limit_squared2^2 [m^4] */
 static const double m2 = 1e-24; /* free_limit^2 */
 static const double m4 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m5 = 2.0; /* a coefficient of v12 */
 static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const rail_5dof_branches[2] = {
@@ -458,66 +462,70 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide v1 = d3 * (T14 - d5 * T13 - a1);
     const wide C2 = d3 * (T24 - d5 * T23);
     const wide v2 = v1 * v1 + C2 * C2;
-    const wide v3 = 1.0 / sqrt_wide(v2);
-    const wide v4 = C2 * v3;
-    const wide s2 = v1 * v3;
+    const wide w2 = sqrt_wide(v2);
+    const wide v3 = 1.0 / v2;
+    const wide v4 = w2 * v3;
+    const wide v5 = C2 * v4;
+    const wide s2 = v1 * v4;
 
     /* theta3 */
-    const wide X3 = T23 * s2 - T13 * v4;
-    const wide v5 = X3 * X3 + T33 * T33;
-    const wide w3 = sqrt_wide(v5);
-    const wide factor3 = 1.0 / w3;
-    const wide v6 = X3 * factor3;
-    const wide v7 = T33 * factor3;
+    const wide v6 = T23 * s2 - T13 * v5;
+    const wide X3 = w2 * (v3 * (v1 * T23 - T13 * C2));
+    const wide v7 = X3 * X3 + T33 * T33;
+    const wide w3 = sqrt_wide(v7);
+    const wide v8 = 1.0 / v7;
+    const wide factor3 = w3 * v8;
+    const wide v9 = X3 * factor3;
+    const wide v10 = T33 * factor3;
     const wide angle1 = atan2_wide(-T33, -X3);
 
     /* theta4 */
-    const wide v8 = T23 * v4 + T13 * s2;
-    const wide v9 = v5 + v8 * v8;
-    const wide v10 = 1.0 / sqrt_wide(v9);
-    const wide c4 = v8 * v10;
-    const wide s4 = w3 * v10;
-    const wide angle1_ = atan2_wide(w3, v8);
+    const wide v11 = w2 * (v3 * (T13 * v1 + T23 * C2));
+    const wide v12 = v7 + v11 * v11;
+    const wide v13 = sqrt_wide(v12) * (1.0 / v12);
+    const wide c4 = v11 * v13;
+    const wide s4 = w3 * v13;
+    const wide angle1_ = atan2_wide(w3, v11);
 
     /* theta5 */
-    const wide C5 = v6 * T32 - v7 * (s2 * T22 - v4 * T12);
-    const wide S5 = v6 * T31 - v7 * (s2 * T21 - v4 * T11);
-    const wide v11 = S5 * S5 + C5 * C5;
-    const wide v12 = 1.0 / sqrt_wide(v11);
-    const wide v13 = C5 * v12;
-    const wide v14 = S5 * v12;
+    const wide C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)));
+    const wide S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)));
+    const wide v14 = S5 * S5 + C5 * C5;
+    const wide v15 = sqrt_wide(v14) * (1.0 / v14);
+    const wide v16 = C5 * v15;
+    const wide v17 = S5 * v15;
     const wide angle1__ = atan2_wide(-S5, -C5);
 
     /* is the pose one that the arm can take? */
-    const wide v15 = v4 * v6;
-    const wide v16 = c4 * v15 + s2 * s4;
-    const wide v17 = v4 * v7;
-    const wide v18 = s2 * v6;
-    const wide v19 = c4 * v18 - v4 * s4;
-    const wide v20 = s2 * v7;
-    const wide v21 = v7 * c4;
-    const wide v22 = pick_wide((abs_wide(T34 + (-wz - s4 * (d5 * v7))) <= pose_slack1) &
-        ((abs_wide(T33 - v7 * s4) <= pose_slack) & ((abs_wide(T32 - (v6 * v13 - v14 * v21)) <=
-        pose_slack) & ((abs_wide(T31 - (v13 * v21 + v6 * v14)) <= pose_slack) & ((abs_wide(T24 - (d3
-        * v4 + (c4 * (d5 * v4) + s4 * (d5 * v18)))) <= pose_slack1) & ((abs_wide(T23 - (v4 * c4 + s4
-        * v18)) <= pose_slack) & ((abs_wide(T22 + (v14 * v19 + v13 * v20)) <= pose_slack) &
-        ((abs_wide(T21 + (v14 * v20 - v13 * v19)) <= pose_slack) & ((abs_wide(T14 - (a1 + d3 * s2 -
-        (s4 * (d5 * v15) - c4 * (d5 * s2)))) <= pose_slack1) & ((abs_wide(T13 - (s2 * c4 - s4 *
-        v15)) <= pose_slack) & ((abs_wide(T11 - (v14 * v17 - v13 * v16)) <= pose_slack) &
-        (abs_wide(T12 - (v13 * v17 + v14 * v16)) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(sqrt(-1.0)));
+    const wide v18 = v5 * v9;
+    const wide v19 = c4 * v18 + s2 * s4;
+    const wide v20 = v5 * v10;
+    const wide v21 = s2 * v9;
+    const wide v22 = c4 * v21 - v5 * s4;
+    const wide v23 = s2 * v10;
+    const wide v24 = v10 * c4;
+    const double v25 = sqrt(-1.0);
+    const wide v26 = pick_wide(maximum_wide(abs_wide(T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) -
+        c4 * (d5 * s2)))), maximum_wide(abs_wide(T34 + (-wz - s4 * (d5 * v10))), abs_wide(T24 - (d3
+        * v5 + (c4 * (d5 * v5) + s4 * (d5 * v21)))))) <= pose_slack1, all_wide(0.0), all_wide(v25));
+    const wide v27 = pick_wide(maximum_wide(abs_wide(T12 - (v16 * v20 + v17 * v19)),
+        maximum_wide(abs_wide(T11 - (v17 * v20 - v16 * v19)), maximum_wide(abs_wide(T13 - (s2 * c4 -
+        s4 * v18)), maximum_wide(abs_wide(T21 + (v17 * v23 - v16 * v22)), maximum_wide(abs_wide(T22
+        + (v17 * v22 + v16 * v23)), maximum_wide(abs_wide(T23 - (v5 * c4 + s4 * v21)),
+        maximum_wide(abs_wide(T31 - (v16 * v24 + v9 * v17)), maximum_wide(abs_wide(T33 - v10 * s4),
+        abs_wide(T32 - (v9 * v16 - v17 * v24)))))))))) <= pose_slack, all_wide(0.0), all_wide(v25));
 
     /* joint values */
-    const wide q1_p = wz + v22;
+    const wide q1_p = v27 + (wz + v26);
     const wide angle1___ = atan2_wide(v1, -C2);
-    const wide q2_p = v22 + angle1___;
-    const wide q3_p = angle1 + v22;
-    const wide q3_m = v22 + (angle1 - copysign_wide(all_wide(half_turn), -T33) * h1);
-    const wide q4_p = angle1_ + v22;
-    const wide q4_m = v22 - angle1_;
-    const wide q5_p = angle1__ + v22;
-    const wide q5_m = v22 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -S5));
-    const wide_mask doubt1 = (v5 <= m2) | ((v2 <= m1) | ((v11 <= m4) | (v9 <= m4)));
+    const wide q2_p = v27 + (v26 + angle1___);
+    const wide q3_p = v27 + (angle1 + v26);
+    const wide q3_m = v27 + (v26 + (angle1 - copysign_wide(all_wide(half_turn), -T33) * h1));
+    const wide q4_p = v27 + (angle1_ + v26);
+    const wide q4_m = v27 + (v26 - angle1_);
+    const wide q5_p = v27 + (angle1__ + v26);
+    const wide q5_m = v27 + (v26 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -S5)));
+    const wide_mask doubt1 = (v7 <= m2) | ((v2 <= m1) | ((v14 <= m4) | (v12 <= m4)));
 
     q[0] = q1_p;
     q[1] = q2_p;
@@ -553,67 +561,72 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     const double v1 = d3 * (T14 - d5 * T13 - a1);
     const double C2 = d3 * (T24 - d5 * T23);
     const double v2 = v1 * v1 + C2 * C2;
-    const double v3 = 1.0 / sqrt(v2);
-    const double v4 = C2 * v3;
-    const double s2 = v1 * v3;
+    const double w2 = sqrt(v2);
+    const double v3 = 1.0 / v2;
+    const double v4 = w2 * v3;
+    const double v5 = C2 * v4;
+    const double s2 = v1 * v4;
 
     /* theta3 */
-    const double X3 = T23 * s2 - T13 * v4;
-    const double v5 = X3 * X3 + T33 * T33;
-    const double w3 = sqrt(v5);
-    const double factor3 = 1.0 / w3;
-    const double v6 = X3 * factor3;
-    const double v7 = T33 * factor3;
-    const double v8 = copysign(half_turn, -T33);
-    const four v9 = m3 * (e1 - 1.0);
+    const double v6 = T23 * s2 - T13 * v5;
+    const double X3 = w2 * (v3 * (v1 * T23 - T13 * C2));
+    const double v7 = X3 * X3 + T33 * T33;
+    const double w3 = sqrt(v7);
+    const double v8 = 1.0 / v7;
+    const double factor3 = w3 * v8;
+    const double v9 = X3 * factor3;
+    const double v10 = T33 * factor3;
+    const double v11 = copysign(half_turn, -T33);
+    const four v12 = m3 * (e1 - 1.0);
 
     /* theta4 */
-    const double v10 = T23 * v4 + T13 * s2;
-    const double v11 = v5 + v10 * v10;
-    const double v12 = 1.0 / sqrt(v11);
-    const double c4 = v10 * v12;
-    const double s4 = w3 * v12;
+    const double v13 = w2 * (v3 * (T13 * v1 + T23 * C2));
+    const double v14 = v7 + v13 * v13;
+    const double v15 = sqrt(v14) * (1.0 / v14);
+    const double c4 = v13 * v15;
+    const double s4 = w3 * v15;
 
     /* theta5 */
-    const double C5 = v6 * T32 - v7 * (s2 * T22 - v4 * T12);
-    const double S5 = v6 * T31 - v7 * (s2 * T21 - v4 * T11);
-    const double v13 = S5 * S5 + C5 * C5;
-    const double v14 = 1.0 / sqrt(v13);
-    const double v15 = C5 * v14;
-    const double v16 = S5 * v14;
-    const double v17 = copysign(half_turn, -S5);
+    const double C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)));
+    const double S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)));
+    const double v16 = S5 * S5 + C5 * C5;
+    const double v17 = sqrt(v16) * (1.0 / v16);
+    const double v18 = C5 * v17;
+    const double v19 = S5 * v17;
+    const double v20 = copysign(half_turn, -S5);
 
     /* is the pose one that the arm can take? */
-    const double v18 = v4 * v6;
-    const double v19 = c4 * v18 + s2 * s4;
-    const double v20 = v4 * v7;
-    const double v21 = s2 * v6;
-    const double v22 = c4 * v21 - v4 * s4;
-    const double v23 = s2 * v7;
-    const double v24 = v7 * c4;
-    const double v25 = ((fabs(T34 + (-wz - s4 * (d5 * v7))) <= pose_slack1) & ((fabs(T33 - v7 * s4)
-        <= pose_slack) & ((fabs(T32 - (v6 * v15 - v16 * v24)) <= pose_slack) & ((fabs(T31 - (v15 *
-        v24 + v6 * v16)) <= pose_slack) & ((fabs(T24 - (d3 * v4 + (c4 * (d5 * v4) + s4 * (d5 *
-        v21)))) <= pose_slack1) & ((fabs(T23 - (v4 * c4 + s4 * v21)) <= pose_slack) & ((fabs(T22 +
-        (v16 * v22 + v15 * v23)) <= pose_slack) & ((fabs(T21 + (v16 * v23 - v15 * v22)) <=
-        pose_slack) & ((fabs(T14 - (a1 + d3 * s2 - (s4 * (d5 * v18) - c4 * (d5 * s2)))) <=
-        pose_slack1) & ((fabs(T13 - (s2 * c4 - s4 * v18)) <= pose_slack) & ((fabs(T11 - (v16 * v20 -
-        v15 * v19)) <= pose_slack) & (fabs(T12 - (v15 * v20 + v16 * v19)) <= pose_slack))))))))))))
-        ? 0.0 : sqrt(-1.0);
+    const double v21 = v5 * v9;
+    const double v22 = c4 * v21 + s2 * s4;
+    const double v23 = v5 * v10;
+    const double v24 = s2 * v9;
+    const double v25 = c4 * v24 - v5 * s4;
+    const double v26 = s2 * v10;
+    const double v27 = v10 * c4;
+    const double v28 = sqrt(-1.0);
+    const double v29 = (maximum_double(fabs(T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v21) - c4 * (d5
+        * s2)))), maximum_double(fabs(T34 + (-wz - s4 * (d5 * v10))), fabs(T24 - (d3 * v5 + (c4 *
+        (d5 * v5) + s4 * (d5 * v24)))))) <= pose_slack1) ? 0.0 : v28;
+    const double v30 = (maximum_double(fabs(T12 - (v18 * v23 + v19 * v22)), maximum_double(fabs(T11
+        - (v19 * v23 - v18 * v22)), maximum_double(fabs(T13 - (s2 * c4 - s4 * v21)),
+        maximum_double(fabs(T21 + (v19 * v26 - v18 * v25)), maximum_double(fabs(T22 + (v19 * v25 +
+        v18 * v26)), maximum_double(fabs(T23 - (v5 * c4 + s4 * v24)), maximum_double(fabs(T31 - (v18
+        * v27 + v9 * v19)), maximum_double(fabs(T33 - v10 * s4), fabs(T32 - (v9 * v18 - v19 *
+        v27)))))))))) <= pose_slack) ? 0.0 : v28;
 
     /* joint values */
-    const double q1 = wz + v25;
-    const int doubt1 = (v5 <= m2) | ((v2 <= m1) | ((v13 <= m4) | (v11 <= m4)));
+    const double q1 = v30 + (wz + v29);
+    const int doubt1 = (v7 <= m2) | ((v2 <= m1) | ((v16 <= m4) | (v14 <= m4)));
 
-    const four packed1 = atan2_four((four){ -T33, w3, -S5, v1 }, (four){ -X3, v10, -C5, -C2 });
+    const four packed1 = atan2_four((four){ -T33, w3, -S5, v1 }, (four){ -X3, v13, -C5, -C2 });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle1___ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four q2 = v25 + angle1___;
-    const four q3 = v25 + (angle1 + v8 * v9);
-    const four q4 = v25 + e1 * angle1_;
-    const four q5 = v25 + (angle1__ + v9 * v17);
+    const four q2 = v30 + (v29 + angle1___);
+    const four q3 = v30 + (v29 + (angle1 + v11 * v12));
+    const four q4 = v30 + (v29 + e1 * angle1_);
+    const four q5 = v30 + (v29 + (angle1__ + v12 * v20));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

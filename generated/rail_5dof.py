@@ -60,6 +60,7 @@ half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.2959999999999999e-45  # free_limit_squared2^2 [m^4]
 m2 = 1e-24  # free_limit^2
 m4 = 9.999999999999998e-49  # free_limit_squared^2
+m5 = 2.0  # a coefficient of v12
 h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
@@ -396,66 +397,73 @@ def _regular(pose, q, status):
     v1 = d3 * (T14 - d5 * T13 - a1)
     C2 = d3 * (T24 - d5 * T23)
     v2 = v1 * v1 + C2 * C2
-    v3 = 1.0 / math.sqrt(v2)
-    v4 = C2 * v3
-    s2 = v1 * v3
+    w2 = math.sqrt(v2)
+    v3 = 1.0 / v2
+    v4 = w2 * v3
+    v5 = C2 * v4
+    s2 = v1 * v4
 
     # theta3, type 2: U3[2, 3]
-    X3 = T23 * s2 - T13 * v4
-    v5 = X3 * X3 + T33 * T33
-    w3 = math.sqrt(v5)
-    factor3 = 1.0 / w3
-    v6 = X3 * factor3
-    v7 = T33 * factor3
+    v6 = T23 * s2 - T13 * v5
+    X3 = w2 * (v3 * (v1 * T23 - T13 * C2))
+    v7 = X3 * X3 + T33 * T33
+    w3 = math.sqrt(v7)
+    v8 = 1.0 / v7
+    factor3 = w3 * v8
+    v9 = X3 * factor3
+    v10 = T33 * factor3
     angle1 = _atan2(-T33, -X3)
 
     # theta4, type 3: U3[3, 3] and U3[1, 3]
-    v8 = T23 * v4 + T13 * s2
-    v9 = v5 + v8 * v8
-    v10 = 1.0 / math.sqrt(v9)
-    c4 = v8 * v10
-    s4 = w3 * v10
-    angle1_ = _atan2(w3, v8)
+    v11 = w2 * (v3 * (T13 * v1 + T23 * C2))
+    v12 = v7 + v11 * v11
+    v13 = math.sqrt(v12) * (1.0 / v12)
+    c4 = v11 * v13
+    s4 = w3 * v13
+    angle1_ = _atan2(w3, v11)
 
     # theta5, type 3: U3[2, 2] and U3[2, 1]
-    C5 = v6 * T32 - v7 * (s2 * T22 - v4 * T12)
-    S5 = v6 * T31 - v7 * (s2 * T21 - v4 * T11)
-    v11 = S5 * S5 + C5 * C5
-    v12 = 1.0 / math.sqrt(v11)
-    v13 = C5 * v12
-    v14 = S5 * v12
+    C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)))
+    S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)))
+    v14 = S5 * S5 + C5 * C5
+    v15 = math.sqrt(v14) * (1.0 / v14)
+    v16 = C5 * v15
+    v17 = S5 * v15
     angle1__ = _atan2(-S5, -C5)
 
     # is the pose one that the arm can take?
-    v15 = v4 * v6
-    v16 = c4 * v15 + s2 * s4
-    v17 = v4 * v7
-    v18 = s2 * v6
-    v19 = c4 * v18 - v4 * s4
-    v20 = s2 * v7
-    v21 = v7 * c4
-    v22 = (
-        0.0 if (abs(T34 + (-wz - s4 * (d5 * v7))) <= pose_slack1 and (abs(T33 - v7 * s4) <=
-        pose_slack and (abs(T32 - (v6 * v13 - v14 * v21)) <= pose_slack and (abs(T31 - (v13 * v21 +
-        v6 * v14)) <= pose_slack and (abs(T24 - (d3 * v4 + (c4 * (d5 * v4) + s4 * (d5 * v18)))) <=
-        pose_slack1 and (abs(T23 - (v4 * c4 + s4 * v18)) <= pose_slack and (abs(T22 + (v14 * v19 +
-        v13 * v20)) <= pose_slack and (abs(T21 + (v14 * v20 - v13 * v19)) <= pose_slack and (abs(T14
-        - (a1 + d3 * s2 - (s4 * (d5 * v15) - c4 * (d5 * s2)))) <= pose_slack1 and (abs(T13 - (s2 *
-        c4 - s4 * v15)) <= pose_slack and (abs(T11 - (v14 * v17 - v13 * v16)) <= pose_slack and
-        abs(T12 - (v13 * v17 + v14 * v16)) <= pose_slack))))))))))) else math.sqrt(-1.0)
+    v18 = v5 * v9
+    v19 = c4 * v18 + s2 * s4
+    v20 = v5 * v10
+    v21 = s2 * v9
+    v22 = c4 * v21 - v5 * s4
+    v23 = s2 * v10
+    v24 = v10 * c4
+    v25 = math.sqrt(-1.0)
+    v26 = (
+        0.0 if max(abs(T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))),
+        max(abs(T34 + (-wz - s4 * (d5 * v10))), abs(T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 *
+        v21)))))) <= pose_slack1 else v25
+    )
+    v27 = (
+        0.0 if max(abs(T12 - (v16 * v20 + v17 * v19)), max(abs(T11 - (v17 * v20 - v16 * v19)),
+        max(abs(T13 - (s2 * c4 - s4 * v18)), max(abs(T21 + (v17 * v23 - v16 * v22)), max(abs(T22 +
+        (v17 * v22 + v16 * v23)), max(abs(T23 - (v5 * c4 + s4 * v21)), max(abs(T31 - (v16 * v24 + v9
+        * v17)), max(abs(T33 - v10 * s4), abs(T32 - (v9 * v16 - v17 * v24)))))))))) <= pose_slack
+        else v25
     )
 
     # joint values
-    q1_p = wz + v22
+    q1_p = v27 + (wz + v26)
     angle1___ = _atan2(v1, -C2)
-    q2_p = v22 + angle1___
-    q3_p = angle1 + v22
-    q3_m = v22 + (angle1 - math.copysign(half_turn, -T33) * h1)
-    q4_p = angle1_ + v22
-    q4_m = v22 - angle1_
-    q5_p = angle1__ + v22
-    q5_m = v22 + (angle1__ - h1 * math.copysign(half_turn, -S5))
-    doubt1 = v5 <= m2 or (v2 <= m1 or (v11 <= m4 or v9 <= m4))
+    q2_p = v27 + (v26 + angle1___)
+    q3_p = v27 + (angle1 + v26)
+    q3_m = v27 + (v26 + (angle1 - math.copysign(half_turn, -T33) * h1))
+    q4_p = v27 + (angle1_ + v26)
+    q4_m = v27 + (v26 - angle1_)
+    q5_p = v27 + (angle1__ + v26)
+    q5_m = v27 + (v26 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+    doubt1 = v7 <= m2 or (v2 <= m1 or (v14 <= m4 or v12 <= m4))
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -601,10 +609,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [928, 960, 992, 1024, 1056],
-    [928, 960, 1088, 1120, 1152],
+    [960, 992, 1024, 1056, 1088],
+    [960, 992, 1120, 1152, 1184],
 ])
-_KINDS = np.array([1184, 1216])
+_KINDS = np.array([1216, 1248])
 _LEFT_OVER = 255
 
 
@@ -615,7 +623,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1248)
+    work = np.empty(1280)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -655,95 +663,103 @@ def _in_tiles(T, q, status):
             v1 = d3 * (T14 - d5 * T13 - a1)
             C2 = d3 * (T24 - d5 * T23)
             v2 = v1 * v1 + C2 * C2
-            v3 = 1.0 / math.sqrt(v2)
-            v4 = C2 * v3
-            s2 = v1 * v3
-            X3 = T23 * s2 - T13 * v4
-            v5 = X3 * X3 + T33 * T33
-            w3 = math.sqrt(v5)
-            factor3 = 1.0 / w3
-            v6 = X3 * factor3
-            v7 = T33 * factor3
-            v8 = T23 * v4 + T13 * s2
-            v9 = v5 + v8 * v8
-            v10 = 1.0 / math.sqrt(v9)
-            c4 = v8 * v10
-            s4 = w3 * v10
-            C5 = v6 * T32 - v7 * (s2 * T22 - v4 * T12)
-            S5 = v6 * T31 - v7 * (s2 * T21 - v4 * T11)
-            v11 = S5 * S5 + C5 * C5
-            v12 = 1.0 / math.sqrt(v11)
-            v13 = C5 * v12
-            v14 = S5 * v12
-            v15 = v4 * v6
-            v16 = c4 * v15 + s2 * s4
-            v17 = v4 * v7
-            v18 = s2 * v6
-            v19 = c4 * v18 - v4 * s4
-            v20 = s2 * v7
-            v21 = v7 * c4
-            v22 = (
-                0.0 if (abs(T34 + (-wz - s4 * (d5 * v7))) <= pose_slack1 and (abs(T33 - v7 * s4) <=
-                pose_slack and (abs(T32 - (v6 * v13 - v14 * v21)) <= pose_slack and (abs(T31 - (v13
-                * v21 + v6 * v14)) <= pose_slack and (abs(T24 - (d3 * v4 + (c4 * (d5 * v4) + s4 *
-                (d5 * v18)))) <= pose_slack1 and (abs(T23 - (v4 * c4 + s4 * v18)) <= pose_slack and
-                (abs(T22 + (v14 * v19 + v13 * v20)) <= pose_slack and (abs(T21 + (v14 * v20 - v13 *
-                v19)) <= pose_slack and (abs(T14 - (a1 + d3 * s2 - (s4 * (d5 * v15) - c4 * (d5 *
-                s2)))) <= pose_slack1 and (abs(T13 - (s2 * c4 - s4 * v15)) <= pose_slack and
-                (abs(T11 - (v14 * v17 - v13 * v16)) <= pose_slack and abs(T12 - (v13 * v17 + v14 *
-                v16)) <= pose_slack))))))))))) else math.sqrt(-1.0)
+            w2 = math.sqrt(v2)
+            v3 = 1.0 / v2
+            v4 = w2 * v3
+            v5 = C2 * v4
+            s2 = v1 * v4
+            v6 = T23 * s2 - T13 * v5
+            X3 = w2 * (v3 * (v1 * T23 - T13 * C2))
+            v7 = X3 * X3 + T33 * T33
+            w3 = math.sqrt(v7)
+            v8 = 1.0 / v7
+            factor3 = w3 * v8
+            v9 = X3 * factor3
+            v10 = T33 * factor3
+            v11 = w2 * (v3 * (T13 * v1 + T23 * C2))
+            v12 = v7 + v11 * v11
+            v13 = math.sqrt(v12) * (1.0 / v12)
+            c4 = v11 * v13
+            s4 = w3 * v13
+            C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)))
+            S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)))
+            v14 = S5 * S5 + C5 * C5
+            v15 = math.sqrt(v14) * (1.0 / v14)
+            v16 = C5 * v15
+            v17 = S5 * v15
+            v18 = v5 * v9
+            v19 = c4 * v18 + s2 * s4
+            v20 = v5 * v10
+            v21 = s2 * v9
+            v22 = c4 * v21 - v5 * s4
+            v23 = s2 * v10
+            v24 = v10 * c4
+            v25 = math.sqrt(-1.0)
+            v26 = (
+                0.0 if max(abs(T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))),
+                max(abs(T34 + (-wz - s4 * (d5 * v10))), abs(T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 *
+                (d5 * v21)))))) <= pose_slack1 else v25
             )
-            q1_p = wz + v22
-            doubt1 = v5 <= m2 or (v2 <= m1 or (v11 <= m4 or v9 <= m4))
+            v27 = (
+                0.0 if max(abs(T12 - (v16 * v20 + v17 * v19)), max(abs(T11 - (v17 * v20 - v16 *
+                v19)), max(abs(T13 - (s2 * c4 - s4 * v18)), max(abs(T21 + (v17 * v23 - v16 * v22)),
+                max(abs(T22 + (v17 * v22 + v16 * v23)), max(abs(T23 - (v5 * c4 + s4 * v21)),
+                max(abs(T31 - (v16 * v24 + v9 * v17)), max(abs(T33 - v10 * s4), abs(T32 - (v9 * v16
+                - v17 * v24)))))))))) <= pose_slack else v25
+            )
+            q1_p = v27 + (wz + v26)
+            doubt1 = v7 <= m2 or (v2 <= m1 or (v14 <= m4 or v12 <= m4))
             work[544 + k] = S5
-            work[576 + k] = v22
-            work[608 + k] = q1_p
-            work[640 + k] = doubt1
-            work[672 + k] = -T33
-            work[704 + k] = w3
-            work[736 + k] = -S5
-            work[768 + k] = v1
-            work[800 + k] = -X3
-            work[832 + k] = v8
-            work[864 + k] = -C5
-            work[896 + k] = -C2
-        for k in range(672, 800):
+            work[576 + k] = v26
+            work[608 + k] = v27
+            work[640 + k] = q1_p
+            work[672 + k] = doubt1
+            work[704 + k] = -T33
+            work[736 + k] = w3
+            work[768 + k] = -S5
+            work[800 + k] = v1
+            work[832 + k] = -X3
+            work[864 + k] = v11
+            work[896 + k] = -C5
+            work[928 + k] = -C2
+        for k in range(704, 832):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
             T33 = work[320 + k]
             S5 = work[544 + k]
-            v22 = work[576 + k]
-            q1_p = work[608 + k]
-            doubt1 = work[640 + k] != 0.0
-            angle1 = work[672 + k]
-            angle1_ = work[704 + k]
-            angle1__ = work[736 + k]
-            angle1___ = work[768 + k]
-            q2_p = v22 + angle1___
-            q3_p = angle1 + v22
-            q3_m = v22 + (angle1 - math.copysign(half_turn, -T33) * h1)
-            q4_p = angle1_ + v22
-            q4_m = v22 - angle1_
-            q5_p = angle1__ + v22
-            q5_m = v22 + (angle1__ - h1 * math.copysign(half_turn, -S5))
-            _928 = q1_p
-            work[928 + k] = _928
-            _960 = q2_p
+            v26 = work[576 + k]
+            v27 = work[608 + k]
+            q1_p = work[640 + k]
+            doubt1 = work[672 + k] != 0.0
+            angle1 = work[704 + k]
+            angle1_ = work[736 + k]
+            angle1__ = work[768 + k]
+            angle1___ = work[800 + k]
+            q2_p = v27 + (v26 + angle1___)
+            q3_p = v27 + (angle1 + v26)
+            q3_m = v27 + (v26 + (angle1 - math.copysign(half_turn, -T33) * h1))
+            q4_p = v27 + (angle1_ + v26)
+            q4_m = v27 + (v26 - angle1_)
+            q5_p = v27 + (angle1__ + v26)
+            q5_m = v27 + (v26 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+            _960 = q1_p
             work[960 + k] = _960
-            _992 = q3_p
+            _992 = q2_p
             work[992 + k] = _992
-            _1024 = q4_p
+            _1024 = q3_p
             work[1024 + k] = _1024
-            _1056 = q5_p
+            _1056 = q4_p
             work[1056 + k] = _1056
-            _1088 = q3_m
+            _1088 = q5_p
             work[1088 + k] = _1088
-            _1120 = q4_m
+            _1120 = q3_m
             work[1120 + k] = _1120
-            _1152 = q5_m
+            _1152 = q4_m
             work[1152 + k] = _1152
-            work[1184 + k] = UNREACHABLE if _928 != _928 else OK
-            work[1216 + k] = UNREACHABLE if _928 != _928 else OK
+            _1184 = q5_m
+            work[1184 + k] = _1184
+            work[1216 + k] = UNREACHABLE if _960 != _960 else OK
+            work[1248 + k] = UNREACHABLE if _960 != _960 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -15,6 +15,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef RRPRRR_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -32,21 +35,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -78,7 +81,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -122,7 +125,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -148,8 +151,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef RRPRRR_LIBM
 #define atan2_wide atan2
 #else
@@ -159,7 +162,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -455,45 +458,45 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide v1 = T14 * T14 + T24 * T24;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
-    const wide v2 = T14 * factor1;
-    const wide v3 = T24 * factor1;
+    const wide factor1 = w1 * (1.0 / v1);
     const wide angle1 = atan2_wide(-T24, -T14);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), -T24) * h1;
 
     /* theta2, r3 */
-    const wide v4 = v1 + T34 * T34;
-    const wide q3_ppp = sqrt_wide(v4);
-    const wide factor2 = 1.0 / q3_ppp;
-    const wide v5 = T34 * factor2;
-    const wide v6 = w1 * factor2;
+    const wide v2 = v1 + T34 * T34;
+    const wide q3_ppp = sqrt_wide(v2);
+    const wide factor2 = q3_ppp * (1.0 / v2);
+    const wide v3 = T34 * factor2;
+    const wide v4 = w1 * factor2;
     const wide angle1_ = atan2_wide(-w1, -T34);
     const wide q2_pmp = angle1_ - h1 * copysign_wide(all_wide(half_turn), -w1);
 
     /* theta4 */
-    const wide v7 = v2 * T13 + v3 * T23;
-    const wide X4 = v5 * v7 - v6 * T33;
-    const wide Y4 = v3 * T13 - v2 * T23;
-    const wide v8 = Y4 * Y4 + X4 * X4;
-    const wide w4 = sqrt_wide(v8);
-    const wide factor4 = 1.0 / w4;
-    const wide v9 = X4 * factor4;
+    const wide v5 = T14 * T13 + T24 * T23;
+    const wide X4 = factor1 * (v3 * v5) - v4 * T33;
+    const wide Y4 = T24 * T13 - T14 * T23;
+    const wide v6 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4));
+    const wide w4 = sqrt_wide(v6);
+    const wide factor4 = w4 * (1.0 / v6);
+    const wide v7 = X4 * factor4;
     const wide s4 = Y4 * factor4;
-    const wide angle1__ = atan2_wide(Y4, -X4);
-    const wide q4_ppm = angle1__ - h1 * copysign_wide(all_wide(half_turn), Y4);
+    const wide v8 = factor1 * s4;
+    const wide angle1__ = atan2_wide(v8, -v7);
+    const wide q4_ppm = angle1__ - h1 * copysign_wide(all_wide(half_turn), v8);
 
     /* theta5 */
-    const wide angle1___ = atan2_wide(-w4, v6 * v7 + v5 * T33);
+    const wide angle1___ = atan2_wide(-w4, v3 * T33 + factor1 * (v4 * v5));
     const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4) - angle1___;
 
     /* theta6 */
-    const wide v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31);
-    const wide angle1____ = atan2_wide(v10, v9 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3 *
-        T22) - v6 * T32));
-    const wide q6_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v10);
+    const wide v9 = v7 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21)) -
+        v4 * T31);
+    const wide angle1____ = atan2_wide(v9, v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14
+        * T12 + T24 * T22)) - v4 * T32));
+    const wide q6_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v9);
 
     /* joint values */
-    const wide_mask doubt1 = (v4 <= m1) | ((v8 <= m1) | (v1 <= m1));
+    const wide_mask doubt1 = (v2 <= m1) | ((v6 <= m1) | (v1 <= m1));
 
     q[0] = angle1;
     q[1] = angle1_;
@@ -570,60 +573,60 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double v1 = T14 * T14 + T24 * T24;
     const double w1 = sqrt(v1);
-    const double factor1 = 1.0 / w1;
-    const double v2 = T14 * factor1;
-    const double v3 = T24 * factor1;
+    const double factor1 = w1 * (1.0 / v1);
 
     /* theta2, r3 */
-    const double v4 = v1 + T34 * T34;
-    const double w3 = sqrt(v4);
-    const double factor2 = 1.0 / w3;
-    const double v5 = T34 * factor2;
-    const double v6 = w1 * factor2;
-    const double v7 = copysign(half_turn, -w1);
-    const four v8 = e2 - 1.0;
+    const double v2 = v1 + T34 * T34;
+    const double w3 = sqrt(v2);
+    const double factor2 = w3 * (1.0 / v2);
+    const double v3 = T34 * factor2;
+    const double v4 = w1 * factor2;
+    const double v5 = copysign(half_turn, -w1);
+    const four v6 = e2 - 1.0;
 
     /* theta4 */
-    const double v9 = v2 * T13 + v3 * T23;
-    const double X4 = v5 * v9 - v6 * T33;
-    const double Y4 = v3 * T13 - v2 * T23;
-    const double v10 = Y4 * Y4 + X4 * X4;
-    const double w4 = sqrt(v10);
-    const double factor4 = 1.0 / w4;
-    const double v11 = X4 * factor4;
+    const double v7 = T14 * T13 + T24 * T23;
+    const double X4 = factor1 * (v3 * v7) - v4 * T33;
+    const double Y4 = T24 * T13 - T14 * T23;
+    const double v8 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4));
+    const double w4 = sqrt(v8);
+    const double factor4 = w4 * (1.0 / v8);
+    const double v9 = X4 * factor4;
     const double s4 = Y4 * factor4;
-    const double v12 = copysign(half_turn, Y4);
+    const double v10 = factor1 * s4;
+    const double v11 = copysign(half_turn, v10);
 
     /* theta5 */
-    const double v14 = copysign(half_turn, -w4);
+    const double v13 = copysign(half_turn, -w4);
 
     /* theta6 */
-    const double v15 = v11 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31);
-    const double v16 = copysign(half_turn, v15);
+    const double v14 = v9 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21))
+        - v4 * T31);
+    const double v15 = copysign(half_turn, v14);
 
     /* joint values */
     const four q3_p = e2 * w3;
-    const int doubt1 = (v4 <= m1) | ((v10 <= m1) | (v1 <= m1));
+    const int doubt1 = (v2 <= m1) | ((v8 <= m1) | (v1 <= m1));
 
-    const four packed1 = atan2_four((four){ -T24, -w1, Y4, -w4 }, (four){ -T14, -T34, -X4, v6 * v9 +
-        v5 * T33 });
+    const four packed1 = atan2_four((four){ -T24, -w1, v10, -w4 }, (four){ -T14, -T34, -v9, v3 * T33
+        + factor1 * (v4 * v7) });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle1___ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four packed2 = atan2_four((four){ v15, v15, v15, v15 }, (four){ v11 * (v3 * T12 - v2 *
-        T22) - s4 * (v5 * (v2 * T12 + v3 * T22) - v6 * T32), v11 * (v3 * T12 - v2 * T22) - s4 * (v5
-        * (v2 * T12 + v3 * T22) - v6 * T32), v11 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3
-        * T22) - v6 * T32), v11 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3 * T22) - v6 *
-        T32) });
+    const four packed2 = atan2_four((four){ v14, v14, v14, v14 }, (four){ v9 * (T24 * T12 - T14 *
+        T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 *
+        T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 *
+        T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 *
+        T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32) });
     const four angle1____ = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
     const four q1_m = angle1 - copysign(half_turn, -T24) * h1;
-    const four q2_p = angle1_ + v7 * (m2 * v8);
-    const four v13 = e2 * angle1__;
-    const four q4_p = v13 + v12 * (m2 * (e3 - e2));
-    const four q4_m = v13 - v12 * (m2 * (e2 + e3));
-    const four q5_ = e2 * angle1___ + v14 * (m2 * -v8);
-    const four q6_p = angle1____ + v16 * (m2 * (e2 * e3 - 1.0));
+    const four q2_p = angle1_ + v5 * (m2 * v6);
+    const four v12 = e2 * angle1__;
+    const four q4_p = v12 + v11 * (m2 * (e3 - e2));
+    const four q4_m = v12 - v11 * (m2 * (e2 + e3));
+    const four q5_ = e2 * angle1___ + v13 * (m2 * -v6);
+    const four q6_p = angle1____ + v15 * (m2 * (e2 * e3 - 1.0));
     const four q5_p = e3 * q5_;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))

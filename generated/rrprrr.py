@@ -393,46 +393,46 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[2, 4]
     v1 = T14 * T14 + T24 * T24
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = T14 * factor1
-    v3 = T24 * factor1
+    factor1 = w1 * (1.0 / v1)
     angle1 = _atan2(-T24, -T14)
     q1_mpp = angle1 - math.copysign(half_turn, -T24) * h1
 
     # theta2, r3, type 4: U1[1, 4] and U1[3, 4]
-    v4 = v1 + T34 * T34
-    q3_ppp = math.sqrt(v4)
-    factor2 = 1.0 / q3_ppp
-    v5 = T34 * factor2
-    v6 = w1 * factor2
+    v2 = v1 + T34 * T34
+    q3_ppp = math.sqrt(v2)
+    factor2 = q3_ppp * (1.0 / v2)
+    v3 = T34 * factor2
+    v4 = w1 * factor2
     angle1_ = _atan2(-w1, -T34)
     q2_pmp = angle1_ - h1 * math.copysign(half_turn, -w1)
 
     # theta4, type 2: U4[2, 3]
-    v7 = v2 * T13 + v3 * T23
-    X4 = v5 * v7 - v6 * T33
-    Y4 = v3 * T13 - v2 * T23
-    v8 = Y4 * Y4 + X4 * X4
-    w4 = math.sqrt(v8)
-    factor4 = 1.0 / w4
-    v9 = X4 * factor4
+    v5 = T14 * T13 + T24 * T23
+    X4 = factor1 * (v3 * v5) - v4 * T33
+    Y4 = T24 * T13 - T14 * T23
+    v6 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4))
+    w4 = math.sqrt(v6)
+    factor4 = w4 * (1.0 / v6)
+    v7 = X4 * factor4
     s4 = Y4 * factor4
-    angle1__ = _atan2(Y4, -X4)
-    q4_ppm = angle1__ - h1 * math.copysign(half_turn, Y4)
+    v8 = factor1 * s4
+    angle1__ = _atan2(v8, -v7)
+    q4_ppm = angle1__ - h1 * math.copysign(half_turn, v8)
 
     # theta5, type 3: U4[3, 3] and U4[1, 3]
-    angle1___ = _atan2(-w4, v6 * v7 + v5 * T33)
+    angle1___ = _atan2(-w4, v3 * T33 + factor1 * (v4 * v5))
     q5_pmp = h1 * math.copysign(half_turn, -w4) - angle1___
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
-    v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31)
+    v9 = v7 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21)) - v4 * T31)
     angle1____ = (
-        _atan2(v10, v9 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3 * T22) - v6 * T32))
+        _atan2(v9, v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) -
+        v4 * T32))
     )
-    q6_ppm = angle1____ - h1 * math.copysign(half_turn, v10)
+    q6_ppm = angle1____ - h1 * math.copysign(half_turn, v9)
 
     # joint values
-    doubt1 = v4 <= m1 or (v8 <= m1 or v1 <= m1)
+    doubt1 = v2 <= m1 or (v6 <= m1 or v1 <= m1)
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -680,41 +680,44 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             v1 = T14 * T14 + T24 * T24
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = T14 * factor1
-            v3 = T24 * factor1
-            v4 = v1 + T34 * T34
-            q3_ppp = math.sqrt(v4)
-            factor2 = 1.0 / q3_ppp
-            v5 = T34 * factor2
-            v6 = w1 * factor2
-            v7 = v2 * T13 + v3 * T23
-            X4 = v5 * v7 - v6 * T33
-            Y4 = v3 * T13 - v2 * T23
-            v8 = Y4 * Y4 + X4 * X4
-            w4 = math.sqrt(v8)
-            factor4 = 1.0 / w4
-            v9 = X4 * factor4
+            factor1 = w1 * (1.0 / v1)
+            v2 = v1 + T34 * T34
+            q3_ppp = math.sqrt(v2)
+            factor2 = q3_ppp * (1.0 / v2)
+            v3 = T34 * factor2
+            v4 = w1 * factor2
+            v5 = T14 * T13 + T24 * T23
+            X4 = factor1 * (v3 * v5) - v4 * T33
+            Y4 = T24 * T13 - T14 * T23
+            v6 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4))
+            w4 = math.sqrt(v6)
+            factor4 = w4 * (1.0 / v6)
+            v7 = X4 * factor4
             s4 = Y4 * factor4
-            v10 = v9 * (v3 * T11 - v2 * T21) - s4 * (v5 * (v2 * T11 + v3 * T21) - v6 * T31)
-            doubt1 = v4 <= m1 or (v8 <= m1 or v1 <= m1)
+            v8 = factor1 * s4
+            v9 = (
+                v7 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21)) - v4 *
+                T31)
+            )
+            doubt1 = v2 <= m1 or (v6 <= m1 or v1 <= m1)
             work[544 + k] = w1
             work[576 + k] = q3_ppp
-            work[608 + k] = Y4
-            work[640 + k] = w4
-            work[672 + k] = v10
+            work[608 + k] = w4
+            work[640 + k] = v8
+            work[672 + k] = v9
             work[704 + k] = doubt1
             work[736 + k] = -T24
             work[768 + k] = -w1
-            work[800 + k] = Y4
+            work[800 + k] = v8
             work[832 + k] = -w4
-            work[864 + k] = v10
+            work[864 + k] = v9
             work[896 + k] = -T14
             work[928 + k] = -T34
-            work[960 + k] = -X4
-            work[992 + k] = v6 * v7 + v5 * T33
+            work[960 + k] = -v7
+            work[992 + k] = v3 * T33 + factor1 * (v4 * v5)
             work[1024 + k] = (
-                v9 * (v3 * T12 - v2 * T22) - s4 * (v5 * (v2 * T12 + v3 * T22) - v6 * T32)
+                v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 *
+                T32)
             )
         for k in range(736, 896):
             work[k] = _atan2(work[k], work[k + 160])
@@ -722,9 +725,9 @@ def _in_tiles(T, q, status):
             T24 = work[224 + k]
             w1 = work[544 + k]
             q3_ppp = work[576 + k]
-            Y4 = work[608 + k]
-            w4 = work[640 + k]
-            v10 = work[672 + k]
+            w4 = work[608 + k]
+            v8 = work[640 + k]
+            v9 = work[672 + k]
             doubt1 = work[704 + k] != 0.0
             angle1 = work[736 + k]
             angle1_ = work[768 + k]
@@ -733,9 +736,9 @@ def _in_tiles(T, q, status):
             angle1____ = work[864 + k]
             q1_mpp = angle1 - math.copysign(half_turn, -T24) * h1
             q2_pmp = angle1_ - h1 * math.copysign(half_turn, -w1)
-            q4_ppm = angle1__ - h1 * math.copysign(half_turn, Y4)
+            q4_ppm = angle1__ - h1 * math.copysign(half_turn, v8)
             q5_pmp = h1 * math.copysign(half_turn, -w4) - angle1___
-            q6_ppm = angle1____ - h1 * math.copysign(half_turn, v10)
+            q6_ppm = angle1____ - h1 * math.copysign(half_turn, v9)
             _1056 = angle1
             work[1056 + k] = _1056
             _1088 = angle1_

@@ -72,9 +72,7 @@ high3 = 1e-09  # highest value of joint 3
 m1 = 9.999999999999998e-49  # free_limit_squared^2
 m2 = 1.25  # a coefficient of S1
 m3 = 0.08750000000000001  # a coefficient of S1
-m4 = 1.666666666666667  # a coefficient of c12
-m5 = 0.1166666666666667  # a coefficient of c12
-m6 = 6.283185307179586  # 2 * half_turn
+m4 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -371,7 +369,7 @@ def _regular(pose, q, status):
 
     # theta124, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
-    v2 = 1.0 / math.sqrt(v1)
+    v2 = math.sqrt(v1) * (1.0 / v1)
     c124 = T11 * v2
     s124 = T21 * v2
     angle1 = _atan2(T21, T11)
@@ -386,55 +384,31 @@ def _regular(pose, q, status):
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     v3 = m3 + m2 * N2
     v4 = t24 * v3
-    S1_p = v4 - w2 * (m2 * t14)
-    S1_m = v4 - w2 * (m2 * -t14)
     v5 = t14 * v3
-    C1_p = v5 + w2 * (m2 * t24)
-    C1_m = v5 + w2 * (m2 * -t24)
-    factor1 = 1.0 / N2
-    angle1__ = _atan2(S1_p, C1_p)
-    angle1___ = _atan2(S1_m, C1_m)
+    angle1__ = _atan2(v4 - w2 * (m2 * t14), v5 + w2 * (m2 * t24))
+    angle1___ = _atan2(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24))
 
     # is the pose one that the arm can take?
-    v6 = m4 * N2 - m5
-    v7 = t14 * v6
-    v8 = t24 * v6
-    v9 = math.sqrt(-1.0)
-    v10 = (
-        0.0 if (abs(T33 - 1.0) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <= pose_slack
-        and (abs(T23) <= pose_slack and (abs(T22 - c124) <= pose_slack and (abs(T21 - s124) <=
-        pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c124) <= pose_slack and abs(s124 +
-        T12) <= pose_slack)))))))) else v9
-    )
-    v11 = (
-        0.0 if (abs(t14 - factor1 * (L2 * (v7 - w2 * (m4 * t24)) + L1 * C1_p)) <= pose_slack1 and
-        abs(t24 - factor1 * (L2 * (v8 + w2 * (m4 * t14)) + L1 * S1_p)) <= pose_slack1) else v9
-    )
-    v12 = (
-        0.0 if (abs(t14 - factor1 * (L2 * (v7 - w2 * (m4 * -t24)) + L1 * C1_m)) <= pose_slack1 and
-        abs(t24 - factor1 * (L2 * (v8 + w2 * (m4 * -t14)) + L1 * S1_m)) <= pose_slack1) else v9
+    v6 = (
+        0.0 if max(abs(s124 + T12), max(abs(T11 - c124), max(abs(T13), max(abs(T21 - s124),
+        max(abs(T22 - c124), max(abs(T23), max(abs(T31), max(abs(T33 - 1.0), abs(T32))))))))) <=
+        pose_slack else math.sqrt(-1.0)
     )
 
     # joint values
-    v13 = angle1 - (angle1_ + angle1__)
-    v14 = angle1 - (angle1___ - angle1_)
-    v15 = t34 < low3 or high3 < t34
-    q1_p = v11 + (angle1__ + v10)
-    q1_m = v12 + (angle1___ + v10)
-    q2_p = v11 + (angle1_ + v10)
-    q2_m = v12 + (v10 - angle1_)
-    v16 = v10 + (t34 + (w2 - w2))
-    q3_p = v11 + v16
-    q3_m = v12 + v16
-    q4_p = (
-        v11 + (v10 + (v13 - (m6 if half_turn < v13 else 0.0) + (m6 if v13 <= -half_turn else 0.0)))
-    )
-    q4_m = (
-        v12 + (v10 + (v14 - (m6 if half_turn < v14 else 0.0) + (m6 if v14 <= -half_turn else 0.0)))
-    )
-    outside_p = v15 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
+    v7 = angle1 - (angle1_ + angle1__)
+    v8 = angle1 - (angle1___ - angle1_)
+    v9 = t34 < low3 or high3 < t34
+    q1_p = angle1__ + v6
+    q1_m = angle1___ + v6
+    q2_p = angle1_ + v6
+    q2_m = v6 - angle1_
+    q3_p = v6 + (t34 + (w2 - w2))
+    q4_p = v6 + (v7 - (m4 if half_turn < v7 else 0.0) + (m4 if v7 <= -half_turn else 0.0))
+    q4_m = v6 + (v8 - (m4 if half_turn < v8 else 0.0) + (m4 if v8 <= -half_turn else 0.0))
+    outside_p = v9 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
     outside_m = (
-        v15 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 < -angle1_))
+        v9 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 < -angle1_))
     )
     doubt1 = (
         shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
@@ -450,7 +424,7 @@ def _regular(pose, q, status):
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_p else OK)
     q[1, 0] = q1_m
     q[1, 1] = q2_m
-    q[1, 2] = q3_m
+    q[1, 2] = q3_p
     q[1, 3] = q4_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_m else OK)
     return True
@@ -583,10 +557,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1024, 1056, 1088, 1120],
-    [1152, 1184, 1216, 1248],
+    [928, 960, 992, 1024],
+    [1056, 1088, 992, 1120],
 ])
-_KINDS = np.array([1280, 1312])
+_KINDS = np.array([1152, 1184])
 _LEFT_OVER = 255
 
 
@@ -597,7 +571,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1344)
+    work = np.empty(1216)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -635,7 +609,7 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             t34 = T34 - L4 * T31
             v1 = T21 * T21 + T11 * T11
-            v2 = 1.0 / math.sqrt(v1)
+            v2 = math.sqrt(v1) * (1.0 / v1)
             c124 = T11 * v2
             s124 = T21 * v2
             t14 = T14 - L4 * T11
@@ -644,108 +618,72 @@ def _in_tiles(T, q, status):
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
             v3 = m3 + m2 * N2
             v4 = t24 * v3
-            S1_p = v4 - w2 * (m2 * t14)
-            S1_m = v4 - w2 * (m2 * -t14)
             v5 = t14 * v3
-            C1_p = v5 + w2 * (m2 * t24)
-            C1_m = v5 + w2 * (m2 * -t24)
-            factor1 = 1.0 / N2
-            v6 = m4 * N2 - m5
-            v7 = t14 * v6
-            v8 = t24 * v6
-            v9 = math.sqrt(-1.0)
-            v10 = (
-                0.0 if (abs(T33 - 1.0) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <=
-                pose_slack and (abs(T23) <= pose_slack and (abs(T22 - c124) <= pose_slack and
-                (abs(T21 - s124) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c124) <=
-                pose_slack and abs(s124 + T12) <= pose_slack)))))))) else v9
+            v6 = (
+                0.0 if max(abs(s124 + T12), max(abs(T11 - c124), max(abs(T13), max(abs(T21 - s124),
+                max(abs(T22 - c124), max(abs(T23), max(abs(T31), max(abs(T33 - 1.0),
+                abs(T32))))))))) <= pose_slack else math.sqrt(-1.0)
             )
-            v11 = (
-                0.0 if (abs(t14 - factor1 * (L2 * (v7 - w2 * (m4 * t24)) + L1 * C1_p)) <=
-                pose_slack1 and abs(t24 - factor1 * (L2 * (v8 + w2 * (m4 * t14)) + L1 * S1_p)) <=
-                pose_slack1) else v9
-            )
-            v12 = (
-                0.0 if (abs(t14 - factor1 * (L2 * (v7 - w2 * (m4 * -t24)) + L1 * C1_m)) <=
-                pose_slack1 and abs(t24 - factor1 * (L2 * (v8 + w2 * (m4 * -t14)) + L1 * S1_m)) <=
-                pose_slack1) else v9
-            )
-            v15 = t34 < low3 or high3 < t34
-            v16 = v10 + (t34 + (w2 - w2))
-            q3_p = v11 + v16
-            q3_m = v12 + v16
+            v9 = t34 < low3 or high3 < t34
+            q3_p = v6 + (t34 + (w2 - w2))
             doubt1 = (
                 shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
                 < longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
             )
-            work[544 + k] = v10
-            work[576 + k] = v11
-            work[608 + k] = v12
-            work[640 + k] = v15
-            work[672 + k] = q3_p
-            work[704 + k] = q3_m
-            work[736 + k] = doubt1
-            work[768 + k] = T21
-            work[800 + k] = w2
-            work[832 + k] = S1_p
-            work[864 + k] = S1_m
-            work[896 + k] = T11
-            work[928 + k] = N2 - k1
-            work[960 + k] = C1_p
-            work[992 + k] = C1_m
-        for k in range(768, 896):
+            work[544 + k] = v6
+            work[576 + k] = v9
+            work[608 + k] = q3_p
+            work[640 + k] = doubt1
+            work[672 + k] = T21
+            work[704 + k] = w2
+            work[736 + k] = v4 - w2 * (m2 * t14)
+            work[768 + k] = v4 - w2 * (m2 * -t14)
+            work[800 + k] = T11
+            work[832 + k] = N2 - k1
+            work[864 + k] = v5 + w2 * (m2 * t24)
+            work[896 + k] = v5 + w2 * (m2 * -t24)
+        for k in range(672, 800):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v10 = work[544 + k]
-            v11 = work[576 + k]
-            v12 = work[608 + k]
-            v15 = work[640 + k] != 0.0
-            q3_p = work[672 + k]
-            q3_m = work[704 + k]
-            doubt1 = work[736 + k] != 0.0
-            angle1 = work[768 + k]
-            angle1_ = work[800 + k]
-            angle1__ = work[832 + k]
-            angle1___ = work[864 + k]
-            v13 = angle1 - (angle1_ + angle1__)
-            v14 = angle1 - (angle1___ - angle1_)
-            q1_p = v11 + (angle1__ + v10)
-            q1_m = v12 + (angle1___ + v10)
-            q2_p = v11 + (angle1_ + v10)
-            q2_m = v12 + (v10 - angle1_)
-            q4_p = (
-                v11 + (v10 + (v13 - (m6 if half_turn < v13 else 0.0) + (m6 if v13 <= -half_turn else
-                0.0)))
-            )
-            q4_m = (
-                v12 + (v10 + (v14 - (m6 if half_turn < v14 else 0.0) + (m6 if v14 <= -half_turn else
-                0.0)))
-            )
+            v6 = work[544 + k]
+            v9 = work[576 + k] != 0.0
+            q3_p = work[608 + k]
+            doubt1 = work[640 + k] != 0.0
+            angle1 = work[672 + k]
+            angle1_ = work[704 + k]
+            angle1__ = work[736 + k]
+            angle1___ = work[768 + k]
+            v7 = angle1 - (angle1_ + angle1__)
+            v8 = angle1 - (angle1___ - angle1_)
+            q1_p = angle1__ + v6
+            q1_m = angle1___ + v6
+            q2_p = angle1_ + v6
+            q2_m = v6 - angle1_
+            q4_p = v6 + (v7 - (m4 if half_turn < v7 else 0.0) + (m4 if v7 <= -half_turn else 0.0))
+            q4_m = v6 + (v8 - (m4 if half_turn < v8 else 0.0) + (m4 if v8 <= -half_turn else 0.0))
             outside_p = (
-                v15 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
+                v9 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
             )
             outside_m = (
-                v15 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 <
+                v9 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 <
                 -angle1_))
             )
-            _1024 = q1_p
+            _928 = q1_p
+            work[928 + k] = _928
+            _960 = q2_p
+            work[960 + k] = _960
+            _992 = q3_p
+            work[992 + k] = _992
+            _1024 = q4_p
             work[1024 + k] = _1024
-            _1056 = q2_p
+            _1056 = q1_m
             work[1056 + k] = _1056
-            _1088 = q3_p
+            _1088 = q2_m
             work[1088 + k] = _1088
-            _1120 = q4_p
+            _1120 = q4_m
             work[1120 + k] = _1120
-            _1152 = q1_m
-            work[1152 + k] = _1152
-            _1184 = q2_m
-            work[1184 + k] = _1184
-            _1216 = q3_m
-            work[1216 + k] = _1216
-            _1248 = q4_m
-            work[1248 + k] = _1248
-            work[1280 + k] = UNREACHABLE if _1024 != _1024 else (OUT_OF_LIMITS if outside_p else OK)
-            work[1312 + k] = UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_m else OK)
+            work[1152 + k] = UNREACHABLE if _928 != _928 else (OUT_OF_LIMITS if outside_p else OK)
+            work[1184 + k] = UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_m else OK)
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -21,6 +21,9 @@ static float wrap(float angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef SCARA_F32_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const float odd[11] = {
@@ -39,8 +42,8 @@ typedef int wide_mask;
 #define copysign_wide copysignf
 #define abs_wide fabsf
 #define sqrt_wide sqrtf
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef SCARA_F32_LIBM
 #define atan2_wide atan2f
 #else
@@ -50,7 +53,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0f;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421357f;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -120,9 +123,7 @@ static const float high3 = 2e-06f; /* highest value of joint 3 */
 static const float m1 = 1.6e-19f; /* free_limit_squared^2 */
 static const float m2 = 1.25f; /* a coefficient of S1 */
 static const float m3 = 0.0875f; /* a coefficient of S1 */
-static const float m4 = 1.6666666f; /* a coefficient of c12 */
-static const float m5 = 0.11666667f; /* a coefficient of c12 */
-static const float m6 = 6.2831855f; /* 2 * half_turn */
+static const float m4 = 6.2831855f; /* 2 * half_turn */
 
 const char *const scara_f32_branches[2] = {
     "down", "up",
@@ -246,7 +247,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta124 */
     const wide v1 = T21 * T21 + T11 * T11;
-    const wide v2 = 1.0f / sqrt_wide(v1);
+    const wide v2 = sqrt_wide(v1) * (1.0f / v1);
     const wide c124 = T11 * v2;
     const wide s124 = T21 * v2;
     const wide angle1 = atan2_wide(T21, T11);
@@ -261,50 +262,32 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     /* theta1 */
     const wide v3 = m3 + m2 * N2;
     const wide v4 = t24 * v3;
-    const wide S1_p = v4 - w2 * (m2 * t14);
-    const wide S1_m = v4 - w2 * (m2 * -t14);
     const wide v5 = t14 * v3;
-    const wide C1_p = v5 + w2 * (m2 * t24);
-    const wide C1_m = v5 + w2 * (m2 * -t24);
-    const wide factor1 = 1.0f / N2;
-    const wide angle1__ = atan2_wide(S1_p, C1_p);
-    const wide angle1___ = atan2_wide(S1_m, C1_m);
+    const wide angle1__ = atan2_wide(v4 - w2 * (m2 * t14), v5 + w2 * (m2 * t24));
+    const wide angle1___ = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
 
     /* is the pose one that the arm can take? */
-    const wide v6 = m4 * N2 - m5;
-    const wide v7 = t14 * v6;
-    const wide v8 = t24 * v6;
-    const float v9 = sqrtf(-1.0f);
-    const wide v10 = pick_wide((abs_wide(T33 - 1.0f) <= pose_slack) & ((abs_wide(T32) <= pose_slack)
-        & ((abs_wide(T31) <= pose_slack) & ((abs_wide(T23) <= pose_slack) & ((abs_wide(T22 - c124)
-        <= pose_slack) & ((abs_wide(T21 - s124) <= pose_slack) & ((abs_wide(T13) <= pose_slack) &
-        ((abs_wide(T11 - c124) <= pose_slack) & (abs_wide(s124 + T12) <= pose_slack)))))))),
-        all_wide(0.0f), all_wide(v9));
-    const wide v11 = pick_wide((abs_wide(t14 - factor1 * (L2 * (v7 - w2 * (m4 * t24)) + L1 * C1_p))
-        <= pose_slack1) & (abs_wide(t24 - factor1 * (L2 * (v8 + w2 * (m4 * t14)) + L1 * S1_p)) <=
-        pose_slack1), all_wide(0.0f), all_wide(v9));
-    const wide v12 = pick_wide((abs_wide(t14 - factor1 * (L2 * (v7 - w2 * (m4 * -t24)) + L1 * C1_m))
-        <= pose_slack1) & (abs_wide(t24 - factor1 * (L2 * (v8 + w2 * (m4 * -t14)) + L1 * S1_m)) <=
-        pose_slack1), all_wide(0.0f), all_wide(v9));
+    const wide v6 = pick_wide(maximum_wide(abs_wide(s124 + T12), maximum_wide(abs_wide(T11 - c124),
+        maximum_wide(abs_wide(T13), maximum_wide(abs_wide(T21 - s124), maximum_wide(abs_wide(T22 -
+        c124), maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T31), maximum_wide(abs_wide(T33 -
+        1.0f), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0f), all_wide(sqrtf(-1.0f)));
 
     /* joint values */
-    const wide v13 = angle1 - (angle1_ + angle1__);
-    const wide v14 = angle1 - (angle1___ - angle1_);
-    const wide_mask v15 = (t34 < low3) | (high3 < t34);
-    const wide q1_p = v11 + (angle1__ + v10);
-    const wide q1_m = v12 + (angle1___ + v10);
-    const wide q2_p = v11 + (angle1_ + v10);
-    const wide q2_m = v12 + (v10 - angle1_);
-    const wide v16 = v10 + (t34 + (w2 - w2));
-    const wide q3_p = v11 + v16;
-    const wide q3_m = v12 + v16;
-    const wide q4_p = v11 + (v10 + (v13 - pick_wide(half_turn < v13, all_wide(m6), all_wide(0.0f)) +
-        pick_wide(v13 <= -half_turn, all_wide(m6), all_wide(0.0f))));
-    const wide q4_m = v12 + (v10 + (v14 - pick_wide(half_turn < v14, all_wide(m6), all_wide(0.0f)) +
-        pick_wide(v14 <= -half_turn, all_wide(m6), all_wide(0.0f))));
-    const wide_mask outside_p = v15 | (((angle1__ < low1) | (high1 < angle1__)) | ((angle1_ < low2)
-        | (high2 < angle1_)));
-    const wide_mask outside_m = v15 | (((angle1___ < low1) | (high1 < angle1___)) | ((-angle1_ <
+    const wide v7 = angle1 - (angle1_ + angle1__);
+    const wide v8 = angle1 - (angle1___ - angle1_);
+    const wide_mask v9 = (t34 < low3) | (high3 < t34);
+    const wide q1_p = angle1__ + v6;
+    const wide q1_m = angle1___ + v6;
+    const wide q2_p = angle1_ + v6;
+    const wide q2_m = v6 - angle1_;
+    const wide q3_p = v6 + (t34 + (w2 - w2));
+    const wide q4_p = v6 + (v7 - pick_wide(half_turn < v7, all_wide(m4), all_wide(0.0f)) +
+        pick_wide(v7 <= -half_turn, all_wide(m4), all_wide(0.0f)));
+    const wide q4_m = v6 + (v8 - pick_wide(half_turn < v8, all_wide(m4), all_wide(0.0f)) +
+        pick_wide(v8 <= -half_turn, all_wide(m4), all_wide(0.0f)));
+    const wide_mask outside_p = v9 | (((angle1__ < low1) | (high1 < angle1__)) | ((angle1_ < low2) |
+        (high2 < angle1_)));
+    const wide_mask outside_m = v9 | (((angle1___ < low1) | (high1 < angle1___)) | ((-angle1_ <
         low2) | (high2 < -angle1_)));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
@@ -317,7 +300,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     kind[0] = kind_of(q[0] != q[0], outside_p);
     q[4] = q1_m;
     q[5] = q2_m;
-    q[6] = q3_m;
+    q[6] = q3_p;
     q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], outside_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef SCARA_PRRR_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef SCARA_PRRR_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -334,9 +337,7 @@ static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
 static const double m2 = 1.6666666666666667; /* a coefficient of S2 */
 static const double m3 = 0.045833333333333316; /* a coefficient of S2 */
-static const double m4 = 2.0; /* a coefficient of c23 */
-static const double m5 = 0.05499999999999998; /* a coefficient of c23 */
-static const double m6 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const scara_prrr_branches[2] = {
     "down", "up",
@@ -447,7 +448,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta234 */
     const wide v1 = T21 * T21 + T11 * T11;
-    const wide v2 = 1.0 / sqrt_wide(v1);
+    const wide v2 = sqrt_wide(v1) * (1.0 / v1);
     const wide c234 = T11 * v2;
     const wide s234 = T21 * v2;
     const wide angle1 = atan2_wide(T21, T11);
@@ -460,50 +461,30 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     /* theta2 */
     const wide v3 = m3 + m2 * N3;
     const wide v4 = T24 * v3;
-    const wide v5 = w3 * (m2 * T14);
-    const wide S2_p = v4 - v5;
-    const wide S2_m = v4 + v5;
-    const wide v6 = T14 * v3;
+    const wide v5 = T14 * v3;
+    const wide v6 = w3 * (m2 * T14);
     const wide v7 = w3 * (m2 * T24);
-    const wide C2_p = v6 + v7;
-    const wide C2_m = v6 - v7;
-    const wide factor2 = 1.0 / N3;
-    const wide angle1__ = atan2_wide(S2_p, C2_p);
-    const wide angle1___ = atan2_wide(S2_m, C2_m);
+    const wide angle1__ = atan2_wide(v4 - v6, v5 + v7);
+    const wide angle1___ = atan2_wide(v4 + v6, v5 - v7);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = m4 * N3 - m5;
-    const wide v9 = T14 * v8;
-    const wide v10 = T24 * v8;
-    const double v11 = sqrt(-1.0);
-    const wide v12 = pick_wide((abs_wide(1.0 + T33) <= pose_slack) & ((abs_wide(T32) <= pose_slack)
-        & ((abs_wide(T31) <= pose_slack) & ((abs_wide(T23) <= pose_slack) & ((abs_wide(c234 + T22)
-        <= pose_slack) & ((abs_wide(T21 - s234) <= pose_slack) & ((abs_wide(T13) <= pose_slack) &
-        ((abs_wide(T11 - c234) <= pose_slack) & (abs_wide(T12 - s234) <= pose_slack)))))))),
-        all_wide(0.0), all_wide(v11));
-    const wide v13 = w3 * (m4 * T24);
-    const wide v14 = w3 * (m4 * T14);
-    const wide v15 = pick_wide((abs_wide(T14 - factor2 * (a3 * (v9 - v13) + a2 * C2_p)) <=
-        pose_slack1) & (abs_wide(T24 - factor2 * (a3 * (v10 + v14) + a2 * S2_p)) <= pose_slack1),
-        all_wide(0.0), all_wide(v11));
-    const wide v16 = pick_wide((abs_wide(T14 - factor2 * (a3 * (v9 + v13) + a2 * C2_m)) <=
-        pose_slack1) & (abs_wide(T24 - factor2 * (a3 * (v10 - v14) + a2 * S2_m)) <= pose_slack1),
-        all_wide(0.0), all_wide(v11));
+    const wide v8 = pick_wide(maximum_wide(abs_wide(T12 - s234), maximum_wide(abs_wide(T11 - c234),
+        maximum_wide(abs_wide(T13), maximum_wide(abs_wide(T21 - s234), maximum_wide(abs_wide(c234 +
+        T22), maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T31), maximum_wide(abs_wide(1.0 +
+        T33), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0), all_wide(sqrt(-1.0)));
 
     /* joint values */
-    const wide v17 = angle1 - (angle1_ + angle1__);
-    const wide v18 = angle1 - (angle1___ - angle1_);
-    const wide v19 = v12 + (w3 - w3 + T34);
-    const wide q1_p = v15 + v19;
-    const wide q1_m = v16 + v19;
-    const wide q2_p = v15 + (angle1__ + v12);
-    const wide q2_m = v16 + (angle1___ + v12);
-    const wide q3_p = v15 + (angle1_ + v12);
-    const wide q3_m = v16 + (v12 - angle1_);
-    const wide q4_p = v15 + (v12 + (v17 - pick_wide(half_turn < v17, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v17 <= -half_turn, all_wide(m6), all_wide(0.0))));
-    const wide q4_m = v16 + (v12 + (v18 - pick_wide(half_turn < v18, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v18 <= -half_turn, all_wide(m6), all_wide(0.0))));
+    const wide v9 = angle1 - (angle1_ + angle1__);
+    const wide v10 = angle1 - (angle1___ - angle1_);
+    const wide q1_p = v8 + (w3 - w3 + T34);
+    const wide q2_p = angle1__ + v8;
+    const wide q2_m = angle1___ + v8;
+    const wide q3_p = angle1_ + v8;
+    const wide q3_m = v8 - angle1_;
+    const wide q4_p = v8 + (v9 - pick_wide(half_turn < v9, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v9 <= -half_turn, all_wide(m4), all_wide(0.0)));
+    const wide q4_m = v8 + (v10 - pick_wide(half_turn < v10, all_wide(m4), all_wide(0.0)) +
+        pick_wide(v10 <= -half_turn, all_wide(m4), all_wide(0.0)));
     const wide_mask doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) |
         (v1 <= m1));
@@ -513,7 +494,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     q[2] = q3_p;
     q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_m;
+    q[4] = q1_p;
     q[5] = q2_m;
     q[6] = q3_m;
     q[7] = q4_m;
@@ -534,7 +515,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* theta234 */
     const double v1 = T21 * T21 + T11 * T11;
-    const double v2 = 1.0 / sqrt(v1);
+    const double v2 = sqrt(v1) * (1.0 / v1);
     const double c234 = T11 * v2;
     const double s234 = T21 * v2;
 
@@ -543,52 +524,39 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const four v3 = e1 * T14;
-    const double v4 = m3 + m2 * N3;
-    const double v5 = T24 * v4;
-    const four S2 = v5 - w3 * (m2 * v3);
-    const four v6 = e1 * T24;
-    const double v7 = T14 * v4;
-    const four C2 = v7 + w3 * (m2 * v6);
-    const double factor2 = 1.0 / N3;
+    const double v3 = m3 + m2 * N3;
+    const double v4 = T24 * v3;
+    const double v5 = T14 * v3;
 
     /* is the pose one that the arm can take? */
-    const double v8 = m4 * N3 - m5;
-    const double v9 = T14 * v8;
-    const double v10 = T24 * v8;
-    const double v11 = sqrt(-1.0);
-    const double v12 = ((fabs(1.0 + T33) <= pose_slack) & ((fabs(T32) <= pose_slack) & ((fabs(T31)
-        <= pose_slack) & ((fabs(T23) <= pose_slack) & ((fabs(c234 + T22) <= pose_slack) & ((fabs(T21
-        - s234) <= pose_slack) & ((fabs(T13) <= pose_slack) & ((fabs(T11 - c234) <= pose_slack) &
-        (fabs(T12 - s234) <= pose_slack))))))))) ? 0.0 : v11;
-    const four v13 = pick_four((abs_four(T14 - factor2 * (a3 * (v9 - w3 * (m4 * v6)) + a2 * C2)) <=
-        pose_slack1) & (abs_four(T24 - factor2 * (a3 * (v10 + w3 * (m4 * v3)) + a2 * S2)) <=
-        pose_slack1), all_four(0.0), all_four(v11));
+    const double v6 = (maximum_double(fabs(T12 - s234), maximum_double(fabs(T11 - c234),
+        maximum_double(fabs(T13), maximum_double(fabs(T21 - s234), maximum_double(fabs(c234 + T22),
+        maximum_double(fabs(T23), maximum_double(fabs(T31), maximum_double(fabs(1.0 + T33),
+        fabs(T32))))))))) <= pose_slack) ? 0.0 : sqrt(-1.0);
 
     /* joint values */
-    const double v16 = v12 + (w3 - w3 + T34);
-    const four q1 = v13 + v16;
+    const double q1 = v6 + (w3 - w3 + T34);
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
         N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | (v1 <= m1));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S2,
-        all_four(T21), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(C2, all_four(T11), 0, 1, 6, 3), all_four(N3
-        - k1), 0, 1, 2, 7));
+    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w3 * (m2 *
+        (e1 * T14)), all_four(T21), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(v5 + w3 * (m2 * (e1 * T24)), all_four(T11),
+        0, 1, 6, 3), all_four(N3 - k1), 0, 1, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v14 = e1 * angle1_;
-    const four v15 = angle1 - (angle1__ + v14);
-    const four q2 = v13 + (angle1__ + v12);
-    const four q3 = v13 + (v12 + v14);
-    const four q4 = v13 + (v12 + (v15 - pick_four(half_turn < v15, all_four(m6), all_four(0.0)) +
-        pick_four(v15 <= -half_turn, all_four(m6), all_four(0.0))));
+    const four v7 = e1 * angle1_;
+    const four v8 = angle1 - (angle1__ + v7);
+    const four q2 = angle1__ + v6;
+    const four q3 = v6 + v7;
+    const four q4 = v6 + (v8 - pick_four(half_turn < v8, all_four(m4), all_four(0.0)) + pick_four(v8
+        <= -half_turn, all_four(m4), all_four(0.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
-    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], all_four(q1), q2, q3, q4);
+    const unsigned long long none1 = (bits_four(all_four(q1) != all_four(q1)) * 0x81ull & 0x101ull);
     const unsigned long long kind1 = none1 * SCARA_PRRR_UNREACHABLE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return 2 - __builtin_popcountll(none1);

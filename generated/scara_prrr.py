@@ -65,9 +65,7 @@ half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.999999999999998e-49  # free_limit_squared^2
 m2 = 1.6666666666666667  # a coefficient of S2
 m3 = 0.045833333333333316  # a coefficient of S2
-m4 = 2.0  # a coefficient of c23
-m5 = 0.05499999999999998  # a coefficient of c23
-m6 = 6.283185307179586  # 2 * half_turn
+m4 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -346,7 +344,7 @@ def _regular(pose, q, status):
 
     # theta234, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
-    v2 = 1.0 / math.sqrt(v1)
+    v2 = math.sqrt(v1) * (1.0 / v1)
     c234 = T11 * v2
     s234 = T21 * v2
     angle1 = _atan2(T21, T11)
@@ -359,55 +357,29 @@ def _regular(pose, q, status):
     # theta2, type 3: U0[2, 4] and U0[1, 4]
     v3 = m3 + m2 * N3
     v4 = T24 * v3
-    v5 = w3 * (m2 * T14)
-    S2_p = v4 - v5
-    S2_m = v4 + v5
-    v6 = T14 * v3
+    v5 = T14 * v3
+    v6 = w3 * (m2 * T14)
     v7 = w3 * (m2 * T24)
-    C2_p = v6 + v7
-    C2_m = v6 - v7
-    factor2 = 1.0 / N3
-    angle1__ = _atan2(S2_p, C2_p)
-    angle1___ = _atan2(S2_m, C2_m)
+    angle1__ = _atan2(v4 - v6, v5 + v7)
+    angle1___ = _atan2(v4 + v6, v5 - v7)
 
     # is the pose one that the arm can take?
-    v8 = m4 * N3 - m5
-    v9 = T14 * v8
-    v10 = T24 * v8
-    v11 = math.sqrt(-1.0)
-    v12 = (
-        0.0 if (abs(1.0 + T33) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <= pose_slack
-        and (abs(T23) <= pose_slack and (abs(c234 + T22) <= pose_slack and (abs(T21 - s234) <=
-        pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c234) <= pose_slack and abs(T12 -
-        s234) <= pose_slack)))))))) else v11
-    )
-    v13 = w3 * (m4 * T24)
-    v14 = w3 * (m4 * T14)
-    v15 = (
-        0.0 if (abs(T14 - factor2 * (a3 * (v9 - v13) + a2 * C2_p)) <= pose_slack1 and abs(T24 -
-        factor2 * (a3 * (v10 + v14) + a2 * S2_p)) <= pose_slack1) else v11
-    )
-    v16 = (
-        0.0 if (abs(T14 - factor2 * (a3 * (v9 + v13) + a2 * C2_m)) <= pose_slack1 and abs(T24 -
-        factor2 * (a3 * (v10 - v14) + a2 * S2_m)) <= pose_slack1) else v11
+    v8 = (
+        0.0 if max(abs(T12 - s234), max(abs(T11 - c234), max(abs(T13), max(abs(T21 - s234),
+        max(abs(c234 + T22), max(abs(T23), max(abs(T31), max(abs(1.0 + T33), abs(T32))))))))) <=
+        pose_slack else math.sqrt(-1.0)
     )
 
     # joint values
-    v17 = angle1 - (angle1_ + angle1__)
-    v18 = angle1 - (angle1___ - angle1_)
-    v19 = v12 + (w3 - w3 + T34)
-    q1_p = v15 + v19
-    q1_m = v16 + v19
-    q2_p = v15 + (angle1__ + v12)
-    q2_m = v16 + (angle1___ + v12)
-    q3_p = v15 + (angle1_ + v12)
-    q3_m = v16 + (v12 - angle1_)
-    q4_p = (
-        v15 + (v12 + (v17 - (m6 if half_turn < v17 else 0.0) + (m6 if v17 <= -half_turn else 0.0)))
-    )
-    q4_m = (
-        v16 + (v12 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else 0.0)))
-    )
+    v9 = angle1 - (angle1_ + angle1__)
+    v10 = angle1 - (angle1___ - angle1_)
+    q1_p = v8 + (w3 - w3 + T34)
+    q2_p = angle1__ + v8
+    q2_m = angle1___ + v8
+    q3_p = angle1_ + v8
+    q3_m = v8 - angle1_
+    q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
+    q4_m = v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))
     doubt1 = (
         shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
         longest3_apart) or (N3 <= free_limit_squared2 or v1 <= m1)
@@ -420,7 +392,7 @@ def _regular(pose, q, status):
     q[0, 2] = q3_p
     q[0, 3] = q4_p
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_m
+    q[1, 0] = q1_p
     q[1, 1] = q2_m
     q[1, 2] = q3_m
     q[1, 3] = q4_m
@@ -555,10 +527,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [992, 1024, 1056, 1088],
-    [1120, 1152, 1184, 1216],
+    [896, 928, 960, 992],
+    [896, 1024, 1056, 1088],
 ])
-_KINDS = np.array([1248, 1280])
+_KINDS = np.array([1120, 1152])
 _LEFT_OVER = 255
 
 
@@ -569,7 +541,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1312)
+    work = np.empty(1184)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -606,107 +578,73 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             v1 = T21 * T21 + T11 * T11
-            v2 = 1.0 / math.sqrt(v1)
+            v2 = math.sqrt(v1) * (1.0 / v1)
             c234 = T11 * v2
             s234 = T21 * v2
             N3 = T14 * T14 + T24 * T24
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
             v3 = m3 + m2 * N3
             v4 = T24 * v3
-            v5 = w3 * (m2 * T14)
-            S2_p = v4 - v5
-            S2_m = v4 + v5
-            v6 = T14 * v3
+            v5 = T14 * v3
+            v6 = w3 * (m2 * T14)
             v7 = w3 * (m2 * T24)
-            C2_p = v6 + v7
-            C2_m = v6 - v7
-            factor2 = 1.0 / N3
-            v8 = m4 * N3 - m5
-            v9 = T14 * v8
-            v10 = T24 * v8
-            v11 = math.sqrt(-1.0)
-            v12 = (
-                0.0 if (abs(1.0 + T33) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <=
-                pose_slack and (abs(T23) <= pose_slack and (abs(c234 + T22) <= pose_slack and
-                (abs(T21 - s234) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c234) <=
-                pose_slack and abs(T12 - s234) <= pose_slack)))))))) else v11
+            v8 = (
+                0.0 if max(abs(T12 - s234), max(abs(T11 - c234), max(abs(T13), max(abs(T21 - s234),
+                max(abs(c234 + T22), max(abs(T23), max(abs(T31), max(abs(1.0 + T33),
+                abs(T32))))))))) <= pose_slack else math.sqrt(-1.0)
             )
-            v13 = w3 * (m4 * T24)
-            v14 = w3 * (m4 * T14)
-            v15 = (
-                0.0 if (abs(T14 - factor2 * (a3 * (v9 - v13) + a2 * C2_p)) <= pose_slack1 and
-                abs(T24 - factor2 * (a3 * (v10 + v14) + a2 * S2_p)) <= pose_slack1) else v11
-            )
-            v16 = (
-                0.0 if (abs(T14 - factor2 * (a3 * (v9 + v13) + a2 * C2_m)) <= pose_slack1 and
-                abs(T24 - factor2 * (a3 * (v10 - v14) + a2 * S2_m)) <= pose_slack1) else v11
-            )
-            v19 = v12 + (w3 - w3 + T34)
-            q1_p = v15 + v19
-            q1_m = v16 + v19
+            q1_p = v8 + (w3 - w3 + T34)
             doubt1 = (
                 shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
                 < longest3_apart) or (N3 <= free_limit_squared2 or v1 <= m1)
             )
-            work[544 + k] = v12
-            work[576 + k] = v15
-            work[608 + k] = v16
-            work[640 + k] = q1_p
-            work[672 + k] = q1_m
-            work[704 + k] = doubt1
-            work[736 + k] = T21
-            work[768 + k] = w3
-            work[800 + k] = S2_p
-            work[832 + k] = S2_m
-            work[864 + k] = T11
-            work[896 + k] = N3 - k1
-            work[928 + k] = C2_p
-            work[960 + k] = C2_m
-        for k in range(736, 864):
+            work[544 + k] = v8
+            work[576 + k] = q1_p
+            work[608 + k] = doubt1
+            work[640 + k] = T21
+            work[672 + k] = w3
+            work[704 + k] = v4 - v6
+            work[736 + k] = v4 + v6
+            work[768 + k] = T11
+            work[800 + k] = N3 - k1
+            work[832 + k] = v5 + v7
+            work[864 + k] = v5 - v7
+        for k in range(640, 768):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v12 = work[544 + k]
-            v15 = work[576 + k]
-            v16 = work[608 + k]
-            q1_p = work[640 + k]
-            q1_m = work[672 + k]
-            doubt1 = work[704 + k] != 0.0
-            angle1 = work[736 + k]
-            angle1_ = work[768 + k]
-            angle1__ = work[800 + k]
-            angle1___ = work[832 + k]
-            v17 = angle1 - (angle1_ + angle1__)
-            v18 = angle1 - (angle1___ - angle1_)
-            q2_p = v15 + (angle1__ + v12)
-            q2_m = v16 + (angle1___ + v12)
-            q3_p = v15 + (angle1_ + v12)
-            q3_m = v16 + (v12 - angle1_)
-            q4_p = (
-                v15 + (v12 + (v17 - (m6 if half_turn < v17 else 0.0) + (m6 if v17 <= -half_turn else
-                0.0)))
-            )
+            v8 = work[544 + k]
+            q1_p = work[576 + k]
+            doubt1 = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle1_ = work[672 + k]
+            angle1__ = work[704 + k]
+            angle1___ = work[736 + k]
+            v9 = angle1 - (angle1_ + angle1__)
+            v10 = angle1 - (angle1___ - angle1_)
+            q2_p = angle1__ + v8
+            q2_m = angle1___ + v8
+            q3_p = angle1_ + v8
+            q3_m = v8 - angle1_
+            q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
             q4_m = (
-                v16 + (v12 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else
-                0.0)))
+                v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))
             )
-            _992 = q1_p
+            _896 = q1_p
+            work[896 + k] = _896
+            _928 = q2_p
+            work[928 + k] = _928
+            _960 = q3_p
+            work[960 + k] = _960
+            _992 = q4_p
             work[992 + k] = _992
-            _1024 = q2_p
+            _1024 = q2_m
             work[1024 + k] = _1024
-            _1056 = q3_p
+            _1056 = q3_m
             work[1056 + k] = _1056
-            _1088 = q4_p
+            _1088 = q4_m
             work[1088 + k] = _1088
-            _1120 = q1_m
-            work[1120 + k] = _1120
-            _1152 = q2_m
-            work[1152 + k] = _1152
-            _1184 = q3_m
-            work[1184 + k] = _1184
-            _1216 = q4_m
-            work[1216 + k] = _1216
-            work[1248 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1280 + k] = UNREACHABLE if _1120 != _1120 else OK
+            work[1120 + k] = UNREACHABLE if _896 != _896 else OK
+            work[1152 + k] = UNREACHABLE if _896 != _896 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

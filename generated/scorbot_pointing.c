@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef SCORBOT_POINTING_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -40,21 +43,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -86,7 +89,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -130,7 +133,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -156,8 +159,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef SCORBOT_POINTING_LIBM
 #define atan2_wide atan2
 #else
@@ -167,7 +170,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -315,8 +318,10 @@ static const double k2 = 10.237300628570258; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 9.06304e-25; /* free_limit1^2 [m^2] */
 static const double m3 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m4 = 2.262443438914027; /* a coefficient of S2 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 4.524886877828054; /* a coefficient of Y1_2 */
+static const double m5 = 2.262443438914027; /* a coefficient of Y1_2 */
+static const double m6 = 8.213869404159996e-49; /* free_limit_squared2^2 [m^4] */
+static const double m7 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const scorbot_pointing_branches[4] = {
@@ -456,121 +461,161 @@ HELPER wide_mask solve_wide(
     /* theta1 */
     const wide v1 = T14 * T14 + T24 * T24;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
-    const wide v2 = T14 * factor1;
-    const wide v3 = T24 * factor1;
+    const wide v2 = 1.0 / v1;
+    const wide factor1 = w1 * v2;
+    const wide v3 = T14 * factor1;
+    const wide v4 = T24 * factor1;
     const wide angle1 = atan2_wide(-T24, -T14);
 
     /* theta234 */
-    const wide v4 = v2 * T13 + v3 * T23;
-    const wide v5 = T33 * T33 + v4 * v4;
-    const wide v6 = 1.0 / sqrt_wide(v5);
-    const wide c234 = T33 * v6;
-    const wide v7 = v4 * v6;
-    const wide angle1_ = atan2_wide(-v4, T33);
+    const wide v5 = w1 * (v2 * (T14 * T13 + T24 * T23));
+    const wide v6 = T33 * T33 + v5 * v5;
+    const wide w234 = sqrt_wide(v6);
+    const wide v7 = 1.0 / v6;
+    const wide v8 = w234 * v7;
+    const wide angle1_ = atan2_wide(-v5, T33);
 
     /* theta3 */
-    const wide v8 = d5 * c234;
-    const wide Z1_3 = T34 - d1 - v8;
-    const wide v9 = d5 * v7;
-    const wide v10 = a1 + w1 - v9;
-    const wide v11 = v9 + (a1 - w1);
-    const wide v12 = Z1_3 * Z1_3;
-    const wide N3_p = v12 + v10 * v10;
-    const wide N3_m = v12 + v11 * v11;
+    const wide v9 = d5 * T33;
+    const wide v10 = T34 - d1;
+    const wide v11 = v8 * v9;
+    const wide Z1_3 = v10 - v11;
+    const wide v12 = d5 * v5;
+    const wide v13 = a1 + w1;
+    const wide v14 = a1 - w1;
+    const wide v15 = v8 * v12;
+    const wide v16 = v13 - v15;
+    const wide v17 = w234 * (v7 * v12);
+    const wide v18 = v13 - v17;
+    const wide v19 = v14 + v17;
+    const wide v20 = Z1_3 * Z1_3;
+    const wide N3_p = v20 + v18 * v18;
+    const wide N3_m = v20 + v19 * v19;
+    const wide K3_p = N3_p - k1;
+    const wide K3_m = N3_m - k1;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v13 = w3_p - w3_p;
-    const wide v14 = w3_m - w3_m;
-    const wide angle1__ = atan2_wide(w3_p, N3_p - k1);
-    const wide angle1___ = atan2_wide(w3_m, N3_m - k1);
+    const wide v21 = w3_p - w3_p;
+    const wide v22 = w3_m - w3_m;
+    const wide s3_p = k2 * w3_p;
+    const wide s3_m = k2 * w3_m;
+    const wide c3_p = k2 * K3_p;
+    const wide c3_m = k2 * K3_m;
+    const wide angle1__ = atan2_wide(w3_p, K3_p);
+    const wide angle1___ = atan2_wide(w3_m, K3_m);
 
     /* theta2 */
-    const wide v15 = w3_p * (m4 * v10);
-    const wide v16 = w3_p * (m4 * -v10);
-    const wide v17 = w3_m * (m4 * v11);
-    const wide v18 = m4 * (N3_p * -Z1_3);
-    const wide v19 = m4 * (N3_m * -Z1_3);
-    const wide S2_pp = v15 + v18;
-    const wide S2_pm = v16 + v18;
-    const wide S2_mp = v17 + v19;
-    const wide S2_mm = v19 - v17;
-    const wide v20 = m4 * Z1_3;
-    const wide v21 = m4 * -Z1_3;
-    const wide v22 = m4 * (v10 * N3_p);
-    const wide v23 = m4 * (v11 * N3_m);
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
-    const wide angle1____ = atan2_wide(S2_pp, -(v22 + w3_p * v20));
-    const wide angle1_____ = atan2_wide(S2_pm, -(v22 + w3_p * v21));
-    const wide angle1______ = atan2_wide(S2_mp, -(v23 + w3_m * v20));
-    const wide angle1_______ = atan2_wide(S2_mm, -(v23 + w3_m * v21));
+    const wide v23 = v9 * v10;
+    const wide v24 = v7 * (v9 * v9 + v12 * v12);
+    const wide v25 = v10 * v10;
+    const wide Y1_2_p = m5 * (v24 + (v25 + v13 * v13)) - w234 * (m4 * (v7 * (v23 + v12 * v13)));
+    const wide Y1_2_m = m5 * (v24 + (v25 + v14 * v14)) - w234 * (m4 * (v7 * (v23 + v12 * -v14)));
+    const wide v26 = Z1_3 * Y1_2_p;
+    const wide v27 = Z1_3 * Y1_2_m;
+    const wide S2_pp = w3_p * (m5 * v16) - v26;
+    const wide S2_pm = w3_p * (m5 * -v16) - v26;
+    const wide v28 = w3_m * (m5 * (v14 + v15));
+    const wide S2_mp = v28 - v27;
+    const wide v29 = v27 + v28;
+    const wide v30 = v18 * Y1_2_p;
+    const wide v31 = v19 * Y1_2_m;
+    const wide v32 = m5 * Z1_3;
+    const wide v33 = m5 * -Z1_3;
+    const wide v34 = v30 + w3_p * v32;
+    const wide v35 = v30 + w3_p * v33;
+    const wide v36 = v31 + w3_m * v32;
+    const wide v37 = v31 + w3_m * v33;
+    const wide v38 = S2_pp * S2_pp + v34 * v34;
+    const wide v39 = S2_pm * S2_pm + v35 * v35;
+    const wide v40 = S2_mp * S2_mp + v36 * v36;
+    const wide v41 = v29 * v29 + v37 * v37;
+    const wide w2_pp = sqrt_wide(v38);
+    const wide w2_pm = sqrt_wide(v39);
+    const wide w2_mp = sqrt_wide(v40);
+    const wide w2_mm = sqrt_wide(v41);
+    const wide v42 = 1.0 / v38;
+    const wide v43 = 1.0 / v39;
+    const wide v44 = 1.0 / v40;
+    const wide v45 = 1.0 / v41;
+    const wide factor2_pp = w2_pp * v42;
+    const wide factor2_pm = w2_pm * v43;
+    const wide factor2_mp = w2_mp * v44;
+    const wide factor2_mm = w2_mm * v45;
+    const wide angle1____ = atan2_wide(S2_pp, -v34);
+    const wide angle1_____ = atan2_wide(S2_pm, -v35);
+    const wide angle1______ = atan2_wide(S2_mp, -v36);
+    const wide angle1_______ = atan2_wide(-v29, -v37);
 
     /* is the pose one that the arm can take? */
-    const wide v24 = -v10 + (a1 - v9);
-    const wide v25 = a1 + v9 - v11;
-    const wide v26 = d1 + v8;
-    const double v27 = sqrt(-1.0);
-    const wide v28 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T13 - v2 * v7) <=
-        pose_slack) & (abs_wide(T23 - v3 * v7) <= pose_slack)), all_wide(0.0), all_wide(v27));
-    const wide_mask v29 = (abs_wide(T14 + v2 * v24) <= pose_slack1) & (abs_wide(T24 + v3 * v24) <=
-        pose_slack1);
-    const wide_mask v30 = (abs_wide(T14 - v2 * v25) <= pose_slack1) & (abs_wide(T24 - v3 * v25) <=
-        pose_slack1);
-    const wide v31 = pick_wide(v29 & (abs_wide(T34 + (factor2_p * (a2 * S2_pp) - v26 + factor2_p *
-        (a3 * (v18 - v15)))) <= pose_slack1), all_wide(0.0), all_wide(v27));
-    const wide v32 = pick_wide(v29 & (abs_wide(T34 + (factor2_p * (a2 * S2_pm) - v26 + factor2_p *
-        (a3 * (v18 - v16)))) <= pose_slack1), all_wide(0.0), all_wide(v27));
-    const wide v33 = pick_wide(v30 & (abs_wide(T34 + (factor2_m * (a2 * S2_mp) - v26 + factor2_m *
-        (a3 * S2_mm))) <= pose_slack1), all_wide(0.0), all_wide(v27));
-    const wide v34 = pick_wide(v30 & (abs_wide(T34 + (factor2_m * (a2 * S2_mm) - v26 + factor2_m *
-        (a3 * S2_mp))) <= pose_slack1), all_wide(0.0), all_wide(v27));
+    const wide v46 = a1 - v15;
+    const wide v47 = a1 + v15;
+    const wide v48 = v46 - w2_pp * (v42 * (a3 * (c3_p * v34 + s3_p * S2_pp) + a2 * v34));
+    const wide v49 = v46 - w2_pm * (v43 * (a3 * (c3_p * v35 - s3_p * S2_pm) + a2 * v35));
+    const wide v50 = v47 - w2_mp * (v44 * (a3 * (c3_m * v36 + s3_m * S2_mp) + a2 * v36));
+    const wide v51 = v47 - w2_mm * (v45 * (a3 * (c3_m * v37 + s3_m * v29) + a2 * v37));
+    const wide v52 = d1 + v11;
+    const double v53 = sqrt(-1.0);
+    const wide v54 = pick_wide(maximum_wide(abs_wide(T23 - v8 * (v4 * v5)),
+        maximum_wide(abs_wide(T33 - T33 * v8), abs_wide(T13 - v8 * (v3 * v5)))) <= pose_slack,
+        all_wide(0.0), all_wide(v53));
+    const wide v55 = pick_wide(maximum_wide(abs_wide(T24 + v4 * v48), maximum_wide(abs_wide(T34 +
+        (factor2_pp * (a2 * S2_pp) - v52 + factor2_pp * (a3 * (c3_p * S2_pp - s3_p * v34)))),
+        abs_wide(T14 + v3 * v48))) <= pose_slack1, all_wide(0.0), all_wide(v53));
+    const wide v56 = pick_wide(maximum_wide(abs_wide(T24 + v4 * v49), maximum_wide(abs_wide(T34 +
+        (factor2_pm * (a2 * S2_pm) - v52 + factor2_pm * (a3 * (c3_p * S2_pm + s3_p * v35)))),
+        abs_wide(T14 + v3 * v49))) <= pose_slack1, all_wide(0.0), all_wide(v53));
+    const wide v57 = pick_wide(maximum_wide(abs_wide(T24 - v4 * v50), maximum_wide(abs_wide(T34 +
+        (factor2_mp * (a2 * S2_mp) - v52 + factor2_mp * (a3 * (c3_m * S2_mp - s3_m * v36)))),
+        abs_wide(T14 - v3 * v50))) <= pose_slack1, all_wide(0.0), all_wide(v53));
+    const wide v58 = pick_wide(maximum_wide(abs_wide(T24 - v4 * v51), maximum_wide(abs_wide(T34 +
+        (factor2_mm * (a3 * (s3_m * v37 - c3_m * v29)) - (v52 + factor2_mm * (a2 * v29)))),
+        abs_wide(T14 - v3 * v51))) <= pose_slack1, all_wide(0.0), all_wide(v53));
 
     /* joint values */
-    const wide v35 = angle1_ - (angle1__ + angle1____) - offset4;
-    const wide v36 = angle1_ - (angle1_____ - angle1__) - offset4;
-    const wide v37 = offset4 + (angle1_ + (angle1___ + angle1______));
-    const wide v38 = offset4 + (angle1_ + (angle1_______ - angle1___));
-    const wide v39 = v35 - pick_wide(half_turn < v35, all_wide(m5), all_wide(0.0)) + pick_wide(v35
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v40 = v36 - pick_wide(half_turn < v36, all_wide(m5), all_wide(0.0)) + pick_wide(v36
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide v41 = pick_wide(-v37 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v37 +
-        pick_wide(half_turn < -v37, all_wide(m5), all_wide(0.0)));
-    const wide v42 = pick_wide(-v38 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v38 +
-        pick_wide(half_turn < -v38, all_wide(m5), all_wide(0.0)));
-    const wide v43 = v28 + (angle1 + v13);
-    const wide v44 = v28 + (v14 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1));
-    const wide q1_pp = v31 + v43;
-    const wide q1_pm = v32 + v43;
-    const wide q1_mp = v33 + v44;
-    const wide q1_mm = v34 + v44;
-    const wide q2_pp = v31 + (angle1____ + v28);
-    const wide q2_pm = v32 + (angle1_____ + v28);
-    const wide q2_mp = v33 + (angle1______ + v28);
-    const wide q2_mm = v34 + (angle1_______ + v28);
-    const wide q3_pp = v31 + (angle1__ + v28);
-    const wide q3_pm = v32 + (v28 - angle1__);
-    const wide q3_mp = v33 + (angle1___ + v28);
-    const wide q3_mm = v34 + (v28 - angle1___);
-    const wide q4_pp = v31 + (v28 + (v39 + pick_wide(v39 <= -half_turn, all_wide(m5),
+    const wide v59 = angle1_ - (angle1__ + angle1____) - offset4;
+    const wide v60 = angle1_ - (angle1_____ - angle1__) - offset4;
+    const wide v61 = offset4 + (angle1_ + (angle1___ + angle1______));
+    const wide v62 = offset4 + (angle1_ + (angle1_______ - angle1___));
+    const wide v63 = v59 - pick_wide(half_turn < v59, all_wide(m7), all_wide(0.0)) + pick_wide(v59
+        <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide v64 = v60 - pick_wide(half_turn < v60, all_wide(m7), all_wide(0.0)) + pick_wide(v60
+        <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide v65 = pick_wide(-v61 <= -half_turn, all_wide(m7), all_wide(0.0)) - (v61 +
+        pick_wide(half_turn < -v61, all_wide(m7), all_wide(0.0)));
+    const wide v66 = pick_wide(-v62 <= -half_turn, all_wide(m7), all_wide(0.0)) - (v62 +
+        pick_wide(half_turn < -v62, all_wide(m7), all_wide(0.0)));
+    const wide v67 = v54 + (angle1 + v21);
+    const wide v68 = v54 + (v22 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1));
+    const wide q1_pp = v55 + v67;
+    const wide q1_pm = v56 + v67;
+    const wide q1_mp = v57 + v68;
+    const wide q1_mm = v58 + v68;
+    const wide q2_pp = v55 + (angle1____ + v54);
+    const wide q2_pm = v56 + (angle1_____ + v54);
+    const wide q2_mp = v57 + (angle1______ + v54);
+    const wide q2_mm = v58 + (angle1_______ + v54);
+    const wide q3_pp = v55 + (angle1__ + v54);
+    const wide q3_pm = v56 + (v54 - angle1__);
+    const wide q3_mp = v57 + (angle1___ + v54);
+    const wide q3_mm = v58 + (v54 - angle1___);
+    const wide q4_pp = v55 + (v54 + (v63 + pick_wide(v63 <= -half_turn, all_wide(m7),
         all_wide(0.0))));
-    const wide q4_pm = v32 + (v28 + (v40 + pick_wide(v40 <= -half_turn, all_wide(m5),
+    const wide q4_pm = v56 + (v54 + (v64 + pick_wide(v64 <= -half_turn, all_wide(m7),
         all_wide(0.0))));
-    const wide q4_mp = v33 + (v28 + (v41 + pick_wide(v41 <= -half_turn, all_wide(m5),
+    const wide q4_mp = v57 + (v54 + (v65 + pick_wide(v65 <= -half_turn, all_wide(m7),
         all_wide(0.0))));
-    const wide q4_mm = v34 + (v28 + (v42 + pick_wide(v42 <= -half_turn, all_wide(m5),
+    const wide q4_mm = v58 + (v54 + (v66 + pick_wide(v66 <= -half_turn, all_wide(m7),
         all_wide(0.0))));
-    const wide v45 = v28 + (v13 + free_joints[0]);
-    const wide v46 = v28 + (v14 + free_joints[0]);
-    const wide q5_pp = v31 + v45;
-    const wide q5_pm = v32 + v45;
-    const wide q5_mp = v33 + v46;
-    const wide q5_mm = v34 + v46;
-    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        free_limit_squared2) | (((v1 <= m1) | (v5 <= m3)) | (((shortest3_reach <= N3_p) & (N3_p <=
-        longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)))));
+    const wide v69 = v54 + (v21 + free_joints[0]);
+    const wide v70 = v54 + (v22 + free_joints[0]);
+    const wide q5_pp = v55 + v69;
+    const wide q5_pm = v56 + v69;
+    const wide q5_mp = v57 + v70;
+    const wide q5_mm = v58 + v70;
+    const wide_mask doubt1 = (v6 <= m3) | ((v1 <= m1) | ((v41 <= m6) | ((v40 <= m6) | ((v39 <= m6) |
+        ((v38 <= m6) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart
+        < N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0))))))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -616,75 +661,93 @@ HELPER int solve_regular(
     /* theta1 */
     const double v1 = T14 * T14 + T24 * T24;
     const double w1 = sqrt(v1);
-    const double factor1 = 1.0 / w1;
-    const double v2 = T14 * factor1;
-    const double v3 = T24 * factor1;
-    const double v4 = copysign(half_turn, -T24);
+    const double v2 = 1.0 / v1;
+    const double factor1 = w1 * v2;
+    const double v3 = T14 * factor1;
+    const double v4 = T24 * factor1;
+    const double v5 = copysign(half_turn, -T24);
 
     /* theta234 */
-    const double v5 = v2 * T13 + v3 * T23;
-    const double v6 = T33 * T33 + v5 * v5;
-    const double v7 = 1.0 / sqrt(v6);
-    const double c234 = T33 * v7;
-    const double v8 = v5 * v7;
+    const double v6 = w1 * (v2 * (T14 * T13 + T24 * T23));
+    const double v7 = T33 * T33 + v6 * v6;
+    const double w234 = sqrt(v7);
+    const double v8 = 1.0 / v7;
+    const double v9 = w234 * v8;
 
     /* theta3 */
-    const double v9 = d5 * c234;
-    const double Z1_3 = T34 - d1 - v9;
-    const double v10 = d5 * v8;
-    const four v11 = e1 * v10;
-    const four v12 = a1 + e1 * w1 - v11;
-    const double v13 = Z1_3 * Z1_3;
-    const four N3 = v13 + v12 * v12;
+    const double v10 = d5 * T33;
+    const double v11 = T34 - d1;
+    const double v12 = v9 * v10;
+    const double Z1_3 = v11 - v12;
+    const double v13 = d5 * v6;
+    const four v14 = a1 + e1 * w1;
+    const double v15 = v9 * v13;
+    const four v16 = e1 * v15;
+    const four v17 = v14 - v16;
+    const four v18 = v14 - w234 * (v8 * (e1 * v13));
+    const double v19 = Z1_3 * Z1_3;
+    const four N3 = v19 + v18 * v18;
+    const four K3 = N3 - k1;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v14 = w3 - w3;
+    const four v20 = w3 - w3;
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0);
+    const four s3 = k2 * w3;
+    const four c3 = k2 * K3;
 
     /* theta2 */
-    const four v15 = w3 * (m4 * (e2 * v12));
-    const four v16 = m4 * (N3 * -Z1_3);
-    const four S2 = v15 + v16;
-    const four v17 = m4 * (e2 * Z1_3);
-    const four v18 = m4 * (v12 * N3);
-    const four factor2 = 1.0 / N3;
+    const double v21 = v10 * v11;
+    const double v22 = v8 * (v10 * v10 + v13 * v13);
+    const double v23 = v11 * v11;
+    const four Y1_2 = m5 * (v22 + (v23 + v14 * v14)) - w234 * (m4 * (v8 * (v21 + v13 * (e1 *
+        v14))));
+    const four v24 = Z1_3 * Y1_2;
+    const four S2 = w3 * (m5 * (e2 * v17)) - v24;
+    const four v25 = v18 * Y1_2;
+    const four v26 = m5 * (e2 * Z1_3);
+    const four v27 = v25 + w3 * v26;
+    const four v28 = S2 * S2 + v27 * v27;
+    const four w2 = sqrt_four(v28);
+    const four_mask doubt3 = v28 <= m6;
+    const four v29 = 1.0 / v28;
+    const four factor2 = w2 * v29;
 
     /* is the pose one that the arm can take? */
-    const four v19 = -v12 + (a1 - v11);
-    const double v20 = d1 + v9;
-    const double v21 = sqrt(-1.0);
-    const double v22 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T13 - v2 * v8) <= pose_slack) &
-        (fabs(T23 - v3 * v8) <= pose_slack))) ? 0.0 : v21;
-    const four_mask v23 = (abs_four(T14 + e1 * (v2 * v19)) <= pose_slack1) & (abs_four(T24 + e1 *
-        (v3 * v19)) <= pose_slack1);
-    const four v24 = pick_four(v23 & (abs_four(T34 + (factor2 * (a2 * S2) - v20 + factor2 * (a3 *
-        (v16 - v15)))) <= pose_slack1), all_four(0.0), all_four(v21));
+    const four v30 = a1 - v16;
+    const four v31 = v30 - w2 * (v29 * (a3 * (c3 * v27 + e2 * (s3 * S2)) + a2 * v27));
+    const double v32 = d1 + v12;
+    const double v33 = sqrt(-1.0);
+    const double v34 = (maximum_double(fabs(T23 - v9 * (v4 * v6)), maximum_double(fabs(T33 - T33 *
+        v9), fabs(T13 - v9 * (v3 * v6)))) <= pose_slack) ? 0.0 : v33;
+    const four v35 = pick_four(maximum_four(abs_four(T24 + e1 * (v4 * v31)),
+        maximum_four(abs_four(T34 + (factor2 * (a2 * S2) - v32 + factor2 * (a3 * (c3 * S2 - e2 * (s3
+        * v27))))), abs_four(T14 + e1 * (v3 * v31)))) <= pose_slack1, all_four(0.0), all_four(v33));
 
     /* joint values */
-    const four v30 = v22 + (v14 + free_joints[0]);
-    const four q5 = v24 + v30;
-    const int doubt1 = (v1 <= m1) | (v6 <= m3);
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+    const four v41 = v34 + (v20 + free_joints[0]);
+    const four q5 = v35 + v41;
+    const int doubt1 = (v1 <= m1) | (v7 <= m3);
 
-    const four angle1___ = atan2_four(S2, -(v18 + w3 * v17));
+    const four angle1___ = atan2_four(S2, -v27);
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
-        all_four(-T24), 0, 5, 2, 3), all_four(-v5), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(-T14), 0, 5, 2, 3),
+        all_four(-T24), 0, 5, 2, 3), all_four(-v6), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(K3, all_four(-T14), 0, 5, 2, 3),
         all_four(T33), 0, 1, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v25 = e2 * angle1__;
-    const four v26 = e1 * angle1_;
-    const four v27 = v26 - (angle1___ + v25) - offset4;
-    const four v28 = v27 - pick_four(half_turn < v27, all_four(m5), all_four(0.0)) + pick_four(v27
-        <= -half_turn, all_four(m5), all_four(0.0));
-    const four v29 = v22 + (v14 + (angle1 + v4 * (m2 * (e1 - 1.0))));
-    const four q1 = v24 + v29;
-    const four q2 = v24 + (angle1___ + v22);
-    const four q3 = v24 + (v22 + v25);
-    const four q4 = v24 + (v22 + (v28 + pick_four(v28 <= -half_turn, all_four(m5), all_four(0.0))));
+    const four v36 = e2 * angle1__;
+    const four v37 = e1 * angle1_;
+    const four v38 = v37 - (angle1___ + v36) - offset4;
+    const four v39 = v38 - pick_four(half_turn < v38, all_four(m7), all_four(0.0)) + pick_four(v38
+        <= -half_turn, all_four(m7), all_four(0.0));
+    const four v40 = v34 + (v20 + (angle1 + v5 * (m2 * (e1 - 1.0))));
+    const four q1 = v35 + v40;
+    const four q2 = v35 + (angle1___ + v34);
+    const four q3 = v35 + (v34 + v36);
+    const four q4 = v35 + (v34 + (v39 + pick_four(v39 <= -half_turn, all_four(m7), all_four(0.0))));
 
-    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);

@@ -76,8 +76,10 @@ k2 = 10.237300628570258  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 9.06304e-25  # free_limit1^2 [m^2]
 m3 = 9.999999999999998e-49  # free_limit_squared^2
-m4 = 2.262443438914027  # a coefficient of S2
-m5 = 6.283185307179586  # 2 * half_turn
+m4 = 4.524886877828054  # a coefficient of Y1_2
+m5 = 2.262443438914027  # a coefficient of Y1_2
+m6 = 8.213869404159996e-49  # free_limit_squared2^2 [m^4]
+m7 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -556,122 +558,159 @@ def _regular(pose, q_free, q, status):
     # theta1, type 2: U1[3, 4]
     v1 = T14 * T14 + T24 * T24
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = T14 * factor1
-    v3 = T24 * factor1
+    v2 = 1.0 / v1
+    factor1 = w1 * v2
+    v3 = T14 * factor1
+    v4 = T24 * factor1
     angle1 = _atan2(-T24, -T14)
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v4 = v2 * T13 + v3 * T23
-    v5 = T33 * T33 + v4 * v4
-    v6 = 1.0 / math.sqrt(v5)
-    c234 = T33 * v6
-    v7 = v4 * v6
-    angle1_ = _atan2(-v4, T33)
+    v5 = w1 * (v2 * (T14 * T13 + T24 * T23))
+    v6 = T33 * T33 + v5 * v5
+    w234 = math.sqrt(v6)
+    v7 = 1.0 / v6
+    v8 = w234 * v7
+    angle1_ = _atan2(-v5, T33)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v8 = d5 * c234
-    Z1_3 = T34 - d1 - v8
-    v9 = d5 * v7
-    v10 = a1 + w1 - v9
-    v11 = v9 + (a1 - w1)
-    v12 = Z1_3 * Z1_3
-    N3_p = v12 + v10 * v10
-    N3_m = v12 + v11 * v11
+    v9 = d5 * T33
+    v10 = T34 - d1
+    v11 = v8 * v9
+    Z1_3 = v10 - v11
+    v12 = d5 * v5
+    v13 = a1 + w1
+    v14 = a1 - w1
+    v15 = v8 * v12
+    v16 = v13 - v15
+    v17 = w234 * (v7 * v12)
+    v18 = v13 - v17
+    v19 = v14 + v17
+    v20 = Z1_3 * Z1_3
+    N3_p = v20 + v18 * v18
+    N3_m = v20 + v19 * v19
+    K3_p = N3_p - k1
+    K3_m = N3_m - k1
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v13 = w3_p - w3_p
-    v14 = w3_m - w3_m
-    angle1__ = _atan2(w3_p, N3_p - k1)
-    angle1___ = _atan2(w3_m, N3_m - k1)
+    v21 = w3_p - w3_p
+    v22 = w3_m - w3_m
+    s3_p = k2 * w3_p
+    s3_m = k2 * w3_m
+    c3_p = k2 * K3_p
+    c3_m = k2 * K3_m
+    angle1__ = _atan2(w3_p, K3_p)
+    angle1___ = _atan2(w3_m, K3_m)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v15 = w3_p * (m4 * v10)
-    v16 = w3_p * (m4 * -v10)
-    v17 = w3_m * (m4 * v11)
-    v18 = m4 * (N3_p * -Z1_3)
-    v19 = m4 * (N3_m * -Z1_3)
-    S2_pp = v15 + v18
-    S2_pm = v16 + v18
-    S2_mp = v17 + v19
-    S2_mm = v19 - v17
-    v20 = m4 * Z1_3
-    v21 = m4 * -Z1_3
-    v22 = m4 * (v10 * N3_p)
-    v23 = m4 * (v11 * N3_m)
-    factor2_p = 1.0 / N3_p
-    factor2_m = 1.0 / N3_m
-    angle1____ = _atan2(S2_pp, -(v22 + w3_p * v20))
-    angle1_____ = _atan2(S2_pm, -(v22 + w3_p * v21))
-    angle1______ = _atan2(S2_mp, -(v23 + w3_m * v20))
-    angle1_______ = _atan2(S2_mm, -(v23 + w3_m * v21))
+    v23 = v9 * v10
+    v24 = v7 * (v9 * v9 + v12 * v12)
+    v25 = v10 * v10
+    Y1_2_p = m5 * (v24 + (v25 + v13 * v13)) - w234 * (m4 * (v7 * (v23 + v12 * v13)))
+    Y1_2_m = m5 * (v24 + (v25 + v14 * v14)) - w234 * (m4 * (v7 * (v23 + v12 * -v14)))
+    v26 = Z1_3 * Y1_2_p
+    v27 = Z1_3 * Y1_2_m
+    S2_pp = w3_p * (m5 * v16) - v26
+    S2_pm = w3_p * (m5 * -v16) - v26
+    v28 = w3_m * (m5 * (v14 + v15))
+    S2_mp = v28 - v27
+    v29 = v27 + v28
+    v30 = v18 * Y1_2_p
+    v31 = v19 * Y1_2_m
+    v32 = m5 * Z1_3
+    v33 = m5 * -Z1_3
+    v34 = v30 + w3_p * v32
+    v35 = v30 + w3_p * v33
+    v36 = v31 + w3_m * v32
+    v37 = v31 + w3_m * v33
+    v38 = S2_pp * S2_pp + v34 * v34
+    v39 = S2_pm * S2_pm + v35 * v35
+    v40 = S2_mp * S2_mp + v36 * v36
+    v41 = v29 * v29 + v37 * v37
+    w2_pp = math.sqrt(v38)
+    w2_pm = math.sqrt(v39)
+    w2_mp = math.sqrt(v40)
+    w2_mm = math.sqrt(v41)
+    v42 = 1.0 / v38
+    v43 = 1.0 / v39
+    v44 = 1.0 / v40
+    v45 = 1.0 / v41
+    factor2_pp = w2_pp * v42
+    factor2_pm = w2_pm * v43
+    factor2_mp = w2_mp * v44
+    factor2_mm = w2_mm * v45
+    angle1____ = _atan2(S2_pp, -v34)
+    angle1_____ = _atan2(S2_pm, -v35)
+    angle1______ = _atan2(S2_mp, -v36)
+    angle1_______ = _atan2(-v29, -v37)
 
     # is the pose one that the arm can take?
-    v24 = -v10 + (a1 - v9)
-    v25 = a1 + v9 - v11
-    v26 = d1 + v8
-    v27 = math.sqrt(-1.0)
-    v28 = (
-        0.0 if (abs(T33 - c234) <= pose_slack and (abs(T13 - v2 * v7) <= pose_slack and abs(T23 - v3
-        * v7) <= pose_slack)) else v27
+    v46 = a1 - v15
+    v47 = a1 + v15
+    v48 = v46 - w2_pp * (v42 * (a3 * (c3_p * v34 + s3_p * S2_pp) + a2 * v34))
+    v49 = v46 - w2_pm * (v43 * (a3 * (c3_p * v35 - s3_p * S2_pm) + a2 * v35))
+    v50 = v47 - w2_mp * (v44 * (a3 * (c3_m * v36 + s3_m * S2_mp) + a2 * v36))
+    v51 = v47 - w2_mm * (v45 * (a3 * (c3_m * v37 + s3_m * v29) + a2 * v37))
+    v52 = d1 + v11
+    v53 = math.sqrt(-1.0)
+    v54 = (
+        0.0 if max(abs(T23 - v8 * (v4 * v5)), max(abs(T33 - T33 * v8), abs(T13 - v8 * (v3 * v5))))
+        <= pose_slack else v53
     )
-    v29 = abs(T14 + v2 * v24) <= pose_slack1 and abs(T24 + v3 * v24) <= pose_slack1
-    v30 = abs(T14 - v2 * v25) <= pose_slack1 and abs(T24 - v3 * v25) <= pose_slack1
-    v31 = (
-        0.0 if (v29 and abs(T34 + (factor2_p * (a2 * S2_pp) - v26 + factor2_p * (a3 * (v18 - v15))))
-        <= pose_slack1) else v27
+    v55 = (
+        0.0 if max(abs(T24 + v4 * v48), max(abs(T34 + (factor2_pp * (a2 * S2_pp) - v52 + factor2_pp
+        * (a3 * (c3_p * S2_pp - s3_p * v34)))), abs(T14 + v3 * v48))) <= pose_slack1 else v53
     )
-    v32 = (
-        0.0 if (v29 and abs(T34 + (factor2_p * (a2 * S2_pm) - v26 + factor2_p * (a3 * (v18 - v16))))
-        <= pose_slack1) else v27
+    v56 = (
+        0.0 if max(abs(T24 + v4 * v49), max(abs(T34 + (factor2_pm * (a2 * S2_pm) - v52 + factor2_pm
+        * (a3 * (c3_p * S2_pm + s3_p * v35)))), abs(T14 + v3 * v49))) <= pose_slack1 else v53
     )
-    v33 = (
-        0.0 if (v30 and abs(T34 + (factor2_m * (a2 * S2_mp) - v26 + factor2_m * (a3 * S2_mm))) <=
-        pose_slack1) else v27
+    v57 = (
+        0.0 if max(abs(T24 - v4 * v50), max(abs(T34 + (factor2_mp * (a2 * S2_mp) - v52 + factor2_mp
+        * (a3 * (c3_m * S2_mp - s3_m * v36)))), abs(T14 - v3 * v50))) <= pose_slack1 else v53
     )
-    v34 = (
-        0.0 if (v30 and abs(T34 + (factor2_m * (a2 * S2_mm) - v26 + factor2_m * (a3 * S2_mp))) <=
-        pose_slack1) else v27
+    v58 = (
+        0.0 if max(abs(T24 - v4 * v51), max(abs(T34 + (factor2_mm * (a3 * (s3_m * v37 - c3_m * v29))
+        - (v52 + factor2_mm * (a2 * v29)))), abs(T14 - v3 * v51))) <= pose_slack1 else v53
     )
 
     # joint values
-    v35 = angle1_ - (angle1__ + angle1____) - offset4
-    v36 = angle1_ - (angle1_____ - angle1__) - offset4
-    v37 = offset4 + (angle1_ + (angle1___ + angle1______))
-    v38 = offset4 + (angle1_ + (angle1_______ - angle1___))
-    v39 = v35 - (m5 if half_turn < v35 else 0.0) + (m5 if v35 <= -half_turn else 0.0)
-    v40 = v36 - (m5 if half_turn < v36 else 0.0) + (m5 if v36 <= -half_turn else 0.0)
-    v41 = (m5 if -v37 <= -half_turn else 0.0) - (v37 + (m5 if half_turn < -v37 else 0.0))
-    v42 = (m5 if -v38 <= -half_turn else 0.0) - (v38 + (m5 if half_turn < -v38 else 0.0))
-    v43 = v28 + (angle1 + v13)
-    v44 = v28 + (v14 + (angle1 - math.copysign(half_turn, -T24) * h1))
-    q1_pp = v31 + v43
-    q1_pm = v32 + v43
-    q1_mp = v33 + v44
-    q1_mm = v34 + v44
-    q2_pp = v31 + (angle1____ + v28)
-    q2_pm = v32 + (angle1_____ + v28)
-    q2_mp = v33 + (angle1______ + v28)
-    q2_mm = v34 + (angle1_______ + v28)
-    q3_pp = v31 + (angle1__ + v28)
-    q3_pm = v32 + (v28 - angle1__)
-    q3_mp = v33 + (angle1___ + v28)
-    q3_mm = v34 + (v28 - angle1___)
-    q4_pp = v31 + (v28 + (v39 + (m5 if v39 <= -half_turn else 0.0)))
-    q4_pm = v32 + (v28 + (v40 + (m5 if v40 <= -half_turn else 0.0)))
-    q4_mp = v33 + (v28 + (v41 + (m5 if v41 <= -half_turn else 0.0)))
-    q4_mm = v34 + (v28 + (v42 + (m5 if v42 <= -half_turn else 0.0)))
-    v45 = v28 + (v13 + q_free[0])
-    v46 = v28 + (v14 + q_free[0])
-    q5_pp = v31 + v45
-    q5_pm = v32 + v45
-    q5_mp = v33 + v46
-    q5_mm = v34 + v46
+    v59 = angle1_ - (angle1__ + angle1____) - offset4
+    v60 = angle1_ - (angle1_____ - angle1__) - offset4
+    v61 = offset4 + (angle1_ + (angle1___ + angle1______))
+    v62 = offset4 + (angle1_ + (angle1_______ - angle1___))
+    v63 = v59 - (m7 if half_turn < v59 else 0.0) + (m7 if v59 <= -half_turn else 0.0)
+    v64 = v60 - (m7 if half_turn < v60 else 0.0) + (m7 if v60 <= -half_turn else 0.0)
+    v65 = (m7 if -v61 <= -half_turn else 0.0) - (v61 + (m7 if half_turn < -v61 else 0.0))
+    v66 = (m7 if -v62 <= -half_turn else 0.0) - (v62 + (m7 if half_turn < -v62 else 0.0))
+    v67 = v54 + (angle1 + v21)
+    v68 = v54 + (v22 + (angle1 - math.copysign(half_turn, -T24) * h1))
+    q1_pp = v55 + v67
+    q1_pm = v56 + v67
+    q1_mp = v57 + v68
+    q1_mm = v58 + v68
+    q2_pp = v55 + (angle1____ + v54)
+    q2_pm = v56 + (angle1_____ + v54)
+    q2_mp = v57 + (angle1______ + v54)
+    q2_mm = v58 + (angle1_______ + v54)
+    q3_pp = v55 + (angle1__ + v54)
+    q3_pm = v56 + (v54 - angle1__)
+    q3_mp = v57 + (angle1___ + v54)
+    q3_mm = v58 + (v54 - angle1___)
+    q4_pp = v55 + (v54 + (v63 + (m7 if v63 <= -half_turn else 0.0)))
+    q4_pm = v56 + (v54 + (v64 + (m7 if v64 <= -half_turn else 0.0)))
+    q4_mp = v57 + (v54 + (v65 + (m7 if v65 <= -half_turn else 0.0)))
+    q4_mm = v58 + (v54 + (v66 + (m7 if v66 <= -half_turn else 0.0)))
+    v69 = v54 + (v21 + q_free[0])
+    v70 = v54 + (v22 + q_free[0])
+    q5_pp = v55 + v69
+    q5_pm = v56 + v69
+    q5_mp = v57 + v70
+    q5_mm = v58 + v70
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or (v1 <=
-        m1 or v5 <= m3 or shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-        (shortest3_apart < N3_p and N3_p < longest3_apart))))
+        v6 <= m3 or (v1 <= m1 or (v41 <= m6 or (v40 <= m6 or (v39 <= m6 or (v38 <= m6 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)))))))
     )
     # a joint is free, or branches meet
     if doubt1:
@@ -879,118 +918,159 @@ def _in_tiles(T, q_free, q, status):
             given1 = work[512 + k]
             v1 = T14 * T14 + T24 * T24
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = T14 * factor1
-            v3 = T24 * factor1
-            v4 = v2 * T13 + v3 * T23
-            v5 = T33 * T33 + v4 * v4
-            v6 = 1.0 / math.sqrt(v5)
-            c234 = T33 * v6
-            v7 = v4 * v6
-            v8 = d5 * c234
-            Z1_3 = T34 - d1 - v8
-            v9 = d5 * v7
-            v10 = a1 + w1 - v9
-            v11 = v9 + (a1 - w1)
-            v12 = Z1_3 * Z1_3
-            N3_p = v12 + v10 * v10
-            N3_m = v12 + v11 * v11
+            v2 = 1.0 / v1
+            factor1 = w1 * v2
+            v3 = T14 * factor1
+            v4 = T24 * factor1
+            v5 = w1 * (v2 * (T14 * T13 + T24 * T23))
+            v6 = T33 * T33 + v5 * v5
+            w234 = math.sqrt(v6)
+            v7 = 1.0 / v6
+            v8 = w234 * v7
+            v9 = d5 * T33
+            v10 = T34 - d1
+            v11 = v8 * v9
+            Z1_3 = v10 - v11
+            v12 = d5 * v5
+            v13 = a1 + w1
+            v14 = a1 - w1
+            v15 = v8 * v12
+            v16 = v13 - v15
+            v17 = w234 * (v7 * v12)
+            v18 = v13 - v17
+            v19 = v14 + v17
+            v20 = Z1_3 * Z1_3
+            N3_p = v20 + v18 * v18
+            N3_m = v20 + v19 * v19
+            K3_p = N3_p - k1
+            K3_m = N3_m - k1
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v13 = w3_p - w3_p
-            v14 = w3_m - w3_m
-            v15 = w3_p * (m4 * v10)
-            v16 = w3_p * (m4 * -v10)
-            v17 = w3_m * (m4 * v11)
-            v18 = m4 * (N3_p * -Z1_3)
-            v19 = m4 * (N3_m * -Z1_3)
-            S2_pp = v15 + v18
-            S2_pm = v16 + v18
-            S2_mp = v17 + v19
-            S2_mm = v19 - v17
-            v20 = m4 * Z1_3
-            v21 = m4 * -Z1_3
-            v22 = m4 * (v10 * N3_p)
-            v23 = m4 * (v11 * N3_m)
-            factor2_p = 1.0 / N3_p
-            factor2_m = 1.0 / N3_m
-            v24 = -v10 + (a1 - v9)
-            v25 = a1 + v9 - v11
-            v26 = d1 + v8
-            v27 = math.sqrt(-1.0)
-            v28 = (
-                0.0 if (abs(T33 - c234) <= pose_slack and (abs(T13 - v2 * v7) <= pose_slack and
-                abs(T23 - v3 * v7) <= pose_slack)) else v27
+            v21 = w3_p - w3_p
+            v22 = w3_m - w3_m
+            s3_p = k2 * w3_p
+            s3_m = k2 * w3_m
+            c3_p = k2 * K3_p
+            c3_m = k2 * K3_m
+            v23 = v9 * v10
+            v24 = v7 * (v9 * v9 + v12 * v12)
+            v25 = v10 * v10
+            Y1_2_p = m5 * (v24 + (v25 + v13 * v13)) - w234 * (m4 * (v7 * (v23 + v12 * v13)))
+            Y1_2_m = m5 * (v24 + (v25 + v14 * v14)) - w234 * (m4 * (v7 * (v23 + v12 * -v14)))
+            v26 = Z1_3 * Y1_2_p
+            v27 = Z1_3 * Y1_2_m
+            S2_pp = w3_p * (m5 * v16) - v26
+            S2_pm = w3_p * (m5 * -v16) - v26
+            v28 = w3_m * (m5 * (v14 + v15))
+            S2_mp = v28 - v27
+            v29 = v27 + v28
+            v30 = v18 * Y1_2_p
+            v31 = v19 * Y1_2_m
+            v32 = m5 * Z1_3
+            v33 = m5 * -Z1_3
+            v34 = v30 + w3_p * v32
+            v35 = v30 + w3_p * v33
+            v36 = v31 + w3_m * v32
+            v37 = v31 + w3_m * v33
+            v38 = S2_pp * S2_pp + v34 * v34
+            v39 = S2_pm * S2_pm + v35 * v35
+            v40 = S2_mp * S2_mp + v36 * v36
+            v41 = v29 * v29 + v37 * v37
+            w2_pp = math.sqrt(v38)
+            w2_pm = math.sqrt(v39)
+            w2_mp = math.sqrt(v40)
+            w2_mm = math.sqrt(v41)
+            v42 = 1.0 / v38
+            v43 = 1.0 / v39
+            v44 = 1.0 / v40
+            v45 = 1.0 / v41
+            factor2_pp = w2_pp * v42
+            factor2_pm = w2_pm * v43
+            factor2_mp = w2_mp * v44
+            factor2_mm = w2_mm * v45
+            v46 = a1 - v15
+            v47 = a1 + v15
+            v48 = v46 - w2_pp * (v42 * (a3 * (c3_p * v34 + s3_p * S2_pp) + a2 * v34))
+            v49 = v46 - w2_pm * (v43 * (a3 * (c3_p * v35 - s3_p * S2_pm) + a2 * v35))
+            v50 = v47 - w2_mp * (v44 * (a3 * (c3_m * v36 + s3_m * S2_mp) + a2 * v36))
+            v51 = v47 - w2_mm * (v45 * (a3 * (c3_m * v37 + s3_m * v29) + a2 * v37))
+            v52 = d1 + v11
+            v53 = math.sqrt(-1.0)
+            v54 = (
+                0.0 if max(abs(T23 - v8 * (v4 * v5)), max(abs(T33 - T33 * v8), abs(T13 - v8 * (v3 *
+                v5)))) <= pose_slack else v53
             )
-            v29 = abs(T14 + v2 * v24) <= pose_slack1 and abs(T24 + v3 * v24) <= pose_slack1
-            v30 = abs(T14 - v2 * v25) <= pose_slack1 and abs(T24 - v3 * v25) <= pose_slack1
-            v31 = (
-                0.0 if (v29 and abs(T34 + (factor2_p * (a2 * S2_pp) - v26 + factor2_p * (a3 * (v18 -
-                v15)))) <= pose_slack1) else v27
+            v55 = (
+                0.0 if max(abs(T24 + v4 * v48), max(abs(T34 + (factor2_pp * (a2 * S2_pp) - v52 +
+                factor2_pp * (a3 * (c3_p * S2_pp - s3_p * v34)))), abs(T14 + v3 * v48))) <=
+                pose_slack1 else v53
             )
-            v32 = (
-                0.0 if (v29 and abs(T34 + (factor2_p * (a2 * S2_pm) - v26 + factor2_p * (a3 * (v18 -
-                v16)))) <= pose_slack1) else v27
+            v56 = (
+                0.0 if max(abs(T24 + v4 * v49), max(abs(T34 + (factor2_pm * (a2 * S2_pm) - v52 +
+                factor2_pm * (a3 * (c3_p * S2_pm + s3_p * v35)))), abs(T14 + v3 * v49))) <=
+                pose_slack1 else v53
             )
-            v33 = (
-                0.0 if (v30 and abs(T34 + (factor2_m * (a2 * S2_mp) - v26 + factor2_m * (a3 *
-                S2_mm))) <= pose_slack1) else v27
+            v57 = (
+                0.0 if max(abs(T24 - v4 * v50), max(abs(T34 + (factor2_mp * (a2 * S2_mp) - v52 +
+                factor2_mp * (a3 * (c3_m * S2_mp - s3_m * v36)))), abs(T14 - v3 * v50))) <=
+                pose_slack1 else v53
             )
-            v34 = (
-                0.0 if (v30 and abs(T34 + (factor2_m * (a2 * S2_mm) - v26 + factor2_m * (a3 *
-                S2_mp))) <= pose_slack1) else v27
+            v58 = (
+                0.0 if max(abs(T24 - v4 * v51), max(abs(T34 + (factor2_mm * (a3 * (s3_m * v37 - c3_m
+                * v29)) - (v52 + factor2_mm * (a2 * v29)))), abs(T14 - v3 * v51))) <= pose_slack1
+                else v53
             )
-            v45 = v28 + (v13 + given1)
-            v46 = v28 + (v14 + given1)
-            q5_pp = v31 + v45
-            q5_pm = v32 + v45
-            q5_mp = v33 + v46
-            q5_mm = v34 + v46
+            v69 = v54 + (v21 + given1)
+            v70 = v54 + (v22 + given1)
+            q5_pp = v55 + v69
+            q5_pm = v56 + v69
+            q5_mp = v57 + v70
+            q5_mm = v58 + v70
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (v1 <= m1 or v5 <= m3 or shortest3_reach <= N3_p and N3_p <=
-                longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))))
+                v6 <= m3 or (v1 <= m1 or (v41 <= m6 or (v40 <= m6 or (v39 <= m6 or (v38 <= m6 or
+                (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p
+                and N3_p < longest3_apart) or shortest3_reach <= N3_m and N3_m <= longest3_reach and
+                not (shortest3_apart < N3_m and N3_m < longest3_apart)))))))
             )
-            work[576 + k] = v13
-            work[608 + k] = v14
-            work[640 + k] = v28
-            work[672 + k] = v31
-            work[704 + k] = v32
-            work[736 + k] = v33
-            work[768 + k] = v34
+            work[576 + k] = v21
+            work[608 + k] = v22
+            work[640 + k] = v54
+            work[672 + k] = v55
+            work[704 + k] = v56
+            work[736 + k] = v57
+            work[768 + k] = v58
             work[800 + k] = q5_pp
             work[832 + k] = q5_pm
             work[864 + k] = q5_mp
             work[896 + k] = q5_mm
             work[928 + k] = doubt1
             work[960 + k] = -T24
-            work[992 + k] = -v4
+            work[992 + k] = -v5
             work[1024 + k] = w3_p
             work[1056 + k] = w3_m
             work[1088 + k] = S2_pp
             work[1120 + k] = S2_pm
             work[1152 + k] = S2_mp
-            work[1184 + k] = S2_mm
+            work[1184 + k] = -v29
             work[1216 + k] = -T14
             work[1248 + k] = T33
-            work[1280 + k] = N3_p - k1
-            work[1312 + k] = N3_m - k1
-            work[1344 + k] = -(v22 + w3_p * v20)
-            work[1376 + k] = -(v22 + w3_p * v21)
-            work[1408 + k] = -(v23 + w3_m * v20)
-            work[1440 + k] = -(v23 + w3_m * v21)
+            work[1280 + k] = K3_p
+            work[1312 + k] = K3_m
+            work[1344 + k] = -v34
+            work[1376 + k] = -v35
+            work[1408 + k] = -v36
+            work[1440 + k] = -v37
         for k in range(960, 1216):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
             T24 = work[224 + k]
-            v13 = work[576 + k]
-            v14 = work[608 + k]
-            v28 = work[640 + k]
-            v31 = work[672 + k]
-            v32 = work[704 + k]
-            v33 = work[736 + k]
-            v34 = work[768 + k]
+            v21 = work[576 + k]
+            v22 = work[608 + k]
+            v54 = work[640 + k]
+            v55 = work[672 + k]
+            v56 = work[704 + k]
+            v57 = work[736 + k]
+            v58 = work[768 + k]
             q5_pp = work[800 + k]
             q5_pm = work[832 + k]
             q5_mp = work[864 + k]
@@ -1004,32 +1084,32 @@ def _in_tiles(T, q_free, q, status):
             angle1_____ = work[1120 + k]
             angle1______ = work[1152 + k]
             angle1_______ = work[1184 + k]
-            v35 = angle1_ - (angle1__ + angle1____) - offset4
-            v36 = angle1_ - (angle1_____ - angle1__) - offset4
-            v37 = offset4 + (angle1_ + (angle1___ + angle1______))
-            v38 = offset4 + (angle1_ + (angle1_______ - angle1___))
-            v39 = v35 - (m5 if half_turn < v35 else 0.0) + (m5 if v35 <= -half_turn else 0.0)
-            v40 = v36 - (m5 if half_turn < v36 else 0.0) + (m5 if v36 <= -half_turn else 0.0)
-            v41 = (m5 if -v37 <= -half_turn else 0.0) - (v37 + (m5 if half_turn < -v37 else 0.0))
-            v42 = (m5 if -v38 <= -half_turn else 0.0) - (v38 + (m5 if half_turn < -v38 else 0.0))
-            v43 = v28 + (angle1 + v13)
-            v44 = v28 + (v14 + (angle1 - math.copysign(half_turn, -T24) * h1))
-            q1_pp = v31 + v43
-            q1_pm = v32 + v43
-            q1_mp = v33 + v44
-            q1_mm = v34 + v44
-            q2_pp = v31 + (angle1____ + v28)
-            q2_pm = v32 + (angle1_____ + v28)
-            q2_mp = v33 + (angle1______ + v28)
-            q2_mm = v34 + (angle1_______ + v28)
-            q3_pp = v31 + (angle1__ + v28)
-            q3_pm = v32 + (v28 - angle1__)
-            q3_mp = v33 + (angle1___ + v28)
-            q3_mm = v34 + (v28 - angle1___)
-            q4_pp = v31 + (v28 + (v39 + (m5 if v39 <= -half_turn else 0.0)))
-            q4_pm = v32 + (v28 + (v40 + (m5 if v40 <= -half_turn else 0.0)))
-            q4_mp = v33 + (v28 + (v41 + (m5 if v41 <= -half_turn else 0.0)))
-            q4_mm = v34 + (v28 + (v42 + (m5 if v42 <= -half_turn else 0.0)))
+            v59 = angle1_ - (angle1__ + angle1____) - offset4
+            v60 = angle1_ - (angle1_____ - angle1__) - offset4
+            v61 = offset4 + (angle1_ + (angle1___ + angle1______))
+            v62 = offset4 + (angle1_ + (angle1_______ - angle1___))
+            v63 = v59 - (m7 if half_turn < v59 else 0.0) + (m7 if v59 <= -half_turn else 0.0)
+            v64 = v60 - (m7 if half_turn < v60 else 0.0) + (m7 if v60 <= -half_turn else 0.0)
+            v65 = (m7 if -v61 <= -half_turn else 0.0) - (v61 + (m7 if half_turn < -v61 else 0.0))
+            v66 = (m7 if -v62 <= -half_turn else 0.0) - (v62 + (m7 if half_turn < -v62 else 0.0))
+            v67 = v54 + (angle1 + v21)
+            v68 = v54 + (v22 + (angle1 - math.copysign(half_turn, -T24) * h1))
+            q1_pp = v55 + v67
+            q1_pm = v56 + v67
+            q1_mp = v57 + v68
+            q1_mm = v58 + v68
+            q2_pp = v55 + (angle1____ + v54)
+            q2_pm = v56 + (angle1_____ + v54)
+            q2_mp = v57 + (angle1______ + v54)
+            q2_mm = v58 + (angle1_______ + v54)
+            q3_pp = v55 + (angle1__ + v54)
+            q3_pm = v56 + (v54 - angle1__)
+            q3_mp = v57 + (angle1___ + v54)
+            q3_mm = v58 + (v54 - angle1___)
+            q4_pp = v55 + (v54 + (v63 + (m7 if v63 <= -half_turn else 0.0)))
+            q4_pm = v56 + (v54 + (v64 + (m7 if v64 <= -half_turn else 0.0)))
+            q4_mp = v57 + (v54 + (v65 + (m7 if v65 <= -half_turn else 0.0)))
+            q4_mm = v58 + (v54 + (v66 + (m7 if v66 <= -half_turn else 0.0)))
             _1472 = q1_pp
             work[1472 + k] = _1472
             _1504 = q2_pp

@@ -17,6 +17,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef SPHERICAL_WRIST_ALL_OFFSETS_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -35,21 +38,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -81,7 +84,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -125,7 +128,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -151,8 +154,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef SPHERICAL_WRIST_ALL_OFFSETS_LIBM
 #define atan2_wide atan2
 #else
@@ -162,7 +165,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -623,64 +626,48 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v34 = v31 + X4_pm * X4_pm;
     const wide v35 = v32 + X4_mp * X4_mp;
     const wide v36 = v32 + X4_mm * X4_mm;
-    const wide w4_pp = sqrt_wide(v33);
-    const wide w4_pm = sqrt_wide(v34);
-    const wide w4_mp = sqrt_wide(v35);
-    const wide w4_mm = sqrt_wide(v36);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v37 = X4_pp * factor4_pp;
-    const wide v38 = X4_pm * factor4_pm;
-    const wide v39 = X4_mp * factor4_mp;
-    const wide v40 = X4_mm * factor4_mm;
-    const wide s4_pp = Y4_p * factor4_pp;
-    const wide s4_pm = Y4_p * factor4_pm;
-    const wide s4_mp = Y4_m * factor4_mp;
-    const wide s4_mm = Y4_m * factor4_mm;
     const wide angle1______ = atan2_wide(Y4_p, -X4_pp);
     const wide angle1_______ = atan2_wide(Y4_p, -X4_pm);
     const wide angle1________ = atan2_wide(Y4_m, -X4_mp);
     const wide angle1_________ = atan2_wide(Y4_m, -X4_mm);
-    const wide v41 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
-    const wide v42 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
-    const wide q4_ppm = angle1______ - v41;
-    const wide q4_pmm = angle1_______ - v41;
-    const wide q4_mpm = angle1________ - v42;
-    const wide q4_mmm = angle1_________ - v42;
+    const wide v37 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
+    const wide v38 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
+    const wide q4_ppm = angle1______ - v37;
+    const wide q4_pmm = angle1_______ - v37;
+    const wide q4_mpm = angle1________ - v38;
+    const wide q4_mmm = angle1_________ - v38;
 
     /* theta5 */
-    const wide angle1__________ = atan2_wide(-w4_pp, T33 * c23_pp + s23_pp * v29);
-    const wide angle1___________ = atan2_wide(-w4_pm, T33 * c23_pm + s23_pm * v29);
-    const wide angle1____________ = atan2_wide(-w4_mp, T33 * c23_mp + s23_mp * v30);
-    const wide angle1_____________ = atan2_wide(-w4_mm, T33 * c23_mm + s23_mm * v30);
+    const wide angle1__________ = atan2_wide(-sqrt_wide(v33), T33 * c23_pp + s23_pp * v29);
+    const wide angle1___________ = atan2_wide(-sqrt_wide(v34), T33 * c23_pm + s23_pm * v29);
+    const wide angle1____________ = atan2_wide(-sqrt_wide(v35), T33 * c23_mp + s23_mp * v30);
+    const wide angle1_____________ = atan2_wide(-sqrt_wide(v36), T33 * c23_mm + s23_mm * v30);
 
     /* theta6 */
-    const wide v43 = s1_p * T12 + v2 * T22;
-    const wide v44 = s1_m * T12 + v3 * T22;
-    const wide v45 = s1_p * T22 - v2 * T12;
-    const wide v46 = s1_m * T22 - v3 * T12;
-    const wide v47 = s1_p * T11 + v2 * T21;
-    const wide v48 = s1_m * T11 + v3 * T21;
-    const wide v49 = s1_p * T21 - v2 * T11;
-    const wide v50 = s1_m * T21 - v3 * T11;
-    const wide v51 = v37 * v47 - s4_pp * (c23_pp * v49 - s23_pp * T31);
-    const wide v52 = v38 * v47 - s4_pm * (c23_pm * v49 - s23_pm * T31);
-    const wide v53 = v39 * v48 - s4_mp * (c23_mp * v50 - s23_mp * T31);
-    const wide v54 = v40 * v48 - s4_mm * (c23_mm * v50 - s23_mm * T31);
-    const wide angle1______________ = atan2_wide(v51, v37 * v43 - s4_pp * (c23_pp * v45 - s23_pp *
-        T32));
-    const wide angle1_______________ = atan2_wide(v52, v38 * v43 - s4_pm * (c23_pm * v45 - s23_pm *
-        T32));
-    const wide angle1________________ = atan2_wide(v53, v39 * v44 - s4_mp * (c23_mp * v46 - s23_mp *
-        T32));
-    const wide angle1_________________ = atan2_wide(v54, v40 * v44 - s4_mm * (c23_mm * v46 - s23_mm
-        * T32));
-    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v51);
-    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v52);
-    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v53);
-    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v54);
+    const wide v39 = s1_p * T12 + v2 * T22;
+    const wide v40 = s1_m * T12 + v3 * T22;
+    const wide v41 = s1_p * T22 - v2 * T12;
+    const wide v42 = s1_m * T22 - v3 * T12;
+    const wide v43 = s1_p * T11 + v2 * T21;
+    const wide v44 = s1_m * T11 + v3 * T21;
+    const wide v45 = s1_p * T21 - v2 * T11;
+    const wide v46 = s1_m * T21 - v3 * T11;
+    const wide angle1______________ = atan2_wide(-(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp *
+        T31)), -(-X4_pp * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32)));
+    const wide angle1_______________ = atan2_wide(-(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm *
+        T31)), -(-X4_pm * v39 + Y4_p * (c23_pm * v41 - s23_pm * T32)));
+    const wide angle1________________ = atan2_wide(-(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp *
+        T31)), -(-X4_mp * v40 + Y4_m * (c23_mp * v42 - s23_mp * T32)));
+    const wide angle1_________________ = atan2_wide(-(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm *
+        T31)), -(-X4_mm * v40 + Y4_m * (c23_mm * v42 - s23_mm * T32)));
+    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), -(-X4_pp *
+        v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)));
+    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), -(-X4_pm *
+        v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)));
+    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), -(-X4_mp *
+        v44 + Y4_m * (c23_mp * v46 - s23_mp * T31)));
+    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), -(-X4_mm *
+        v44 + Y4_m * (c23_mm * v46 - s23_mm * T31)));
 
     /* joint values */
     const wide q3_ppp = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m9), all_wide(0.0));
@@ -808,19 +795,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four Y4 = T13 * s1 + T23 * v2;
     const four v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
-    const four w4 = sqrt_four(v19);
     const four_mask doubt3 = v19 <= m7;
-    const four factor4 = 1.0 / w4;
-    const four v20 = X4 * factor4;
-    const four s4 = Y4 * factor4;
-    const four v21 = copysign_four(all_four(half_turn), Y4) * h1;
+    const four v20 = copysign_four(all_four(half_turn), Y4) * h1;
 
     /* theta6 */
-    const four v22 = s1 * T12 + v2 * T22;
-    const four v23 = s1 * T22 - v2 * T12;
-    const four v24 = s1 * T11 + v2 * T21;
-    const four v25 = s1 * T21 - v2 * T11;
-    const four v26 = v20 * v24 - s4 * (c23 * v25 - s23 * T31);
+    const four v21 = s1 * T12 + v2 * T22;
+    const four v22 = s1 * T22 - v2 * T12;
+    const four v23 = s1 * T11 + v2 * T21;
+    const four v24 = s1 * T21 - v2 * T11;
 
     /* joint values */
     const int doubt1 = free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0)));
@@ -830,15 +812,17 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four angle1_ = atan2_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7
         * factor2))));
     const four angle1__ = atan2_four(Y4, -X4);
-    const four angle1___ = atan2_four(-w4, T33 * c23 + s23 * v17);
-    const four angle1____ = atan2_four(v26, v20 * v22 - s4 * (c23 * v23 - s23 * T32));
+    const four angle1___ = atan2_four(-sqrt_four(v19), T33 * c23 + s23 * v17);
+    const four angle1____ = atan2_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4
+        * (c23 * v22 - s23 * T32)));
     const four packed5 = atan2_four(__builtin_shufflevector(w3, s1, 0, 5, 2, 7),
         __builtin_shufflevector(N3 - k7, -v2, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1_____ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
     const four q3_ = e2 * angle1 - turn1;
-    const four q4_m = angle1__ - v21;
-    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v26);
+    const four q4_m = angle1__ - v20;
+    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), -(-X4 * v23 + Y4 * (c23 *
+        v24 - s23 * T31)));
     const four q3_p = q3_ - pick_four(half_turn < q3_, all_four(m9), all_four(0.0));
     const four q1_p = angle1_____ + (w3 - w3);
 

@@ -592,60 +592,64 @@ def _regular(pose, q, status):
     v34 = v31 + X4_pm * X4_pm
     v35 = v32 + X4_mp * X4_mp
     v36 = v32 + X4_mm * X4_mm
-    w4_pp = math.sqrt(v33)
-    w4_pm = math.sqrt(v34)
-    w4_mp = math.sqrt(v35)
-    w4_mm = math.sqrt(v36)
-    factor4_pp = 1.0 / w4_pp
-    factor4_pm = 1.0 / w4_pm
-    factor4_mp = 1.0 / w4_mp
-    factor4_mm = 1.0 / w4_mm
-    v37 = X4_pp * factor4_pp
-    v38 = X4_pm * factor4_pm
-    v39 = X4_mp * factor4_mp
-    v40 = X4_mm * factor4_mm
-    s4_pp = Y4_p * factor4_pp
-    s4_pm = Y4_p * factor4_pm
-    s4_mp = Y4_m * factor4_mp
-    s4_mm = Y4_m * factor4_mm
     angle1______ = _atan2(Y4_p, -X4_pp)
     angle1_______ = _atan2(Y4_p, -X4_pm)
     angle1________ = _atan2(Y4_m, -X4_mp)
     angle1_________ = _atan2(Y4_m, -X4_mm)
-    v41 = math.copysign(half_turn, Y4_p) * h1
-    v42 = math.copysign(half_turn, Y4_m) * h1
-    q4_ppm = angle1______ - v41
-    q4_pmm = angle1_______ - v41
-    q4_mpm = angle1________ - v42
-    q4_mmm = angle1_________ - v42
+    v37 = math.copysign(half_turn, Y4_p) * h1
+    v38 = math.copysign(half_turn, Y4_m) * h1
+    q4_ppm = angle1______ - v37
+    q4_pmm = angle1_______ - v37
+    q4_mpm = angle1________ - v38
+    q4_mmm = angle1_________ - v38
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1__________ = _atan2(-w4_pp, T33 * c23_pp + s23_pp * v29)
-    angle1___________ = _atan2(-w4_pm, T33 * c23_pm + s23_pm * v29)
-    angle1____________ = _atan2(-w4_mp, T33 * c23_mp + s23_mp * v30)
-    angle1_____________ = _atan2(-w4_mm, T33 * c23_mm + s23_mm * v30)
+    angle1__________ = _atan2(-math.sqrt(v33), T33 * c23_pp + s23_pp * v29)
+    angle1___________ = _atan2(-math.sqrt(v34), T33 * c23_pm + s23_pm * v29)
+    angle1____________ = _atan2(-math.sqrt(v35), T33 * c23_mp + s23_mp * v30)
+    angle1_____________ = _atan2(-math.sqrt(v36), T33 * c23_mm + s23_mm * v30)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v43 = s1_p * T12 + v2 * T22
-    v44 = s1_m * T12 + v3 * T22
-    v45 = s1_p * T22 - v2 * T12
-    v46 = s1_m * T22 - v3 * T12
-    v47 = s1_p * T11 + v2 * T21
-    v48 = s1_m * T11 + v3 * T21
-    v49 = s1_p * T21 - v2 * T11
-    v50 = s1_m * T21 - v3 * T11
-    v51 = v37 * v47 - s4_pp * (c23_pp * v49 - s23_pp * T31)
-    v52 = v38 * v47 - s4_pm * (c23_pm * v49 - s23_pm * T31)
-    v53 = v39 * v48 - s4_mp * (c23_mp * v50 - s23_mp * T31)
-    v54 = v40 * v48 - s4_mm * (c23_mm * v50 - s23_mm * T31)
-    angle1______________ = _atan2(v51, v37 * v43 - s4_pp * (c23_pp * v45 - s23_pp * T32))
-    angle1_______________ = _atan2(v52, v38 * v43 - s4_pm * (c23_pm * v45 - s23_pm * T32))
-    angle1________________ = _atan2(v53, v39 * v44 - s4_mp * (c23_mp * v46 - s23_mp * T32))
-    angle1_________________ = _atan2(v54, v40 * v44 - s4_mm * (c23_mm * v46 - s23_mm * T32))
-    q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v51)
-    q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v52)
-    q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v53)
-    q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v54)
+    v39 = s1_p * T12 + v2 * T22
+    v40 = s1_m * T12 + v3 * T22
+    v41 = s1_p * T22 - v2 * T12
+    v42 = s1_m * T22 - v3 * T12
+    v43 = s1_p * T11 + v2 * T21
+    v44 = s1_m * T11 + v3 * T21
+    v45 = s1_p * T21 - v2 * T11
+    v46 = s1_m * T21 - v3 * T11
+    angle1______________ = (
+        _atan2(-(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)), -(-X4_pp * v39 + Y4_p *
+        (c23_pp * v41 - s23_pp * T32)))
+    )
+    angle1_______________ = (
+        _atan2(-(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)), -(-X4_pm * v39 + Y4_p *
+        (c23_pm * v41 - s23_pm * T32)))
+    )
+    angle1________________ = (
+        _atan2(-(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31)), -(-X4_mp * v40 + Y4_m *
+        (c23_mp * v42 - s23_mp * T32)))
+    )
+    angle1_________________ = (
+        _atan2(-(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31)), -(-X4_mm * v40 + Y4_m *
+        (c23_mm * v42 - s23_mm * T32)))
+    )
+    q6_ppm = (
+        angle1______________ - h1 * math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 -
+        s23_pp * T31)))
+    )
+    q6_pmm = (
+        angle1_______________ - h1 * math.copysign(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45
+        - s23_pm * T31)))
+    )
+    q6_mpm = (
+        angle1________________ - h1 * math.copysign(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46
+        - s23_mp * T31)))
+    )
+    q6_mmm = (
+        angle1_________________ - h1 * math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm *
+        v46 - s23_mm * T31)))
+    )
 
     # joint values
     q3_ppp = q3__pp - (m9 if half_turn < q3__pp else 0.0)
@@ -848,16 +852,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2112, 2144, 2176, 2208, 2240, 2272],
-    [2112, 2144, 2176, 2304, 2336, 2368],
-    [2112, 2400, 2432, 2464, 2496, 2528],
-    [2112, 2400, 2432, 2560, 2592, 2624],
-    [2656, 2688, 2720, 2752, 2784, 2816],
-    [2656, 2688, 2720, 2848, 2880, 2912],
-    [2656, 2944, 2976, 3008, 3040, 3072],
-    [2656, 2944, 2976, 3104, 3136, 3168],
+    [2560, 2592, 2624, 2656, 2688, 2720],
+    [2560, 2592, 2624, 2752, 2784, 2816],
+    [2560, 2848, 2880, 2912, 2944, 2976],
+    [2560, 2848, 2880, 3008, 3040, 3072],
+    [3104, 3136, 3168, 3200, 3232, 3264],
+    [3104, 3136, 3168, 3296, 3328, 3360],
+    [3104, 3392, 3424, 3456, 3488, 3520],
+    [3104, 3392, 3424, 3552, 3584, 3616],
 ])
-_KINDS = np.array([3200, 3232, 3264, 3296, 3328, 3360, 3392, 3424])
+_KINDS = np.array([3648, 3680, 3712, 3744, 3776, 3808, 3840, 3872])
 _LEFT_OVER = 255
 
 
@@ -868,7 +872,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(3456)
+    work = np.empty(3904)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -968,36 +972,16 @@ def _in_tiles(T, q, status):
             v34 = v31 + X4_pm * X4_pm
             v35 = v32 + X4_mp * X4_mp
             v36 = v32 + X4_mm * X4_mm
-            w4_pp = math.sqrt(v33)
-            w4_pm = math.sqrt(v34)
-            w4_mp = math.sqrt(v35)
-            w4_mm = math.sqrt(v36)
-            factor4_pp = 1.0 / w4_pp
-            factor4_pm = 1.0 / w4_pm
-            factor4_mp = 1.0 / w4_mp
-            factor4_mm = 1.0 / w4_mm
-            v37 = X4_pp * factor4_pp
-            v38 = X4_pm * factor4_pm
-            v39 = X4_mp * factor4_mp
-            v40 = X4_mm * factor4_mm
-            s4_pp = Y4_p * factor4_pp
-            s4_pm = Y4_p * factor4_pm
-            s4_mp = Y4_m * factor4_mp
-            s4_mm = Y4_m * factor4_mm
-            v41 = math.copysign(half_turn, Y4_p) * h1
-            v42 = math.copysign(half_turn, Y4_m) * h1
-            v43 = s1_p * T12 + v2 * T22
-            v44 = s1_m * T12 + v3 * T22
-            v45 = s1_p * T22 - v2 * T12
-            v46 = s1_m * T22 - v3 * T12
-            v47 = s1_p * T11 + v2 * T21
-            v48 = s1_m * T11 + v3 * T21
-            v49 = s1_p * T21 - v2 * T11
-            v50 = s1_m * T21 - v3 * T11
-            v51 = v37 * v47 - s4_pp * (c23_pp * v49 - s23_pp * T31)
-            v52 = v38 * v47 - s4_pm * (c23_pm * v49 - s23_pm * T31)
-            v53 = v39 * v48 - s4_mp * (c23_mp * v50 - s23_mp * T31)
-            v54 = v40 * v48 - s4_mm * (c23_mm * v50 - s23_mm * T31)
+            v37 = math.copysign(half_turn, Y4_p) * h1
+            v38 = math.copysign(half_turn, Y4_m) * h1
+            v39 = s1_p * T12 + v2 * T22
+            v40 = s1_m * T12 + v3 * T22
+            v41 = s1_p * T22 - v2 * T12
+            v42 = s1_m * T22 - v3 * T12
+            v43 = s1_p * T11 + v2 * T21
+            v44 = s1_m * T11 + v3 * T21
+            v45 = s1_p * T21 - v2 * T11
+            v46 = s1_m * T21 - v3 * T11
             doubt1 = (
                 N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
@@ -1007,177 +991,218 @@ def _in_tiles(T, q, status):
             )
             work[544 + k] = w3_p
             work[576 + k] = w3_m
-            work[608 + k] = v41
-            work[640 + k] = v42
-            work[672 + k] = v51
-            work[704 + k] = v52
-            work[736 + k] = v53
-            work[768 + k] = v54
-            work[800 + k] = doubt1
-            work[832 + k] = w3_p
-            work[864 + k] = w3_m
-            work[896 + k] = -(factor2_p * (v10 - v14))
-            work[928 + k] = -(factor2_p * (v10 + v14))
-            work[960 + k] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
-            work[992 + k] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
-            work[1024 + k] = Y4_p
-            work[1056 + k] = Y4_p
-            work[1088 + k] = Y4_m
-            work[1120 + k] = Y4_m
-            work[1152 + k] = -w4_pp
-            work[1184 + k] = -w4_pm
-            work[1216 + k] = -w4_mp
-            work[1248 + k] = -w4_mm
-            work[1280 + k] = v51
-            work[1312 + k] = v52
-            work[1344 + k] = v53
-            work[1376 + k] = v54
-            work[1408 + k] = s1_p
-            work[1440 + k] = s1_m
-            work[1472 + k] = N3_p - k7
-            work[1504 + k] = N3_m - k7
-            work[1536 + k] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
-            work[1568 + k] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
-            work[1600 + k] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
-            work[1632 + k] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
-            work[1664 + k] = -X4_pp
-            work[1696 + k] = -X4_pm
-            work[1728 + k] = -X4_mp
-            work[1760 + k] = -X4_mm
-            work[1792 + k] = T33 * c23_pp + s23_pp * v29
-            work[1824 + k] = T33 * c23_pm + s23_pm * v29
-            work[1856 + k] = T33 * c23_mp + s23_mp * v30
-            work[1888 + k] = T33 * c23_mm + s23_mm * v30
-            work[1920 + k] = v37 * v43 - s4_pp * (c23_pp * v45 - s23_pp * T32)
-            work[1952 + k] = v38 * v43 - s4_pm * (c23_pm * v45 - s23_pm * T32)
-            work[1984 + k] = v39 * v44 - s4_mp * (c23_mp * v46 - s23_mp * T32)
-            work[2016 + k] = v40 * v44 - s4_mm * (c23_mm * v46 - s23_mm * T32)
-            work[2048 + k] = -v2
-            work[2080 + k] = -v3
-        for k in range(832, 1472):
+            work[608 + k] = c23_pp
+            work[640 + k] = c23_pm
+            work[672 + k] = c23_mp
+            work[704 + k] = c23_mm
+            work[736 + k] = s23_pp
+            work[768 + k] = s23_pm
+            work[800 + k] = s23_mp
+            work[832 + k] = s23_mm
+            work[864 + k] = X4_pp
+            work[896 + k] = X4_pm
+            work[928 + k] = X4_mp
+            work[960 + k] = X4_mm
+            work[992 + k] = Y4_p
+            work[1024 + k] = Y4_m
+            work[1056 + k] = v37
+            work[1088 + k] = v38
+            work[1120 + k] = v43
+            work[1152 + k] = v44
+            work[1184 + k] = v45
+            work[1216 + k] = v46
+            work[1248 + k] = doubt1
+            work[1280 + k] = w3_p
+            work[1312 + k] = w3_m
+            work[1344 + k] = -(factor2_p * (v10 - v14))
+            work[1376 + k] = -(factor2_p * (v10 + v14))
+            work[1408 + k] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
+            work[1440 + k] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
+            work[1472 + k] = Y4_p
+            work[1504 + k] = Y4_p
+            work[1536 + k] = Y4_m
+            work[1568 + k] = Y4_m
+            work[1600 + k] = -math.sqrt(v33)
+            work[1632 + k] = -math.sqrt(v34)
+            work[1664 + k] = -math.sqrt(v35)
+            work[1696 + k] = -math.sqrt(v36)
+            work[1728 + k] = -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31))
+            work[1760 + k] = -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31))
+            work[1792 + k] = -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31))
+            work[1824 + k] = -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31))
+            work[1856 + k] = s1_p
+            work[1888 + k] = s1_m
+            work[1920 + k] = N3_p - k7
+            work[1952 + k] = N3_m - k7
+            work[1984 + k] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
+            work[2016 + k] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
+            work[2048 + k] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
+            work[2080 + k] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
+            work[2112 + k] = -X4_pp
+            work[2144 + k] = -X4_pm
+            work[2176 + k] = -X4_mp
+            work[2208 + k] = -X4_mm
+            work[2240 + k] = T33 * c23_pp + s23_pp * v29
+            work[2272 + k] = T33 * c23_pm + s23_pm * v29
+            work[2304 + k] = T33 * c23_mp + s23_mp * v30
+            work[2336 + k] = T33 * c23_mm + s23_mm * v30
+            work[2368 + k] = -(-X4_pp * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32))
+            work[2400 + k] = -(-X4_pm * v39 + Y4_p * (c23_pm * v41 - s23_pm * T32))
+            work[2432 + k] = -(-X4_mp * v40 + Y4_m * (c23_mp * v42 - s23_mp * T32))
+            work[2464 + k] = -(-X4_mm * v40 + Y4_m * (c23_mm * v42 - s23_mm * T32))
+            work[2496 + k] = -v2
+            work[2528 + k] = -v3
+        for k in range(1280, 1920):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
+            T31 = work[256 + k]
             w3_p = work[544 + k]
             w3_m = work[576 + k]
-            v41 = work[608 + k]
-            v42 = work[640 + k]
-            v51 = work[672 + k]
-            v52 = work[704 + k]
-            v53 = work[736 + k]
-            v54 = work[768 + k]
-            doubt1 = work[800 + k] != 0.0
-            angle1 = work[832 + k]
-            angle1_ = work[864 + k]
-            angle1__ = work[896 + k]
-            angle1___ = work[928 + k]
-            angle1____ = work[960 + k]
-            angle1_____ = work[992 + k]
-            angle1______ = work[1024 + k]
-            angle1_______ = work[1056 + k]
-            angle1________ = work[1088 + k]
-            angle1_________ = work[1120 + k]
-            angle1__________ = work[1152 + k]
-            angle1___________ = work[1184 + k]
-            angle1____________ = work[1216 + k]
-            angle1_____________ = work[1248 + k]
-            angle1______________ = work[1280 + k]
-            angle1_______________ = work[1312 + k]
-            angle1________________ = work[1344 + k]
-            angle1_________________ = work[1376 + k]
-            angle1__________________ = work[1408 + k]
-            angle1___________________ = work[1440 + k]
+            c23_pp = work[608 + k]
+            c23_pm = work[640 + k]
+            c23_mp = work[672 + k]
+            c23_mm = work[704 + k]
+            s23_pp = work[736 + k]
+            s23_pm = work[768 + k]
+            s23_mp = work[800 + k]
+            s23_mm = work[832 + k]
+            X4_pp = work[864 + k]
+            X4_pm = work[896 + k]
+            X4_mp = work[928 + k]
+            X4_mm = work[960 + k]
+            Y4_p = work[992 + k]
+            Y4_m = work[1024 + k]
+            v37 = work[1056 + k]
+            v38 = work[1088 + k]
+            v43 = work[1120 + k]
+            v44 = work[1152 + k]
+            v45 = work[1184 + k]
+            v46 = work[1216 + k]
+            doubt1 = work[1248 + k] != 0.0
+            angle1 = work[1280 + k]
+            angle1_ = work[1312 + k]
+            angle1__ = work[1344 + k]
+            angle1___ = work[1376 + k]
+            angle1____ = work[1408 + k]
+            angle1_____ = work[1440 + k]
+            angle1______ = work[1472 + k]
+            angle1_______ = work[1504 + k]
+            angle1________ = work[1536 + k]
+            angle1_________ = work[1568 + k]
+            angle1__________ = work[1600 + k]
+            angle1___________ = work[1632 + k]
+            angle1____________ = work[1664 + k]
+            angle1_____________ = work[1696 + k]
+            angle1______________ = work[1728 + k]
+            angle1_______________ = work[1760 + k]
+            angle1________________ = work[1792 + k]
+            angle1_________________ = work[1824 + k]
+            angle1__________________ = work[1856 + k]
+            angle1___________________ = work[1888 + k]
             q3__pp = angle1 - turn1
             v8 = turn1 + angle1
             q3__mp = angle1_ - turn1
             v9 = turn1 + angle1_
-            q4_ppm = angle1______ - v41
-            q4_pmm = angle1_______ - v41
-            q4_mpm = angle1________ - v42
-            q4_mmm = angle1_________ - v42
-            q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v51)
-            q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v52)
-            q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v53)
-            q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v54)
+            q4_ppm = angle1______ - v37
+            q4_pmm = angle1_______ - v37
+            q4_mpm = angle1________ - v38
+            q4_mmm = angle1_________ - v38
+            q6_ppm = (
+                angle1______________ - h1 * math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp
+                * v45 - s23_pp * T31)))
+            )
+            q6_pmm = (
+                angle1_______________ - h1 * math.copysign(half_turn, -(-X4_pm * v43 + Y4_p *
+                (c23_pm * v45 - s23_pm * T31)))
+            )
+            q6_mpm = (
+                angle1________________ - h1 * math.copysign(half_turn, -(-X4_mp * v44 + Y4_m *
+                (c23_mp * v46 - s23_mp * T31)))
+            )
+            q6_mmm = (
+                angle1_________________ - h1 * math.copysign(half_turn, -(-X4_mm * v44 + Y4_m *
+                (c23_mm * v46 - s23_mm * T31)))
+            )
             q3_ppp = q3__pp - (m9 if half_turn < q3__pp else 0.0)
             q3_mpp = q3__mp - (m9 if half_turn < q3__mp else 0.0)
             q1_ppp = angle1__________________ + (w3_p - w3_p)
             q1_mpp = angle1___________________ + (w3_m - w3_m)
-            _2112 = q1_ppp
-            work[2112 + k] = _2112
-            _2144 = angle1__
-            work[2144 + k] = _2144
-            _2176 = q3_ppp
-            work[2176 + k] = _2176
-            _2208 = angle1______
-            work[2208 + k] = _2208
-            _2240 = angle1__________
-            work[2240 + k] = _2240
-            _2272 = angle1______________
-            work[2272 + k] = _2272
-            _2304 = q4_ppm
-            work[2304 + k] = _2304
-            _2336 = -angle1__________
-            work[2336 + k] = _2336
-            _2368 = q6_ppm
-            work[2368 + k] = _2368
-            _2400 = angle1___
-            work[2400 + k] = _2400
-            _2432 = -(v8 + (m9 if half_turn < -v8 else 0.0))
-            work[2432 + k] = _2432
-            _2464 = angle1_______
-            work[2464 + k] = _2464
-            _2496 = angle1___________
-            work[2496 + k] = _2496
-            _2528 = angle1_______________
-            work[2528 + k] = _2528
-            _2560 = q4_pmm
+            _2560 = q1_ppp
             work[2560 + k] = _2560
-            _2592 = -angle1___________
+            _2592 = angle1__
             work[2592 + k] = _2592
-            _2624 = q6_pmm
+            _2624 = q3_ppp
             work[2624 + k] = _2624
-            _2656 = q1_mpp
+            _2656 = angle1______
             work[2656 + k] = _2656
-            _2688 = angle1____
+            _2688 = angle1__________
             work[2688 + k] = _2688
-            _2720 = q3_mpp
+            _2720 = angle1______________
             work[2720 + k] = _2720
-            _2752 = angle1________
+            _2752 = q4_ppm
             work[2752 + k] = _2752
-            _2784 = angle1____________
+            _2784 = -angle1__________
             work[2784 + k] = _2784
-            _2816 = angle1________________
+            _2816 = q6_ppm
             work[2816 + k] = _2816
-            _2848 = q4_mpm
+            _2848 = angle1___
             work[2848 + k] = _2848
-            _2880 = -angle1____________
+            _2880 = -(v8 + (m9 if half_turn < -v8 else 0.0))
             work[2880 + k] = _2880
-            _2912 = q6_mpm
+            _2912 = angle1_______
             work[2912 + k] = _2912
-            _2944 = angle1_____
+            _2944 = angle1___________
             work[2944 + k] = _2944
-            _2976 = -(v9 + (m9 if half_turn < -v9 else 0.0))
+            _2976 = angle1_______________
             work[2976 + k] = _2976
-            _3008 = angle1_________
+            _3008 = q4_pmm
             work[3008 + k] = _3008
-            _3040 = angle1_____________
+            _3040 = -angle1___________
             work[3040 + k] = _3040
-            _3072 = angle1_________________
+            _3072 = q6_pmm
             work[3072 + k] = _3072
-            _3104 = q4_mmm
+            _3104 = q1_mpp
             work[3104 + k] = _3104
-            _3136 = -angle1_____________
+            _3136 = angle1____
             work[3136 + k] = _3136
-            _3168 = q6_mmm
+            _3168 = q3_mpp
             work[3168 + k] = _3168
-            work[3200 + k] = UNREACHABLE if _2112 != _2112 else OK
-            work[3232 + k] = UNREACHABLE if _2112 != _2112 else OK
-            work[3264 + k] = UNREACHABLE if _2112 != _2112 else OK
-            work[3296 + k] = UNREACHABLE if _2112 != _2112 else OK
-            work[3328 + k] = UNREACHABLE if _2656 != _2656 else OK
-            work[3360 + k] = UNREACHABLE if _2656 != _2656 else OK
-            work[3392 + k] = UNREACHABLE if _2656 != _2656 else OK
-            work[3424 + k] = UNREACHABLE if _2656 != _2656 else OK
+            _3200 = angle1________
+            work[3200 + k] = _3200
+            _3232 = angle1____________
+            work[3232 + k] = _3232
+            _3264 = angle1________________
+            work[3264 + k] = _3264
+            _3296 = q4_mpm
+            work[3296 + k] = _3296
+            _3328 = -angle1____________
+            work[3328 + k] = _3328
+            _3360 = q6_mpm
+            work[3360 + k] = _3360
+            _3392 = angle1_____
+            work[3392 + k] = _3392
+            _3424 = -(v9 + (m9 if half_turn < -v9 else 0.0))
+            work[3424 + k] = _3424
+            _3456 = angle1_________
+            work[3456 + k] = _3456
+            _3488 = angle1_____________
+            work[3488 + k] = _3488
+            _3520 = angle1_________________
+            work[3520 + k] = _3520
+            _3552 = q4_mmm
+            work[3552 + k] = _3552
+            _3584 = -angle1_____________
+            work[3584 + k] = _3584
+            _3616 = q6_mmm
+            work[3616 + k] = _3616
+            work[3648 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[3680 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[3712 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[3744 + k] = UNREACHABLE if _2560 != _2560 else OK
+            work[3776 + k] = UNREACHABLE if _3104 != _3104 else OK
+            work[3808 + k] = UNREACHABLE if _3104 != _3104 else OK
+            work[3840 + k] = UNREACHABLE if _3104 != _3104 else OK
+            work[3872 + k] = UNREACHABLE if _3104 != _3104 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

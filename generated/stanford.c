@@ -15,6 +15,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef STANFORD_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -32,21 +35,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -78,7 +81,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -122,7 +125,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -148,8 +151,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef STANFORD_LIBM
 #define atan2_wide atan2
 #else
@@ -159,7 +162,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -489,102 +492,99 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v2 = inverse1 * (k1 * T24);
-    const wide v3 = w1 * (T14 * inverse1);
-    const wide c1_p = v2 - v3;
-    const wide c1_m = v2 + v3;
-    const wide v4 = inverse1 * (k1 * T14);
-    const wide v5 = w1 * (T24 * inverse1);
-    const wide v6 = v4 + v5;
-    const wide v7 = v4 - v5;
-    const wide angle1 = atan2_wide(-v6, c1_p);
-    const wide angle1_ = atan2_wide(-v7, c1_m);
+    const wide v2 = k1 * T14;
+    const wide v3 = k1 * T24;
+    const wide v4 = inverse1 * v3;
+    const wide v5 = w1 * (T14 * inverse1);
+    const wide c1_p = v4 - v5;
+    const wide c1_m = v4 + v5;
+    const wide v6 = inverse1 * v2;
+    const wide v7 = w1 * (T24 * inverse1);
+    const wide v8 = v6 + v7;
+    const wide v9 = v6 - v7;
+    const wide angle1 = atan2_wide(-v8, c1_p);
+    const wide angle1_ = atan2_wide(-v9, c1_m);
 
     /* theta2, r3 */
     const wide Y2_2 = T34 - d1;
-    const wide v8 = D1 + Y2_2 * Y2_2;
-    const wide w3 = sqrt_wide(v8);
-    const wide factor2 = 1.0 / w3;
-    const wide c2 = Y2_2 * factor2;
-    const wide v9 = w1 * factor2;
+    const wide v10 = D1 + Y2_2 * Y2_2;
+    const wide w3 = sqrt_wide(v10);
+    const wide factor2 = w3 * (1.0 / v10);
     const wide angle1__ = atan2_wide(-w1, Y2_2);
     const wide q2_pmp = angle1__ - copysign_wide(all_wide(half_turn), -w1) * h1;
 
     /* theta4 */
-    const wide v10 = v6 * T13 + c1_p * T23;
-    const wide v11 = v7 * T13 + c1_m * T23;
-    const wide v12 = c1_p * T13 - v6 * T23;
-    const wide v13 = c1_m * T13 - v7 * T23;
-    const wide v14 = v9 * T33;
-    const wide v15 = v14 + c2 * v12;
-    const wide v16 = c2 * v13 - v14;
-    const wide v17 = v10 * v10 + v15 * v15;
-    const wide v18 = v11 * v11 + v16 * v16;
-    const wide w4_p = sqrt_wide(v17);
-    const wide w4_m = sqrt_wide(v18);
-    const wide factor4_p = 1.0 / w4_p;
-    const wide factor4_m = 1.0 / w4_m;
-    const wide c4_p = v10 * factor4_p;
-    const wide c4_m = v11 * factor4_m;
-    const wide v19 = v15 * factor4_p;
-    const wide v20 = v16 * factor4_m;
-    const wide angle1___ = atan2_wide(-v15, v10);
-    const wide angle1____ = atan2_wide(-v16, v11);
-    const wide q4_ppm = angle1___ - h1 * copysign_wide(all_wide(half_turn), -v15);
-    const wide q4_mpm = angle1____ - h1 * copysign_wide(all_wide(half_turn), -v16);
+    const wide c4_p = v8 * T13 + c1_p * T23;
+    const wide c4_m = v9 * T13 + c1_m * T23;
+    const wide v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33;
+    const wide v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13));
+    const wide Y4_p = v12 + w1 * v11;
+    const wide Y4_m = v12 + w1 * -v11;
+    const wide v13 = factor2 * Y4_p;
+    const wide v14 = factor2 * Y4_m;
+    const wide v15 = c4_p * c4_p + factor2 * (Y4_p * v13);
+    const wide v16 = c4_m * c4_m + factor2 * (Y4_m * v14);
+    const wide angle1___ = atan2_wide(v13, c4_p);
+    const wide angle1____ = atan2_wide(v14, c4_m);
+    const wide q4_ppm = angle1___ - h1 * copysign_wide(all_wide(half_turn), v13);
+    const wide q4_mpm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v14);
 
     /* theta5 */
-    const wide v21 = c2 * T33;
-    const wide angle1_____ = atan2_wide(-w4_p, v21 - v9 * v12);
-    const wide angle1______ = atan2_wide(-w4_m, v21 + v9 * v13);
-    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4_p) - angle1_____;
-    const wide q5_mmp = h1 * copysign_wide(all_wide(half_turn), -w4_m) - angle1______;
+    const wide v17 = Y2_2 * T33;
+    const wide angle1_____ = atan2_wide(-sqrt_wide(v15), factor2 * (v17 - w1 * (c1_p * T13 - v8 *
+        T23)));
+    const wide angle1______ = atan2_wide(-sqrt_wide(v16), factor2 * (v17 + w1 * (c1_m * T13 - v9 *
+        T23)));
+    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v15)) - angle1_____;
+    const wide q5_mmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v16)) - angle1______;
 
     /* theta6 */
-    const wide v22 = v9 * T32;
-    const wide v23 = v9 * T31;
-    const wide s6_p = c4_p * (v23 + c2 * (c1_p * T11 - v6 * T21)) - v19 * (c1_p * T21 + v6 * T11);
-    const wide s6_m = c4_m * (c2 * (c1_m * T11 - v7 * T21) - v23) - v20 * (c1_m * T21 + v7 * T11);
-    const wide angle1_______ = atan2_wide(s6_p, c4_p * (v22 + c2 * (c1_p * T12 - v6 * T22)) - v19 *
-        (c1_p * T22 + v6 * T12));
-    const wide angle1________ = atan2_wide(s6_m, c4_m * (c2 * (c1_m * T12 - v7 * T22) - v22) - v20 *
-        (c1_m * T22 + v7 * T12));
+    const wide v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22));
+    const wide v19 = inverse1 * (Y2_2 * (v3 * T12 - v2 * T22));
+    const wide v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21));
+    const wide v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21));
+    const wide s6_p = c4_p * (v21 + w1 * v20) + Y4_p * (c1_p * T21 + v8 * T11);
+    const wide s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11);
+    const wide angle1_______ = atan2_wide(s6_p, c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 *
+        T12));
+    const wide angle1________ = atan2_wide(s6_m, c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9
+        * T12));
     const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), s6_p);
     const wide q6_mpm = angle1________ - h1 * copysign_wide(all_wide(half_turn), s6_m);
 
     /* joint values */
-    const wide_mask v24 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v25 = (angle1_ < low1) | (high1 < angle1_);
-    const wide_mask v26 = (w3 < low3) | (high3 < w3);
-    const wide_mask v27 = (-w3 < low3) | (high3 < -w3);
+    const wide_mask v22 = (angle1 < low1) | (high1 < angle1);
+    const wide_mask v23 = (angle1_ < low1) | (high1 < angle1_);
+    const wide_mask v24 = (w3 < low3) | (high3 < w3);
+    const wide_mask v25 = (-w3 < low3) | (high3 < -w3);
     const wide q3_ppp = v1 + w3;
     const wide q3_pmp = v1 - w3;
-    const wide_mask v28 = v26 | (v24 | ((angle1__ < low2) | (high2 < angle1__)));
-    const wide_mask v29 = v27 | (v24 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v30 = v26 | (v25 | ((-angle1__ < low2) | (high2 < -angle1__)));
-    const wide_mask v31 = v27 | (v25 | ((-q2_pmp < low2) | (high2 < -q2_pmp)));
-    const wide_mask v32 = (angle1_______ < low6) | (high6 < angle1_______);
-    const wide_mask outside_ppp = v32 | (((angle1_____ < low5) | (high5 < angle1_____)) | (v28 |
+    const wide_mask v26 = v24 | (v22 | ((angle1__ < low2) | (high2 < angle1__)));
+    const wide_mask v27 = v25 | (v22 | ((q2_pmp < low2) | (high2 < q2_pmp)));
+    const wide_mask v28 = v24 | (v23 | ((-angle1__ < low2) | (high2 < -angle1__)));
+    const wide_mask v29 = v25 | (v23 | ((-q2_pmp < low2) | (high2 < -q2_pmp)));
+    const wide_mask v30 = (angle1_______ < low6) | (high6 < angle1_______);
+    const wide_mask outside_ppp = v30 | (((angle1_____ < low5) | (high5 < angle1_____)) | (v26 |
         ((angle1___ < low4) | (high4 < angle1___))));
-    const wide_mask v33 = (q6_ppm < low6) | (high6 < q6_ppm);
-    const wide_mask outside_ppm = v33 | (((-angle1_____ < low5) | (high5 < -angle1_____)) | (v28 |
+    const wide_mask v31 = (q6_ppm < low6) | (high6 < q6_ppm);
+    const wide_mask outside_ppm = v31 | (((-angle1_____ < low5) | (high5 < -angle1_____)) | (v26 |
         ((q4_ppm < low4) | (high4 < q4_ppm))));
-    const wide_mask outside_pmp = v33 | (((q5_pmp < low5) | (high5 < q5_pmp)) | (v29 | ((-angle1___
+    const wide_mask outside_pmp = v31 | (((q5_pmp < low5) | (high5 < q5_pmp)) | (v27 | ((-angle1___
         < low4) | (high4 < -angle1___))));
-    const wide_mask outside_pmm = v32 | (((-q5_pmp < low5) | (high5 < -q5_pmp)) | (v29 | ((-q4_ppm <
+    const wide_mask outside_pmm = v30 | (((-q5_pmp < low5) | (high5 < -q5_pmp)) | (v27 | ((-q4_ppm <
         low4) | (high4 < -q4_ppm))));
-    const wide_mask v34 = (angle1________ < low6) | (high6 < angle1________);
-    const wide_mask outside_mpp = v34 | (((angle1______ < low5) | (high5 < angle1______)) | (v30 |
+    const wide_mask v32 = (angle1________ < low6) | (high6 < angle1________);
+    const wide_mask outside_mpp = v32 | (((angle1______ < low5) | (high5 < angle1______)) | (v28 |
         ((angle1____ < low4) | (high4 < angle1____))));
-    const wide_mask v35 = (q6_mpm < low6) | (high6 < q6_mpm);
-    const wide_mask outside_mpm = v35 | (((-angle1______ < low5) | (high5 < -angle1______)) | (v30 |
+    const wide_mask v33 = (q6_mpm < low6) | (high6 < q6_mpm);
+    const wide_mask outside_mpm = v33 | (((-angle1______ < low5) | (high5 < -angle1______)) | (v28 |
         ((q4_mpm < low4) | (high4 < q4_mpm))));
-    const wide_mask outside_mmp = v35 | (((q5_mmp < low5) | (high5 < q5_mmp)) | (v31 | ((-angle1____
+    const wide_mask outside_mmp = v33 | (((q5_mmp < low5) | (high5 < q5_mmp)) | (v29 | ((-angle1____
         < low4) | (high4 < -angle1____))));
-    const wide_mask outside_mmm = v34 | (((-q5_mmp < low5) | (high5 < -q5_mmp)) | (v31 | ((-q4_mpm <
+    const wide_mask outside_mmm = v32 | (((-q5_mmp < low5) | (high5 < -q5_mmp)) | (v29 | ((-q4_mpm <
         low4) | (high4 < -q4_mpm))));
-    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v8 <= m1) |
-        ((v17 <= m3) | (v18 <= m3))));
+    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v10 <= m1) |
+        ((v15 <= m3) | (v16 <= m3))));
 
     q[0] = angle1;
     q[1] = angle1__;
@@ -665,77 +665,76 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v2 = inverse1 * (k1 * T24);
-    const four c1 = v2 - w1 * (inverse1 * (e1 * T14));
-    const double v3 = inverse1 * (k1 * T14);
-    const four v4 = v3 + w1 * (inverse1 * (e1 * T24));
+    const double v2 = k1 * T14;
+    const double v3 = k1 * T24;
+    const double v4 = inverse1 * v3;
+    const four c1 = v4 - w1 * (inverse1 * (e1 * T14));
+    const double v5 = inverse1 * v2;
+    const four v6 = v5 + w1 * (inverse1 * (e1 * T24));
 
     /* theta2, r3 */
     const double Y2_2 = T34 - d1;
-    const double v5 = D1 + Y2_2 * Y2_2;
-    const double w3 = sqrt(v5);
-    const double factor2 = 1.0 / w3;
-    const double c2 = Y2_2 * factor2;
-    const double v6 = w1 * factor2;
-    const double v7 = copysign(half_turn, -w1);
-    const four v8 = e2 - 1.0;
-    const four v9 = m2 * v8;
+    const double v7 = D1 + Y2_2 * Y2_2;
+    const double w3 = sqrt(v7);
+    const double factor2 = w3 * (1.0 / v7);
+    const double v8 = copysign(half_turn, -w1);
+    const four v9 = e2 - 1.0;
+    const four v10 = m2 * v9;
 
     /* theta4 */
-    const four v10 = v4 * T13 + c1 * T23;
-    const four v11 = c1 * T13 - v4 * T23;
-    const double v12 = v6 * T33;
-    const four v13 = c2 * v11 + e1 * v12;
-    const four v14 = v10 * v10 + v13 * v13;
-    const four w4 = sqrt_four(v14);
+    const four c4 = v6 * T13 + c1 * T23;
+    const double v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33;
+    const double v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13));
+    const four Y4 = v12 + w1 * (e1 * v11);
+    const four v13 = factor2 * Y4;
+    const four v14 = c4 * c4 + factor2 * (Y4 * v13);
     const four_mask doubt2 = v14 <= m3;
-    const four factor4 = 1.0 / w4;
-    const four c4 = v10 * factor4;
-    const four v15 = v13 * factor4;
 
     /* theta5 */
-    const double v16 = c2 * T33;
-    const four v17 = copysign_four(all_four(half_turn), -w4);
-    const four v18 = m2 * -v8;
+    const double v15 = Y2_2 * T33;
+    const four v16 = copysign_four(all_four(half_turn), -sqrt_four(v14));
+    const four v17 = m2 * -v9;
 
     /* theta6 */
-    const double v19 = v6 * T32;
-    const double v20 = v6 * T31;
-    const four s6 = c4 * (c2 * (c1 * T11 - v4 * T21) + e1 * v20) - v15 * (c1 * T21 + v4 * T11);
-    const four v21 = copysign_four(all_four(half_turn), s6);
-    const four v22 = m2 * (e2 + 1.0);
+    const double v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22));
+    const double v19 = inverse1 * (Y2_2 * (v3 * T12 - v2 * T22));
+    const double v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21));
+    const double v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21));
+    const four s6 = c4 * (v21 + w1 * (e1 * v20)) + Y4 * (c1 * T21 + v6 * T11);
+    const four v22 = copysign_four(all_four(half_turn), s6);
+    const four v23 = m2 * (e2 + 1.0);
 
     /* joint values */
-    const four v23 = e2 * w3;
-    const four_mask v25 = (v23 < low3) | (high3 < v23);
-    const four q3_p = v1 + v23;
-    const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (v5 <= m1));
+    const four v24 = e2 * w3;
+    const four_mask v26 = (v24 < low3) | (high3 < v24);
+    const four q3_p = v1 + v24;
+    const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (v7 <= m1));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(-v4, -v13, 0, 5, 2, 7),
-        __builtin_shufflevector(c1, v10, 0, 5, 2, 7));
+    const four packed1 = atan2_four(__builtin_shufflevector(-v6, v13, 0, 5, 2, 7),
+        __builtin_shufflevector(c1, c4, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
     const four angle1__ = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3);
-    const four packed2 = atan2_four(__builtin_shufflevector(-w4, s6, 0, 5, 2, 7),
-        __builtin_shufflevector(v16 - e1 * (v6 * v11), c4 * (c2 * (c1 * T12 - v4 * T22) + e1 * v19)
-        - v15 * (c1 * T22 + v4 * T12), 0, 5, 2, 7));
+    const four packed2 = atan2_four(__builtin_shufflevector(-sqrt_four(v14), s6, 0, 5, 2, 7),
+        __builtin_shufflevector(factor2 * (v15 - e1 * (w1 * (c1 * T13 - v6 * T23))), c4 * (v19 + w1
+        * (e1 * v18)) + Y4 * (c1 * T22 + v6 * T12), 0, 5, 2, 7));
     const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1____ = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3);
     const four packed3 = atan2_four((four){ -w1, -w1, -w1, -w1 }, (four){ Y2_2, Y2_2, Y2_2, Y2_2 });
     const four angle1_ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four q2_ = angle1_ + v7 * v9;
-    const four q4__m = angle1__ - copysign_four(all_four(half_turn), -v13) * h1;
-    const four q5_p = e2 * angle1___ + v17 * v18;
-    const four q6_p = angle1____ + v9 * v21;
-    const four q6_m = angle1____ - v21 * v22;
+    const four q2_ = angle1_ + v8 * v10;
+    const four q4__m = angle1__ - copysign_four(all_four(half_turn), v13) * h1;
+    const four q5_p = e2 * angle1___ + v16 * v17;
+    const four q6_p = angle1____ + v10 * v22;
+    const four q6_m = angle1____ - v22 * v23;
     const four q2_p = e1 * q2_;
     const four q4_p = e2 * angle1__;
     const four q4_m = e2 * q4__m;
-    const four_mask v24 = (angle1 < low1) | (high1 < angle1);
-    const four_mask v26 = v25 | (v24 | ((q2_p < low2) | (high2 < q2_p)));
+    const four_mask v25 = (angle1 < low1) | (high1 < angle1);
+    const four_mask v27 = v26 | (v25 | ((q2_p < low2) | (high2 < q2_p)));
     const four_mask outside_p = ((q6_p < low6) | (high6 < q6_p)) | (((q5_p < low5) | (high5 < q5_p))
-        | (v26 | ((q4_p < low4) | (high4 < q4_p))));
+        | (v27 | ((q4_p < low4) | (high4 < q4_p))));
     const four_mask outside_m = ((q6_m < low6) | (high6 < q6_m)) | (((-q5_p < low5) | (high5 <
-        -q5_p)) | (v26 | ((q4_m < low4) | (high4 < q4_m))));
+        -q5_p)) | (v27 | ((q4_m < low4) | (high4 < q4_m))));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

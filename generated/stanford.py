@@ -429,118 +429,109 @@ def _regular(pose, q, status):
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
-    v2 = inverse1 * (k1 * T24)
-    v3 = w1 * (T14 * inverse1)
-    c1_p = v2 - v3
-    c1_m = v2 + v3
-    v4 = inverse1 * (k1 * T14)
-    v5 = w1 * (T24 * inverse1)
-    v6 = v4 + v5
-    v7 = v4 - v5
-    angle1 = _atan2(-v6, c1_p)
-    angle1_ = _atan2(-v7, c1_m)
+    v2 = k1 * T14
+    v3 = k1 * T24
+    v4 = inverse1 * v3
+    v5 = w1 * (T14 * inverse1)
+    c1_p = v4 - v5
+    c1_m = v4 + v5
+    v6 = inverse1 * v2
+    v7 = w1 * (T24 * inverse1)
+    v8 = v6 + v7
+    v9 = v6 - v7
+    angle1 = _atan2(-v8, c1_p)
+    angle1_ = _atan2(-v9, c1_m)
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
     Y2_2 = T34 - d1
-    v8 = D1 + Y2_2 * Y2_2
-    w3 = math.sqrt(v8)
-    factor2 = 1.0 / w3
-    c2 = Y2_2 * factor2
-    v9 = w1 * factor2
+    v10 = D1 + Y2_2 * Y2_2
+    w3 = math.sqrt(v10)
+    factor2 = w3 * (1.0 / v10)
     angle1__ = _atan2(-w1, Y2_2)
     q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
 
     # theta4, type 2: U4[3, 3]
-    v10 = v6 * T13 + c1_p * T23
-    v11 = v7 * T13 + c1_m * T23
-    v12 = c1_p * T13 - v6 * T23
-    v13 = c1_m * T13 - v7 * T23
-    v14 = v9 * T33
-    v15 = v14 + c2 * v12
-    v16 = c2 * v13 - v14
-    v17 = v10 * v10 + v15 * v15
-    v18 = v11 * v11 + v16 * v16
-    w4_p = math.sqrt(v17)
-    w4_m = math.sqrt(v18)
-    factor4_p = 1.0 / w4_p
-    factor4_m = 1.0 / w4_m
-    c4_p = v10 * factor4_p
-    c4_m = v11 * factor4_m
-    v19 = v15 * factor4_p
-    v20 = v16 * factor4_m
-    angle1___ = _atan2(-v15, v10)
-    angle1____ = _atan2(-v16, v11)
-    q4_ppm = angle1___ - h1 * math.copysign(half_turn, -v15)
-    q4_mpm = angle1____ - h1 * math.copysign(half_turn, -v16)
+    c4_p = v8 * T13 + c1_p * T23
+    c4_m = v9 * T13 + c1_m * T23
+    v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33
+    v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13))
+    Y4_p = v12 + w1 * v11
+    Y4_m = v12 + w1 * -v11
+    v13 = factor2 * Y4_p
+    v14 = factor2 * Y4_m
+    v15 = c4_p * c4_p + factor2 * (Y4_p * v13)
+    v16 = c4_m * c4_m + factor2 * (Y4_m * v14)
+    angle1___ = _atan2(v13, c4_p)
+    angle1____ = _atan2(v14, c4_m)
+    q4_ppm = angle1___ - h1 * math.copysign(half_turn, v13)
+    q4_mpm = angle1____ - h1 * math.copysign(half_turn, v14)
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    v21 = c2 * T33
-    angle1_____ = _atan2(-w4_p, v21 - v9 * v12)
-    angle1______ = _atan2(-w4_m, v21 + v9 * v13)
-    q5_pmp = h1 * math.copysign(half_turn, -w4_p) - angle1_____
-    q5_mmp = h1 * math.copysign(half_turn, -w4_m) - angle1______
+    v17 = Y2_2 * T33
+    angle1_____ = _atan2(-math.sqrt(v15), factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23)))
+    angle1______ = _atan2(-math.sqrt(v16), factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23)))
+    q5_pmp = h1 * math.copysign(half_turn, -math.sqrt(v15)) - angle1_____
+    q5_mmp = h1 * math.copysign(half_turn, -math.sqrt(v16)) - angle1______
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v22 = v9 * T32
-    v23 = v9 * T31
-    s6_p = c4_p * (v23 + c2 * (c1_p * T11 - v6 * T21)) - v19 * (c1_p * T21 + v6 * T11)
-    s6_m = c4_m * (c2 * (c1_m * T11 - v7 * T21) - v23) - v20 * (c1_m * T21 + v7 * T11)
-    angle1_______ = (
-        _atan2(s6_p, c4_p * (v22 + c2 * (c1_p * T12 - v6 * T22)) - v19 * (c1_p * T22 + v6 * T12))
-    )
-    angle1________ = (
-        _atan2(s6_m, c4_m * (c2 * (c1_m * T12 - v7 * T22) - v22) - v20 * (c1_m * T22 + v7 * T12))
-    )
+    v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22))
+    v19 = inverse1 * (Y2_2 * (v3 * T12 - v2 * T22))
+    v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21))
+    v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21))
+    s6_p = c4_p * (v21 + w1 * v20) + Y4_p * (c1_p * T21 + v8 * T11)
+    s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11)
+    angle1_______ = _atan2(s6_p, c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12))
+    angle1________ = _atan2(s6_m, c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12))
     q6_ppm = angle1_______ - h1 * math.copysign(half_turn, s6_p)
     q6_mpm = angle1________ - h1 * math.copysign(half_turn, s6_m)
 
     # joint values
-    v24 = angle1 < low1 or high1 < angle1
-    v25 = angle1_ < low1 or high1 < angle1_
-    v26 = w3 < low3 or high3 < w3
-    v27 = -w3 < low3 or high3 < -w3
+    v22 = angle1 < low1 or high1 < angle1
+    v23 = angle1_ < low1 or high1 < angle1_
+    v24 = w3 < low3 or high3 < w3
+    v25 = -w3 < low3 or high3 < -w3
     q3_ppp = v1 + w3
     q3_pmp = v1 - w3
-    v28 = v26 or (v24 or (angle1__ < low2 or high2 < angle1__))
-    v29 = v27 or (v24 or (q2_pmp < low2 or high2 < q2_pmp))
-    v30 = v26 or (v25 or (-angle1__ < low2 or high2 < -angle1__))
-    v31 = v27 or (v25 or (-q2_pmp < low2 or high2 < -q2_pmp))
-    v32 = angle1_______ < low6 or high6 < angle1_______
+    v26 = v24 or (v22 or (angle1__ < low2 or high2 < angle1__))
+    v27 = v25 or (v22 or (q2_pmp < low2 or high2 < q2_pmp))
+    v28 = v24 or (v23 or (-angle1__ < low2 or high2 < -angle1__))
+    v29 = v25 or (v23 or (-q2_pmp < low2 or high2 < -q2_pmp))
+    v30 = angle1_______ < low6 or high6 < angle1_______
     outside_ppp = (
-        v32 or (angle1_____ < low5 or high5 < angle1_____ or (v28 or (angle1___ < low4 or high4 <
+        v30 or (angle1_____ < low5 or high5 < angle1_____ or (v26 or (angle1___ < low4 or high4 <
         angle1___)))
     )
-    v33 = q6_ppm < low6 or high6 < q6_ppm
+    v31 = q6_ppm < low6 or high6 < q6_ppm
     outside_ppm = (
-        v33 or (-angle1_____ < low5 or high5 < -angle1_____ or (v28 or (q4_ppm < low4 or high4 <
+        v31 or (-angle1_____ < low5 or high5 < -angle1_____ or (v26 or (q4_ppm < low4 or high4 <
         q4_ppm)))
     )
     outside_pmp = (
-        v33 or (q5_pmp < low5 or high5 < q5_pmp or (v29 or (-angle1___ < low4 or high4 <
+        v31 or (q5_pmp < low5 or high5 < q5_pmp or (v27 or (-angle1___ < low4 or high4 <
         -angle1___)))
     )
     outside_pmm = (
-        v32 or (-q5_pmp < low5 or high5 < -q5_pmp or (v29 or (-q4_ppm < low4 or high4 < -q4_ppm)))
+        v30 or (-q5_pmp < low5 or high5 < -q5_pmp or (v27 or (-q4_ppm < low4 or high4 < -q4_ppm)))
     )
-    v34 = angle1________ < low6 or high6 < angle1________
+    v32 = angle1________ < low6 or high6 < angle1________
     outside_mpp = (
-        v34 or (angle1______ < low5 or high5 < angle1______ or (v30 or (angle1____ < low4 or high4 <
+        v32 or (angle1______ < low5 or high5 < angle1______ or (v28 or (angle1____ < low4 or high4 <
         angle1____)))
     )
-    v35 = q6_mpm < low6 or high6 < q6_mpm
+    v33 = q6_mpm < low6 or high6 < q6_mpm
     outside_mpm = (
-        v35 or (-angle1______ < low5 or high5 < -angle1______ or (v30 or (q4_mpm < low4 or high4 <
+        v33 or (-angle1______ < low5 or high5 < -angle1______ or (v28 or (q4_mpm < low4 or high4 <
         q4_mpm)))
     )
     outside_mmp = (
-        v35 or (q5_mmp < low5 or high5 < q5_mmp or (v31 or (-angle1____ < low4 or high4 <
+        v33 or (q5_mmp < low5 or high5 < q5_mmp or (v29 or (-angle1____ < low4 or high4 <
         -angle1____)))
     )
     outside_mmm = (
-        v34 or (-q5_mmp < low5 or high5 < -q5_mmp or (v31 or (-q4_mpm < low4 or high4 < -q4_mpm)))
+        v32 or (-q5_mmp < low5 or high5 < -q5_mmp or (v29 or (-q4_mpm < low4 or high4 < -q4_mpm)))
     )
     doubt1 = (
-        -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v8 <= m1 or (v17 <= m3 or v18 <= m3)))
+        -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v10 <= m1 or (v15 <= m3 or v16 <= m3)))
     )
     # a joint is free, or branches meet
     if doubt1:
@@ -793,96 +784,87 @@ def _in_tiles(T, q, status):
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1
-            v2 = inverse1 * (k1 * T24)
-            v3 = w1 * (T14 * inverse1)
-            c1_p = v2 - v3
-            c1_m = v2 + v3
-            v4 = inverse1 * (k1 * T14)
-            v5 = w1 * (T24 * inverse1)
-            v6 = v4 + v5
-            v7 = v4 - v5
+            v2 = k1 * T14
+            v3 = k1 * T24
+            v4 = inverse1 * v3
+            v5 = w1 * (T14 * inverse1)
+            c1_p = v4 - v5
+            c1_m = v4 + v5
+            v6 = inverse1 * v2
+            v7 = w1 * (T24 * inverse1)
+            v8 = v6 + v7
+            v9 = v6 - v7
             Y2_2 = T34 - d1
-            v8 = D1 + Y2_2 * Y2_2
-            w3 = math.sqrt(v8)
-            factor2 = 1.0 / w3
-            c2 = Y2_2 * factor2
-            v9 = w1 * factor2
-            v10 = v6 * T13 + c1_p * T23
-            v11 = v7 * T13 + c1_m * T23
-            v12 = c1_p * T13 - v6 * T23
-            v13 = c1_m * T13 - v7 * T23
-            v14 = v9 * T33
-            v15 = v14 + c2 * v12
-            v16 = c2 * v13 - v14
-            v17 = v10 * v10 + v15 * v15
-            v18 = v11 * v11 + v16 * v16
-            w4_p = math.sqrt(v17)
-            w4_m = math.sqrt(v18)
-            factor4_p = 1.0 / w4_p
-            factor4_m = 1.0 / w4_m
-            c4_p = v10 * factor4_p
-            c4_m = v11 * factor4_m
-            v19 = v15 * factor4_p
-            v20 = v16 * factor4_m
-            v21 = c2 * T33
-            v22 = v9 * T32
-            v23 = v9 * T31
-            s6_p = c4_p * (v23 + c2 * (c1_p * T11 - v6 * T21)) - v19 * (c1_p * T21 + v6 * T11)
-            s6_m = c4_m * (c2 * (c1_m * T11 - v7 * T21) - v23) - v20 * (c1_m * T21 + v7 * T11)
-            v26 = w3 < low3 or high3 < w3
-            v27 = -w3 < low3 or high3 < -w3
+            v10 = D1 + Y2_2 * Y2_2
+            w3 = math.sqrt(v10)
+            factor2 = w3 * (1.0 / v10)
+            c4_p = v8 * T13 + c1_p * T23
+            c4_m = v9 * T13 + c1_m * T23
+            v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33
+            v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13))
+            Y4_p = v12 + w1 * v11
+            Y4_m = v12 + w1 * -v11
+            v13 = factor2 * Y4_p
+            v14 = factor2 * Y4_m
+            v15 = c4_p * c4_p + factor2 * (Y4_p * v13)
+            v16 = c4_m * c4_m + factor2 * (Y4_m * v14)
+            v17 = Y2_2 * T33
+            v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22))
+            v19 = inverse1 * (Y2_2 * (v3 * T12 - v2 * T22))
+            v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21))
+            v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21))
+            s6_p = c4_p * (v21 + w1 * v20) + Y4_p * (c1_p * T21 + v8 * T11)
+            s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11)
+            v24 = w3 < low3 or high3 < w3
+            v25 = -w3 < low3 or high3 < -w3
             q3_ppp = v1 + w3
             q3_pmp = v1 - w3
             doubt1 = (
-                -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v8 <= m1 or (v17 <= m3 or v18
+                -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v10 <= m1 or (v15 <= m3 or v16
                 <= m3)))
             )
             work[544 + k] = w1
-            work[576 + k] = v15
-            work[608 + k] = v16
-            work[640 + k] = w4_p
-            work[672 + k] = w4_m
+            work[576 + k] = v13
+            work[608 + k] = v14
+            work[640 + k] = v15
+            work[672 + k] = v16
             work[704 + k] = s6_p
             work[736 + k] = s6_m
-            work[768 + k] = v26
-            work[800 + k] = v27
+            work[768 + k] = v24
+            work[800 + k] = v25
             work[832 + k] = q3_ppp
             work[864 + k] = q3_pmp
             work[896 + k] = doubt1
-            work[928 + k] = -v6
-            work[960 + k] = -v7
+            work[928 + k] = -v8
+            work[960 + k] = -v9
             work[992 + k] = -w1
-            work[1024 + k] = -v15
-            work[1056 + k] = -v16
-            work[1088 + k] = -w4_p
-            work[1120 + k] = -w4_m
+            work[1024 + k] = v13
+            work[1056 + k] = v14
+            work[1088 + k] = -math.sqrt(v15)
+            work[1120 + k] = -math.sqrt(v16)
             work[1152 + k] = s6_p
             work[1184 + k] = s6_m
             work[1216 + k] = c1_p
             work[1248 + k] = c1_m
             work[1280 + k] = Y2_2
-            work[1312 + k] = v10
-            work[1344 + k] = v11
-            work[1376 + k] = v21 - v9 * v12
-            work[1408 + k] = v21 + v9 * v13
-            work[1440 + k] = (
-                c4_p * (v22 + c2 * (c1_p * T12 - v6 * T22)) - v19 * (c1_p * T22 + v6 * T12)
-            )
-            work[1472 + k] = (
-                c4_m * (c2 * (c1_m * T12 - v7 * T22) - v22) - v20 * (c1_m * T22 + v7 * T12)
-            )
+            work[1312 + k] = c4_p
+            work[1344 + k] = c4_m
+            work[1376 + k] = factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23))
+            work[1408 + k] = factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23))
+            work[1440 + k] = c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12)
+            work[1472 + k] = c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12)
         for k in range(928, 1216):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
             w1 = work[544 + k]
-            v15 = work[576 + k]
-            v16 = work[608 + k]
-            w4_p = work[640 + k]
-            w4_m = work[672 + k]
+            v13 = work[576 + k]
+            v14 = work[608 + k]
+            v15 = work[640 + k]
+            v16 = work[672 + k]
             s6_p = work[704 + k]
             s6_m = work[736 + k]
-            v26 = work[768 + k] != 0.0
-            v27 = work[800 + k] != 0.0
+            v24 = work[768 + k] != 0.0
+            v25 = work[800 + k] != 0.0
             q3_ppp = work[832 + k]
             q3_pmp = work[864 + k]
             doubt1 = work[896 + k] != 0.0
@@ -896,52 +878,52 @@ def _in_tiles(T, q, status):
             angle1_______ = work[1152 + k]
             angle1________ = work[1184 + k]
             q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
-            q4_ppm = angle1___ - h1 * math.copysign(half_turn, -v15)
-            q4_mpm = angle1____ - h1 * math.copysign(half_turn, -v16)
-            q5_pmp = h1 * math.copysign(half_turn, -w4_p) - angle1_____
-            q5_mmp = h1 * math.copysign(half_turn, -w4_m) - angle1______
+            q4_ppm = angle1___ - h1 * math.copysign(half_turn, v13)
+            q4_mpm = angle1____ - h1 * math.copysign(half_turn, v14)
+            q5_pmp = h1 * math.copysign(half_turn, -math.sqrt(v15)) - angle1_____
+            q5_mmp = h1 * math.copysign(half_turn, -math.sqrt(v16)) - angle1______
             q6_ppm = angle1_______ - h1 * math.copysign(half_turn, s6_p)
             q6_mpm = angle1________ - h1 * math.copysign(half_turn, s6_m)
-            v24 = angle1 < low1 or high1 < angle1
-            v25 = angle1_ < low1 or high1 < angle1_
-            v28 = v26 or (v24 or (angle1__ < low2 or high2 < angle1__))
-            v29 = v27 or (v24 or (q2_pmp < low2 or high2 < q2_pmp))
-            v30 = v26 or (v25 or (-angle1__ < low2 or high2 < -angle1__))
-            v31 = v27 or (v25 or (-q2_pmp < low2 or high2 < -q2_pmp))
-            v32 = angle1_______ < low6 or high6 < angle1_______
+            v22 = angle1 < low1 or high1 < angle1
+            v23 = angle1_ < low1 or high1 < angle1_
+            v26 = v24 or (v22 or (angle1__ < low2 or high2 < angle1__))
+            v27 = v25 or (v22 or (q2_pmp < low2 or high2 < q2_pmp))
+            v28 = v24 or (v23 or (-angle1__ < low2 or high2 < -angle1__))
+            v29 = v25 or (v23 or (-q2_pmp < low2 or high2 < -q2_pmp))
+            v30 = angle1_______ < low6 or high6 < angle1_______
             outside_ppp = (
-                v32 or (angle1_____ < low5 or high5 < angle1_____ or (v28 or (angle1___ < low4 or
+                v30 or (angle1_____ < low5 or high5 < angle1_____ or (v26 or (angle1___ < low4 or
                 high4 < angle1___)))
             )
-            v33 = q6_ppm < low6 or high6 < q6_ppm
+            v31 = q6_ppm < low6 or high6 < q6_ppm
             outside_ppm = (
-                v33 or (-angle1_____ < low5 or high5 < -angle1_____ or (v28 or (q4_ppm < low4 or
+                v31 or (-angle1_____ < low5 or high5 < -angle1_____ or (v26 or (q4_ppm < low4 or
                 high4 < q4_ppm)))
             )
             outside_pmp = (
-                v33 or (q5_pmp < low5 or high5 < q5_pmp or (v29 or (-angle1___ < low4 or high4 <
+                v31 or (q5_pmp < low5 or high5 < q5_pmp or (v27 or (-angle1___ < low4 or high4 <
                 -angle1___)))
             )
             outside_pmm = (
-                v32 or (-q5_pmp < low5 or high5 < -q5_pmp or (v29 or (-q4_ppm < low4 or high4 <
+                v30 or (-q5_pmp < low5 or high5 < -q5_pmp or (v27 or (-q4_ppm < low4 or high4 <
                 -q4_ppm)))
             )
-            v34 = angle1________ < low6 or high6 < angle1________
+            v32 = angle1________ < low6 or high6 < angle1________
             outside_mpp = (
-                v34 or (angle1______ < low5 or high5 < angle1______ or (v30 or (angle1____ < low4 or
+                v32 or (angle1______ < low5 or high5 < angle1______ or (v28 or (angle1____ < low4 or
                 high4 < angle1____)))
             )
-            v35 = q6_mpm < low6 or high6 < q6_mpm
+            v33 = q6_mpm < low6 or high6 < q6_mpm
             outside_mpm = (
-                v35 or (-angle1______ < low5 or high5 < -angle1______ or (v30 or (q4_mpm < low4 or
+                v33 or (-angle1______ < low5 or high5 < -angle1______ or (v28 or (q4_mpm < low4 or
                 high4 < q4_mpm)))
             )
             outside_mmp = (
-                v35 or (q5_mmp < low5 or high5 < q5_mmp or (v31 or (-angle1____ < low4 or high4 <
+                v33 or (q5_mmp < low5 or high5 < q5_mmp or (v29 or (-angle1____ < low4 or high4 <
                 -angle1____)))
             )
             outside_mmm = (
-                v34 or (-q5_mmp < low5 or high5 < -q5_mmp or (v31 or (-q4_mpm < low4 or high4 <
+                v32 or (-q5_mmp < low5 or high5 < -q5_mmp or (v29 or (-q4_mpm < low4 or high4 <
                 -q4_mpm)))
             )
             _1504 = angle1

@@ -16,6 +16,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef STAUBLI_RX90_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -33,21 +36,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -79,7 +82,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -123,7 +126,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -149,8 +152,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef STAUBLI_RX90_LIBM
 #define atan2_wide atan2
 #else
@@ -160,7 +163,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -326,9 +329,7 @@ static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 8.1e-25; /* free_limit1^2 [m^2] */
 static const double m3 = 1.1111111111111112; /* a coefficient of S2 */
 static const double m4 = 6.561e-49; /* free_limit_squared2^2 [m^4] */
-static const double m5 = 2.7434842249657065; /* a coefficient of c23 */
-static const double m6 = 2.2222222222222228; /* a coefficient of s23 */
-static const double m7 = 1e-24; /* free_limit^2 */
+static const double m5 = 1e-24; /* free_limit^2 */
 static const double h1 = 1.0; /* m2 * 2 */
 
 const char *const staubli_rx90_branches[8] = {
@@ -493,123 +494,139 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide v1 = T14 * T14 + T24 * T24;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
-    const wide v2 = T14 * factor1;
-    const wide v3 = T24 * factor1;
+    const wide v2 = 1.0 / v1;
     const wide angle1 = atan2_wide(-T24, -T14);
 
     /* theta3 */
     const wide N3 = v1 + T34 * T34;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v4 = w3 - w3;
-    const wide angle1_ = atan2_wide(-(k1 * (N3 - k1)), k1 * w3);
-    const wide q3_pmp = copysign_wide(all_wide(half_turn), -(k1 * (N3 - k1))) * h1 - angle1_;
+    const wide v3 = w3 - w3;
+    const wide v4 = k1 * (N3 - k1);
+    const wide v5 = k2 * v4;
+    const wide v6 = k1 * w3;
+    const wide c3 = k2 * v6;
+    const wide angle1_ = atan2_wide(-v4, v6);
+    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle1_;
 
     /* theta2 */
-    const wide v5 = m3 * (T34 * N3);
-    const wide v6 = w3 * (m3 * w1);
-    const wide S2_pp = v5 + v6;
-    const wide S2_pm = v5 - v6;
-    const wide v7 = w3 * (m3 * T34);
-    const wide v8 = m3 * (w1 * N3);
-    const wide C2_pp = v7 - v8;
-    const wide C2_mp = v7 + v8;
-    const wide v9 = S2_pp * S2_pp;
-    const wide v10 = v9 + C2_pp * C2_pp;
-    const wide v11 = S2_pm * S2_pm + C2_mp * C2_mp;
-    const wide v12 = v9 + -C2_pp * -C2_pp;
-    const wide factor2_pp = 1.0 / sqrt_wide(v10);
-    const wide factor2_pm = 1.0 / sqrt_wide(v11);
-    const wide factor2_mm = 1.0 / sqrt_wide(v12);
+    const wide X1_2 = a2 + d4 * v5;
+    const wide Y1_2 = d4 * c3;
+    const wide v7 = T34 * X1_2;
+    const wide v8 = w1 * Y1_2;
+    const wide v9 = v7 + v8;
+    const wide v10 = v7 - v8;
+    const wide v11 = m3 * (T34 * N3);
+    const wide v12 = w3 * (m3 * w1);
+    const wide S2_pp = v11 + v12;
+    const wide S2_pm = v11 - v12;
+    const wide v13 = w1 * X1_2;
+    const wide v14 = T34 * Y1_2;
+    const wide v15 = v14 - v13;
+    const wide v16 = v13 + v14;
+    const wide v17 = w3 * (m3 * T34);
+    const wide v18 = m3 * (w1 * N3);
+    const wide C2_pp = v17 - v18;
+    const wide C2_mp = v17 + v18;
+    const wide v19 = S2_pp * S2_pp;
+    const wide v20 = v19 + C2_pp * C2_pp;
+    const wide v21 = S2_pm * S2_pm + C2_mp * C2_mp;
+    const wide v22 = v19 + -C2_pp * -C2_pp;
+    const wide w2_pp = sqrt_wide(v20);
+    const wide w2_pm = sqrt_wide(v21);
+    const wide w2_mm = sqrt_wide(v22);
+    const wide v23 = 1.0 / v20;
+    const wide v24 = 1.0 / v21;
+    const wide v25 = 1.0 / v22;
     const wide angle1__ = atan2_wide(S2_pp, C2_pp);
     const wide angle1___ = atan2_wide(S2_pm, -C2_mp);
     const wide angle1____ = atan2_wide(S2_pm, C2_mp);
     const wide angle1_____ = atan2_wide(S2_pp, -C2_pp);
 
     /* theta4 */
-    const wide v13 = m5 * N3;
-    const wide v14 = v13 - m3;
-    const wide v15 = m6 - v13;
-    const wide v16 = w1 * (N3 * (v14 + v15));
-    const wide s23_pp = v7 + v16;
-    const wide s23_pm = v16 - v7;
-    const wide v17 = w1 * (N3 * (-v14 + -v15));
-    const wide s23_mp = v7 + v17;
-    const wide s23_mm = v17 - v7;
-    const wide v18 = v2 * T13 + v3 * T23;
-    const wide v19 = S2_pm * v18;
-    const wide X4_pp = s23_pp * T33 - v19;
-    const wide v20 = S2_pp * v18;
-    const wide X4_pm = s23_pm * T33 - v20;
-    const wide X4_mp = v20 + s23_mp * T33;
-    const wide X4_mm = v19 + s23_mm * T33;
-    const wide Y4 = v2 * T23 - v3 * T13;
-    const wide v21 = Y4 * Y4;
-    const wide v22 = v21 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
-    const wide v23 = v21 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
-    const wide v24 = v21 + factor2_pm * (X4_mp * (factor2_pm * X4_mp));
-    const wide v25 = v21 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
-    const wide w4_pp = sqrt_wide(v22);
-    const wide w4_pm = sqrt_wide(v23);
-    const wide w4_mp = sqrt_wide(v24);
-    const wide w4_mm = sqrt_wide(v25);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v26 = X4_pp * factor4_pp;
-    const wide v27 = X4_pm * factor4_pm;
-    const wide v28 = X4_mp * factor4_mp;
-    const wide v29 = X4_mm * factor4_mm;
+    const wide v26 = v5 * v9;
+    const wide c23_pp = w2_pp * (v23 * (c3 * v15 + v26));
+    const wide c23_pm = w2_pm * (v24 * (c3 * v16 + v5 * v10));
+    const wide c23_mm = w2_mm * (v25 * (v26 - c3 * -v15));
+    const wide v27 = c3 * v9;
+    const wide s23_pp = w2_pp * (v23 * (v27 - v5 * v15));
+    const wide v28 = v5 * v16 - c3 * v10;
+    const wide s23_pm = w2_pm * (v24 * v28);
+    const wide s23_mp = w2_pm * (v24 * -v28);
+    const wide v29 = w2_mm * (v25 * (v27 + v5 * -v15));
+    const wide v30 = w1 * (v2 * (T14 * T13 + T24 * T23));
+    const wide X4_pp = s23_pp * T33 - c23_pp * v30;
+    const wide v31 = c23_pm * v30;
+    const wide X4_pm = s23_pm * T33 - v31;
+    const wide X4_mp = v31 + s23_mp * T33;
+    const wide X4_mm = c23_mm * v30 - v29 * T33;
+    const wide Y4 = w1 * (v2 * (T14 * T23 - T24 * T13));
+    const wide v32 = Y4 * Y4;
+    const wide v33 = v32 + X4_pp * X4_pp;
+    const wide v34 = v32 + X4_pm * X4_pm;
+    const wide v35 = v32 + X4_mp * X4_mp;
+    const wide v36 = v32 + X4_mm * X4_mm;
+    const wide w4_pp = sqrt_wide(v33);
+    const wide w4_pm = sqrt_wide(v34);
+    const wide w4_mp = sqrt_wide(v35);
+    const wide w4_mm = sqrt_wide(v36);
+    const wide factor4_pp = w4_pp * (1.0 / v33);
+    const wide factor4_pm = w4_pm * (1.0 / v34);
+    const wide factor4_mp = w4_mp * (1.0 / v35);
+    const wide factor4_mm = w4_mm * (1.0 / v36);
+    const wide v37 = X4_pp * factor4_pp;
+    const wide v38 = X4_pm * factor4_pm;
+    const wide v39 = X4_mp * factor4_mp;
+    const wide v40 = X4_mm * factor4_mm;
     const wide s4_pp = Y4 * factor4_pp;
     const wide s4_pm = Y4 * factor4_pm;
     const wide s4_mp = Y4 * factor4_mp;
     const wide s4_mm = Y4 * factor4_mm;
-    const wide angle1______ = atan2_wide(s4_pp, -(factor2_pp * v26));
-    const wide angle1_______ = atan2_wide(s4_pm, -(factor2_pm * v27));
-    const wide angle1________ = atan2_wide(-s4_mp, -(factor2_pm * v28));
-    const wide angle1_________ = atan2_wide(-s4_mm, -(factor2_mm * v29));
-    const wide q4_ppm = angle1______ - h1 * copysign_wide(all_wide(half_turn), s4_pp);
-    const wide q4_pmm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), s4_pm);
-    const wide q4_mpm = angle1________ - h1 * copysign_wide(all_wide(half_turn), -s4_mp);
-    const wide q4_mmm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), -s4_mm);
+    const wide angle1______ = atan2_wide(Y4, -X4_pp);
+    const wide angle1_______ = atan2_wide(Y4, -X4_pm);
+    const wide angle1________ = atan2_wide(-Y4, -X4_mp);
+    const wide angle1_________ = atan2_wide(-Y4, -X4_mm);
+    const wide v41 = h1 * copysign_wide(all_wide(half_turn), Y4);
+    const wide v42 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+    const wide q4_ppm = angle1______ - v41;
+    const wide q4_pmm = angle1_______ - v41;
+    const wide q4_mpm = angle1________ - v42;
+    const wide q4_mmm = angle1_________ - v42;
 
     /* theta5 */
-    const wide v30 = S2_pm * T33;
-    const wide angle1__________ = atan2_wide(w4_pp, factor2_pp * (v30 + s23_pp * v18));
-    const wide v31 = S2_pp * T33;
-    const wide angle1___________ = atan2_wide(w4_pm, factor2_pm * (v31 + s23_pm * v18));
-    const wide angle1____________ = atan2_wide(w4_mp, factor2_pm * (v31 - s23_mp * v18));
-    const wide angle1_____________ = atan2_wide(w4_mm, factor2_mm * (v30 - s23_mm * v18));
+    const wide angle1__________ = atan2_wide(w4_pp, c23_pp * T33 + s23_pp * v30);
+    const wide v43 = c23_pm * T33;
+    const wide angle1___________ = atan2_wide(w4_pm, v43 + s23_pm * v30);
+    const wide angle1____________ = atan2_wide(w4_mp, v43 - s23_mp * v30);
+    const wide angle1_____________ = atan2_wide(w4_mm, c23_mm * T33 + v29 * v30);
 
     /* theta6 */
-    const wide v32 = v2 * T22 - v3 * T12;
-    const wide v33 = v2 * T12 + v3 * T22;
-    const wide v34 = v2 * T21 - v3 * T11;
-    const wide v35 = v2 * T11 + v3 * T21;
-    const wide v36 = S2_pm * v35;
-    const wide v37 = v26 * v34 - s4_pp * (s23_pp * T31 - v36);
-    const wide v38 = S2_pp * v35;
-    const wide v39 = v27 * v34 - s4_pm * (s23_pm * T31 - v38);
-    const wide v40 = s4_mp * (v38 + s23_mp * T31) - v28 * v34;
-    const wide v41 = s4_mm * (v36 + s23_mm * T31) - v29 * v34;
-    const wide v42 = S2_pm * v33;
-    const wide angle1______________ = atan2_wide(v37, v26 * v32 - s4_pp * (s23_pp * T32 - v42));
-    const wide v43 = S2_pp * v33;
-    const wide angle1_______________ = atan2_wide(v39, v27 * v32 - s4_pm * (s23_pm * T32 - v43));
-    const wide angle1________________ = atan2_wide(v40, s4_mp * (v43 + s23_mp * T32) - v28 * v32);
-    const wide angle1_________________ = atan2_wide(v41, s4_mm * (v42 + s23_mm * T32) - v29 * v32);
-    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v37);
-    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v39);
-    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v40);
-    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v41);
+    const wide v44 = w1 * (v2 * (T14 * T22 - T24 * T12));
+    const wide v45 = w1 * (v2 * (T14 * T12 + T24 * T22));
+    const wide v46 = w1 * (v2 * (T14 * T21 - T24 * T11));
+    const wide v47 = w1 * (v2 * (T14 * T11 + T24 * T21));
+    const wide v48 = v37 * v46 - s4_pp * (s23_pp * T31 - c23_pp * v47);
+    const wide v49 = c23_pm * v47;
+    const wide v50 = v38 * v46 - s4_pm * (s23_pm * T31 - v49);
+    const wide v51 = s4_mp * (v49 + s23_mp * T31) - v39 * v46;
+    const wide v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46;
+    const wide angle1______________ = atan2_wide(v48, v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp *
+        v45));
+    const wide v53 = c23_pm * v45;
+    const wide angle1_______________ = atan2_wide(v50, v38 * v44 - s4_pm * (s23_pm * T32 - v53));
+    const wide angle1________________ = atan2_wide(v51, s4_mp * (v53 + s23_mp * T32) - v39 * v44);
+    const wide angle1_________________ = atan2_wide(v52, s4_mm * (c23_mm * v45 - v29 * T32) - v40 *
+        v44);
+    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v48);
+    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v50);
+    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v51);
+    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v52);
 
     /* joint values */
-    const wide q1_ppp = angle1 + v4;
-    const wide q1_mpp = v4 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1);
-    const wide_mask doubt1 = (v25 <= m7) | ((v12 <= m4) | ((v24 <= m7) | ((v23 <= m7) | ((v11 <= m4)
-        | ((v22 <= m7) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v10 <= m4)))))));
+    const wide q1_ppp = angle1 + v3;
+    const wide q1_mpp = v3 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1);
+    const wide_mask doubt1 = (v36 <= m5) | ((v22 <= m4) | ((v35 <= m5) | ((v34 <= m5) | ((v21 <= m4)
+        | ((v33 <= m5) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v20 <= m4)))))));
 
     q[0] = q1_ppp;
     q[1] = angle1__;
@@ -686,71 +703,81 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double v1 = T14 * T14 + T24 * T24;
     const double w1 = sqrt(v1);
-    const double factor1 = 1.0 / w1;
-    const double v2 = T14 * factor1;
-    const double v3 = T24 * factor1;
-    const double v4 = copysign(half_turn, -T24);
+    const double v2 = 1.0 / v1;
+    const double v3 = copysign(half_turn, -T24);
 
     /* theta3 */
     const double N3 = v1 + T34 * T34;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v5 = w3 - w3;
-    const double v6 = copysign(half_turn, -(k1 * (N3 - k1)));
+    const double v4 = w3 - w3;
+    const double v5 = k1 * (N3 - k1);
+    const double v6 = k2 * v5;
+    const double v7 = k1 * w3;
+    const double c3 = k2 * v7;
+    const double v8 = copysign(half_turn, -v5);
 
     /* theta2 */
-    const four v7 = e1 * e2;
-    const double v8 = m3 * (T34 * N3);
-    const four S2 = v8 + w3 * (m3 * (w1 * v7));
-    const four v9 = w3 * (m3 * (e2 * T34));
-    const four v10 = m3 * (w1 * (e1 * N3));
-    const four C2 = v9 - v10;
-    const four v11 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v11);
+    const double X1_2 = a2 + d4 * v6;
+    const double Y1_2 = d4 * c3;
+    const double v9 = T34 * X1_2;
+    const double v10 = w1 * Y1_2;
+    const four v11 = e1 * e2;
+    const four v12 = v9 + v10 * v11;
+    const double v13 = m3 * (T34 * N3);
+    const four S2 = v13 + w3 * (m3 * (w1 * v11));
+    const double v14 = w1 * X1_2;
+    const double v15 = T34 * Y1_2;
+    const four v16 = e2 * v15;
+    const four v17 = e1 * v14;
+    const four v18 = v16 - v17;
+    const four v19 = w3 * (m3 * (e2 * T34));
+    const four v20 = m3 * (w1 * (e1 * N3));
+    const four C2 = v19 - v20;
+    const four v21 = S2 * S2 + C2 * C2;
+    const four w2 = sqrt_four(v21);
+    const four v22 = 1.0 / v21;
 
     /* theta4 */
-    const four c23 = v8 - w3 * (w1 * (m3 * v7));
-    const double v12 = m5 * N3;
-    const double v13 = v12 - m3;
-    const four v14 = e1 * v13;
-    const double v15 = m6 - v12;
-    const four v16 = e2 * v15;
-    const four s23 = v9 + w1 * (N3 * (v14 + v7 * v16));
-    const double v17 = v2 * T13 + v3 * T23;
-    const four X4 = s23 * T33 - e1 * (c23 * v17);
-    const double Y4 = v2 * T23 - v3 * T13;
-    const double v18 = Y4 * Y4;
-    const four v19 = v18 + factor2 * (X4 * (factor2 * X4));
-    const four w4 = sqrt_four(v19);
-    const four factor4 = 1.0 / w4;
-    const four v20 = X4 * factor4;
+    const four v23 = e2 * c3;
+    const four c23 = w2 * (v22 * (v18 * v23 + v6 * v12));
+    const four s23 = w2 * (v22 * (v12 * v23 - v6 * v18));
+    const double v24 = w1 * (v2 * (T14 * T13 + T24 * T23));
+    const four X4 = s23 * T33 - e1 * (c23 * v24);
+    const double Y4 = w1 * (v2 * (T14 * T23 - T24 * T13));
+    const double v25 = Y4 * Y4;
+    const four v26 = v25 + X4 * X4;
+    const four w4 = sqrt_four(v26);
+    const four factor4 = w4 * (1.0 / v26);
+    const four v27 = X4 * factor4;
     const four s4 = Y4 * factor4;
-    const four v21 = e1 * s4;
+    const four v28 = e1 * Y4;
+    const four v29 = copysign_four(all_four(half_turn), v28) * h1;
 
     /* theta6 */
-    const double v22 = v2 * T22 - v3 * T12;
-    const double v23 = v2 * T12 + v3 * T22;
-    const double v24 = v2 * T21 - v3 * T11;
-    const double v25 = v2 * T11 + v3 * T21;
-    const four v26 = e1 * (v20 * v24 - s4 * (s23 * T31 - e1 * (c23 * v25)));
+    const double v30 = w1 * (v2 * (T14 * T22 - T24 * T12));
+    const double v31 = w1 * (v2 * (T14 * T12 + T24 * T22));
+    const double v32 = w1 * (v2 * (T14 * T21 - T24 * T11));
+    const double v33 = w1 * (v2 * (T14 * T11 + T24 * T21));
+    const four v34 = e1 * (v27 * v32 - s4 * (s23 * T31 - e1 * (c23 * v33)));
 
     /* joint values */
     const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
-    const four_mask doubt2 = (v11 <= m4) | (v19 <= m7);
+    const four_mask doubt2 = (v21 <= m4) | (v26 <= m5);
 
     const four angle1__ = atan2_four(S2, C2);
-    const four angle1___ = atan2_four(v21, -(factor2 * v20));
-    const four angle1____ = atan2_four(w4, factor2 * (c23 * T33 + e1 * (s23 * v17)));
-    const four angle1_____ = atan2_four(v26, e1 * (v20 * v22 - s4 * (s23 * T32 - e1 * (c23 *
-        v23))));
-    const four packed5 = atan2_four((four){ -T24, -(k1 * (N3 - k1)), -T24, -T24 }, (four){ -T14, k1
-        * w3, -T14, -T14 });
+    const four angle1___ = atan2_four(v28, -X4);
+    const four angle1____ = atan2_four(w4, c23 * T33 + e1 * (s23 * v24));
+    const four angle1_____ = atan2_four(v34, e1 * (v27 * v30 - s4 * (s23 * T32 - e1 * (c23 *
+        v31))));
+    const four packed5 = atan2_four((four){ -T24, -v5, -T24, -T24 }, (four){ -T14, v7, -T14, -T14
+        });
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
     const four angle1_ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_p = e2 * angle1_ + v6 * (m2 * (1.0 - e2));
-    const four q4_m = angle1___ - copysign_four(all_four(half_turn), v21) * h1;
-    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v26);
-    const four q1_p = v5 + (angle1 + v4 * (m2 * (e1 - 1.0)));
+    const four q3_p = e2 * angle1_ + v8 * (m2 * (1.0 - e2));
+    const four q4_m = angle1___ - v29;
+    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v34);
+    const four q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

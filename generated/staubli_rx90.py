@@ -73,9 +73,7 @@ half_turn = 3.141592653589793  # pi [rad]
 m1 = 8.1e-25  # free_limit1^2 [m^2]
 m3 = 1.1111111111111112  # a coefficient of S2
 m4 = 6.561e-49  # free_limit_squared2^2 [m^4]
-m5 = 2.7434842249657065  # a coefficient of c23
-m6 = 2.2222222222222228  # a coefficient of s23
-m7 = 1e-24  # free_limit^2
+m5 = 1e-24  # free_limit^2
 h1 = 1.0  # m2 * 2
 
 _TURN = 6.283185307179586
@@ -448,124 +446,138 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[2, 4]
     v1 = T14 * T14 + T24 * T24
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = T14 * factor1
-    v3 = T24 * factor1
+    v2 = 1.0 / v1
     angle1 = _atan2(-T24, -T14)
 
     # theta3, type 8: U1[3, 4] and U1[1, 4]
     N3 = v1 + T34 * T34
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-    v4 = w3 - w3
-    angle1_ = _atan2(-(k1 * (N3 - k1)), k1 * w3)
-    q3_pmp = math.copysign(half_turn, -(k1 * (N3 - k1))) * h1 - angle1_
+    v3 = w3 - w3
+    v4 = k1 * (N3 - k1)
+    v5 = k2 * v4
+    v6 = k1 * w3
+    c3 = k2 * v6
+    angle1_ = _atan2(-v4, v6)
+    q3_pmp = math.copysign(half_turn, -v4) * h1 - angle1_
 
     # theta2, type 3: U1[3, 4] and U1[1, 4]
-    v5 = m3 * (T34 * N3)
-    v6 = w3 * (m3 * w1)
-    S2_pp = v5 + v6
-    S2_pm = v5 - v6
-    v7 = w3 * (m3 * T34)
-    v8 = m3 * (w1 * N3)
-    C2_pp = v7 - v8
-    C2_mp = v7 + v8
-    v9 = S2_pp * S2_pp
-    v10 = v9 + C2_pp * C2_pp
-    v11 = S2_pm * S2_pm + C2_mp * C2_mp
-    v12 = v9 + -C2_pp * -C2_pp
-    factor2_pp = 1.0 / math.sqrt(v10)
-    factor2_pm = 1.0 / math.sqrt(v11)
-    factor2_mm = 1.0 / math.sqrt(v12)
+    X1_2 = a2 + d4 * v5
+    Y1_2 = d4 * c3
+    v7 = T34 * X1_2
+    v8 = w1 * Y1_2
+    v9 = v7 + v8
+    v10 = v7 - v8
+    v11 = m3 * (T34 * N3)
+    v12 = w3 * (m3 * w1)
+    S2_pp = v11 + v12
+    S2_pm = v11 - v12
+    v13 = w1 * X1_2
+    v14 = T34 * Y1_2
+    v15 = v14 - v13
+    v16 = v13 + v14
+    v17 = w3 * (m3 * T34)
+    v18 = m3 * (w1 * N3)
+    C2_pp = v17 - v18
+    C2_mp = v17 + v18
+    v19 = S2_pp * S2_pp
+    v20 = v19 + C2_pp * C2_pp
+    v21 = S2_pm * S2_pm + C2_mp * C2_mp
+    v22 = v19 + -C2_pp * -C2_pp
+    w2_pp = math.sqrt(v20)
+    w2_pm = math.sqrt(v21)
+    w2_mm = math.sqrt(v22)
+    v23 = 1.0 / v20
+    v24 = 1.0 / v21
+    v25 = 1.0 / v22
     angle1__ = _atan2(S2_pp, C2_pp)
     angle1___ = _atan2(S2_pm, -C2_mp)
     angle1____ = _atan2(S2_pm, C2_mp)
     angle1_____ = _atan2(S2_pp, -C2_pp)
 
     # theta4, type 2: U4[2, 3]
-    v13 = m5 * N3
-    v14 = v13 - m3
-    v15 = m6 - v13
-    v16 = w1 * (N3 * (v14 + v15))
-    s23_pp = v7 + v16
-    s23_pm = v16 - v7
-    v17 = w1 * (N3 * (-v14 + -v15))
-    s23_mp = v7 + v17
-    s23_mm = v17 - v7
-    v18 = v2 * T13 + v3 * T23
-    v19 = S2_pm * v18
-    X4_pp = s23_pp * T33 - v19
-    v20 = S2_pp * v18
-    X4_pm = s23_pm * T33 - v20
-    X4_mp = v20 + s23_mp * T33
-    X4_mm = v19 + s23_mm * T33
-    Y4 = v2 * T23 - v3 * T13
-    v21 = Y4 * Y4
-    v22 = v21 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
-    v23 = v21 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
-    v24 = v21 + factor2_pm * (X4_mp * (factor2_pm * X4_mp))
-    v25 = v21 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
-    w4_pp = math.sqrt(v22)
-    w4_pm = math.sqrt(v23)
-    w4_mp = math.sqrt(v24)
-    w4_mm = math.sqrt(v25)
-    factor4_pp = 1.0 / w4_pp
-    factor4_pm = 1.0 / w4_pm
-    factor4_mp = 1.0 / w4_mp
-    factor4_mm = 1.0 / w4_mm
-    v26 = X4_pp * factor4_pp
-    v27 = X4_pm * factor4_pm
-    v28 = X4_mp * factor4_mp
-    v29 = X4_mm * factor4_mm
+    v26 = v5 * v9
+    c23_pp = w2_pp * (v23 * (c3 * v15 + v26))
+    c23_pm = w2_pm * (v24 * (c3 * v16 + v5 * v10))
+    c23_mm = w2_mm * (v25 * (v26 - c3 * -v15))
+    v27 = c3 * v9
+    s23_pp = w2_pp * (v23 * (v27 - v5 * v15))
+    v28 = v5 * v16 - c3 * v10
+    s23_pm = w2_pm * (v24 * v28)
+    s23_mp = w2_pm * (v24 * -v28)
+    v29 = w2_mm * (v25 * (v27 + v5 * -v15))
+    v30 = w1 * (v2 * (T14 * T13 + T24 * T23))
+    X4_pp = s23_pp * T33 - c23_pp * v30
+    v31 = c23_pm * v30
+    X4_pm = s23_pm * T33 - v31
+    X4_mp = v31 + s23_mp * T33
+    X4_mm = c23_mm * v30 - v29 * T33
+    Y4 = w1 * (v2 * (T14 * T23 - T24 * T13))
+    v32 = Y4 * Y4
+    v33 = v32 + X4_pp * X4_pp
+    v34 = v32 + X4_pm * X4_pm
+    v35 = v32 + X4_mp * X4_mp
+    v36 = v32 + X4_mm * X4_mm
+    w4_pp = math.sqrt(v33)
+    w4_pm = math.sqrt(v34)
+    w4_mp = math.sqrt(v35)
+    w4_mm = math.sqrt(v36)
+    factor4_pp = w4_pp * (1.0 / v33)
+    factor4_pm = w4_pm * (1.0 / v34)
+    factor4_mp = w4_mp * (1.0 / v35)
+    factor4_mm = w4_mm * (1.0 / v36)
+    v37 = X4_pp * factor4_pp
+    v38 = X4_pm * factor4_pm
+    v39 = X4_mp * factor4_mp
+    v40 = X4_mm * factor4_mm
     s4_pp = Y4 * factor4_pp
     s4_pm = Y4 * factor4_pm
     s4_mp = Y4 * factor4_mp
     s4_mm = Y4 * factor4_mm
-    angle1______ = _atan2(s4_pp, -(factor2_pp * v26))
-    angle1_______ = _atan2(s4_pm, -(factor2_pm * v27))
-    angle1________ = _atan2(-s4_mp, -(factor2_pm * v28))
-    angle1_________ = _atan2(-s4_mm, -(factor2_mm * v29))
-    q4_ppm = angle1______ - h1 * math.copysign(half_turn, s4_pp)
-    q4_pmm = angle1_______ - h1 * math.copysign(half_turn, s4_pm)
-    q4_mpm = angle1________ - h1 * math.copysign(half_turn, -s4_mp)
-    q4_mmm = angle1_________ - h1 * math.copysign(half_turn, -s4_mm)
+    angle1______ = _atan2(Y4, -X4_pp)
+    angle1_______ = _atan2(Y4, -X4_pm)
+    angle1________ = _atan2(-Y4, -X4_mp)
+    angle1_________ = _atan2(-Y4, -X4_mm)
+    v41 = h1 * math.copysign(half_turn, Y4)
+    v42 = h1 * math.copysign(half_turn, -Y4)
+    q4_ppm = angle1______ - v41
+    q4_pmm = angle1_______ - v41
+    q4_mpm = angle1________ - v42
+    q4_mmm = angle1_________ - v42
 
     # theta5, type 3: U4[3, 3] and U4[1, 3]
-    v30 = S2_pm * T33
-    angle1__________ = _atan2(w4_pp, factor2_pp * (v30 + s23_pp * v18))
-    v31 = S2_pp * T33
-    angle1___________ = _atan2(w4_pm, factor2_pm * (v31 + s23_pm * v18))
-    angle1____________ = _atan2(w4_mp, factor2_pm * (v31 - s23_mp * v18))
-    angle1_____________ = _atan2(w4_mm, factor2_mm * (v30 - s23_mm * v18))
+    angle1__________ = _atan2(w4_pp, c23_pp * T33 + s23_pp * v30)
+    v43 = c23_pm * T33
+    angle1___________ = _atan2(w4_pm, v43 + s23_pm * v30)
+    angle1____________ = _atan2(w4_mp, v43 - s23_mp * v30)
+    angle1_____________ = _atan2(w4_mm, c23_mm * T33 + v29 * v30)
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
-    v32 = v2 * T22 - v3 * T12
-    v33 = v2 * T12 + v3 * T22
-    v34 = v2 * T21 - v3 * T11
-    v35 = v2 * T11 + v3 * T21
-    v36 = S2_pm * v35
-    v37 = v26 * v34 - s4_pp * (s23_pp * T31 - v36)
-    v38 = S2_pp * v35
-    v39 = v27 * v34 - s4_pm * (s23_pm * T31 - v38)
-    v40 = s4_mp * (v38 + s23_mp * T31) - v28 * v34
-    v41 = s4_mm * (v36 + s23_mm * T31) - v29 * v34
-    v42 = S2_pm * v33
-    angle1______________ = _atan2(v37, v26 * v32 - s4_pp * (s23_pp * T32 - v42))
-    v43 = S2_pp * v33
-    angle1_______________ = _atan2(v39, v27 * v32 - s4_pm * (s23_pm * T32 - v43))
-    angle1________________ = _atan2(v40, s4_mp * (v43 + s23_mp * T32) - v28 * v32)
-    angle1_________________ = _atan2(v41, s4_mm * (v42 + s23_mm * T32) - v29 * v32)
-    q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v37)
-    q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v39)
-    q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v40)
-    q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v41)
+    v44 = w1 * (v2 * (T14 * T22 - T24 * T12))
+    v45 = w1 * (v2 * (T14 * T12 + T24 * T22))
+    v46 = w1 * (v2 * (T14 * T21 - T24 * T11))
+    v47 = w1 * (v2 * (T14 * T11 + T24 * T21))
+    v48 = v37 * v46 - s4_pp * (s23_pp * T31 - c23_pp * v47)
+    v49 = c23_pm * v47
+    v50 = v38 * v46 - s4_pm * (s23_pm * T31 - v49)
+    v51 = s4_mp * (v49 + s23_mp * T31) - v39 * v46
+    v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46
+    angle1______________ = _atan2(v48, v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45))
+    v53 = c23_pm * v45
+    angle1_______________ = _atan2(v50, v38 * v44 - s4_pm * (s23_pm * T32 - v53))
+    angle1________________ = _atan2(v51, s4_mp * (v53 + s23_mp * T32) - v39 * v44)
+    angle1_________________ = _atan2(v52, s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44)
+    q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v48)
+    q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v50)
+    q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v51)
+    q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v52)
 
     # joint values
-    q1_ppp = angle1 + v4
-    q1_mpp = v4 + (angle1 - math.copysign(half_turn, -T24) * h1)
+    q1_ppp = angle1 + v3
+    q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24) * h1)
     doubt1 = (
-        v25 <= m7 or (v12 <= m4 or (v24 <= m7 or (v23 <= m7 or (v11 <= m4 or (v22 <= m7 or (v1 <= m1
+        v36 <= m5 or (v22 <= m4 or (v35 <= m5 or (v34 <= m5 or (v21 <= m4 or (v33 <= m5 or (v1 <= m1
         or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or v10 <= m4))))))
+        longest3_apart) or v20 <= m4))))))
     )
     # a joint is free, or branches meet
     if doubt1:
@@ -754,16 +766,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2048, 2080, 2112, 2144, 2176, 2208],
-    [2048, 2080, 2112, 2240, 2272, 2304],
-    [2048, 2336, 2368, 2400, 2432, 2464],
-    [2048, 2336, 2368, 2496, 2528, 2560],
-    [2592, 2624, 2112, 2656, 2688, 2720],
-    [2592, 2624, 2112, 2752, 2784, 2816],
-    [2592, 2848, 2368, 2880, 2912, 2944],
-    [2592, 2848, 2368, 2976, 3008, 3040],
+    [1984, 2016, 2048, 2080, 2112, 2144],
+    [1984, 2016, 2048, 2176, 2208, 2240],
+    [1984, 2272, 2304, 2336, 2368, 2400],
+    [1984, 2272, 2304, 2432, 2464, 2496],
+    [2528, 2560, 2048, 2592, 2624, 2656],
+    [2528, 2560, 2048, 2688, 2720, 2752],
+    [2528, 2784, 2304, 2816, 2848, 2880],
+    [2528, 2784, 2304, 2912, 2944, 2976],
 ])
-_KINDS = np.array([3072, 3104, 3136, 3168, 3200, 3232, 3264, 3296])
+_KINDS = np.array([3008, 3040, 3072, 3104, 3136, 3168, 3200, 3232])
 _LEFT_OVER = 255
 
 
@@ -774,7 +786,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(3328)
+    work = np.empty(3264)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -812,247 +824,257 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             v1 = T14 * T14 + T24 * T24
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = T14 * factor1
-            v3 = T24 * factor1
+            v2 = 1.0 / v1
             N3 = v1 + T34 * T34
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v4 = w3 - w3
-            v5 = m3 * (T34 * N3)
-            v6 = w3 * (m3 * w1)
-            S2_pp = v5 + v6
-            S2_pm = v5 - v6
-            v7 = w3 * (m3 * T34)
-            v8 = m3 * (w1 * N3)
-            C2_pp = v7 - v8
-            C2_mp = v7 + v8
-            v9 = S2_pp * S2_pp
-            v10 = v9 + C2_pp * C2_pp
-            v11 = S2_pm * S2_pm + C2_mp * C2_mp
-            v12 = v9 + -C2_pp * -C2_pp
-            factor2_pp = 1.0 / math.sqrt(v10)
-            factor2_pm = 1.0 / math.sqrt(v11)
-            factor2_mm = 1.0 / math.sqrt(v12)
-            v13 = m5 * N3
-            v14 = v13 - m3
-            v15 = m6 - v13
-            v16 = w1 * (N3 * (v14 + v15))
-            s23_pp = v7 + v16
-            s23_pm = v16 - v7
-            v17 = w1 * (N3 * (-v14 + -v15))
-            s23_mp = v7 + v17
-            s23_mm = v17 - v7
-            v18 = v2 * T13 + v3 * T23
-            v19 = S2_pm * v18
-            X4_pp = s23_pp * T33 - v19
-            v20 = S2_pp * v18
-            X4_pm = s23_pm * T33 - v20
-            X4_mp = v20 + s23_mp * T33
-            X4_mm = v19 + s23_mm * T33
-            Y4 = v2 * T23 - v3 * T13
-            v21 = Y4 * Y4
-            v22 = v21 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
-            v23 = v21 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
-            v24 = v21 + factor2_pm * (X4_mp * (factor2_pm * X4_mp))
-            v25 = v21 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
-            w4_pp = math.sqrt(v22)
-            w4_pm = math.sqrt(v23)
-            w4_mp = math.sqrt(v24)
-            w4_mm = math.sqrt(v25)
-            factor4_pp = 1.0 / w4_pp
-            factor4_pm = 1.0 / w4_pm
-            factor4_mp = 1.0 / w4_mp
-            factor4_mm = 1.0 / w4_mm
-            v26 = X4_pp * factor4_pp
-            v27 = X4_pm * factor4_pm
-            v28 = X4_mp * factor4_mp
-            v29 = X4_mm * factor4_mm
+            v3 = w3 - w3
+            v4 = k1 * (N3 - k1)
+            v5 = k2 * v4
+            v6 = k1 * w3
+            c3 = k2 * v6
+            X1_2 = a2 + d4 * v5
+            Y1_2 = d4 * c3
+            v7 = T34 * X1_2
+            v8 = w1 * Y1_2
+            v9 = v7 + v8
+            v10 = v7 - v8
+            v11 = m3 * (T34 * N3)
+            v12 = w3 * (m3 * w1)
+            S2_pp = v11 + v12
+            S2_pm = v11 - v12
+            v13 = w1 * X1_2
+            v14 = T34 * Y1_2
+            v15 = v14 - v13
+            v16 = v13 + v14
+            v17 = w3 * (m3 * T34)
+            v18 = m3 * (w1 * N3)
+            C2_pp = v17 - v18
+            C2_mp = v17 + v18
+            v19 = S2_pp * S2_pp
+            v20 = v19 + C2_pp * C2_pp
+            v21 = S2_pm * S2_pm + C2_mp * C2_mp
+            v22 = v19 + -C2_pp * -C2_pp
+            w2_pp = math.sqrt(v20)
+            w2_pm = math.sqrt(v21)
+            w2_mm = math.sqrt(v22)
+            v23 = 1.0 / v20
+            v24 = 1.0 / v21
+            v25 = 1.0 / v22
+            v26 = v5 * v9
+            c23_pp = w2_pp * (v23 * (c3 * v15 + v26))
+            c23_pm = w2_pm * (v24 * (c3 * v16 + v5 * v10))
+            c23_mm = w2_mm * (v25 * (v26 - c3 * -v15))
+            v27 = c3 * v9
+            s23_pp = w2_pp * (v23 * (v27 - v5 * v15))
+            v28 = v5 * v16 - c3 * v10
+            s23_pm = w2_pm * (v24 * v28)
+            s23_mp = w2_pm * (v24 * -v28)
+            v29 = w2_mm * (v25 * (v27 + v5 * -v15))
+            v30 = w1 * (v2 * (T14 * T13 + T24 * T23))
+            X4_pp = s23_pp * T33 - c23_pp * v30
+            v31 = c23_pm * v30
+            X4_pm = s23_pm * T33 - v31
+            X4_mp = v31 + s23_mp * T33
+            X4_mm = c23_mm * v30 - v29 * T33
+            Y4 = w1 * (v2 * (T14 * T23 - T24 * T13))
+            v32 = Y4 * Y4
+            v33 = v32 + X4_pp * X4_pp
+            v34 = v32 + X4_pm * X4_pm
+            v35 = v32 + X4_mp * X4_mp
+            v36 = v32 + X4_mm * X4_mm
+            w4_pp = math.sqrt(v33)
+            w4_pm = math.sqrt(v34)
+            w4_mp = math.sqrt(v35)
+            w4_mm = math.sqrt(v36)
+            factor4_pp = w4_pp * (1.0 / v33)
+            factor4_pm = w4_pm * (1.0 / v34)
+            factor4_mp = w4_mp * (1.0 / v35)
+            factor4_mm = w4_mm * (1.0 / v36)
+            v37 = X4_pp * factor4_pp
+            v38 = X4_pm * factor4_pm
+            v39 = X4_mp * factor4_mp
+            v40 = X4_mm * factor4_mm
             s4_pp = Y4 * factor4_pp
             s4_pm = Y4 * factor4_pm
             s4_mp = Y4 * factor4_mp
             s4_mm = Y4 * factor4_mm
-            v30 = S2_pm * T33
-            v31 = S2_pp * T33
-            v32 = v2 * T22 - v3 * T12
-            v33 = v2 * T12 + v3 * T22
-            v34 = v2 * T21 - v3 * T11
-            v35 = v2 * T11 + v3 * T21
-            v36 = S2_pm * v35
-            v37 = v26 * v34 - s4_pp * (s23_pp * T31 - v36)
-            v38 = S2_pp * v35
-            v39 = v27 * v34 - s4_pm * (s23_pm * T31 - v38)
-            v40 = s4_mp * (v38 + s23_mp * T31) - v28 * v34
-            v41 = s4_mm * (v36 + s23_mm * T31) - v29 * v34
-            v42 = S2_pm * v33
-            v43 = S2_pp * v33
+            v41 = h1 * math.copysign(half_turn, Y4)
+            v42 = h1 * math.copysign(half_turn, -Y4)
+            v43 = c23_pm * T33
+            v44 = w1 * (v2 * (T14 * T22 - T24 * T12))
+            v45 = w1 * (v2 * (T14 * T12 + T24 * T22))
+            v46 = w1 * (v2 * (T14 * T21 - T24 * T11))
+            v47 = w1 * (v2 * (T14 * T11 + T24 * T21))
+            v48 = v37 * v46 - s4_pp * (s23_pp * T31 - c23_pp * v47)
+            v49 = c23_pm * v47
+            v50 = v38 * v46 - s4_pm * (s23_pm * T31 - v49)
+            v51 = s4_mp * (v49 + s23_mp * T31) - v39 * v46
+            v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46
+            v53 = c23_pm * v45
             doubt1 = (
-                v25 <= m7 or (v12 <= m4 or (v24 <= m7 or (v23 <= m7 or (v11 <= m4 or (v22 <= m7 or
+                v36 <= m5 or (v22 <= m4 or (v35 <= m5 or (v34 <= m5 or (v21 <= m4 or (v33 <= m5 or
                 (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart
-                < N3 and N3 < longest3_apart) or v10 <= m4))))))
+                < N3 and N3 < longest3_apart) or v20 <= m4))))))
             )
-            work[544 + k] = N3
+            work[544 + k] = v3
             work[576 + k] = v4
-            work[608 + k] = s4_pp
-            work[640 + k] = s4_pm
-            work[672 + k] = s4_mp
-            work[704 + k] = s4_mm
-            work[736 + k] = v37
-            work[768 + k] = v39
-            work[800 + k] = v40
-            work[832 + k] = v41
-            work[864 + k] = doubt1
-            work[896 + k] = -T24
-            work[928 + k] = -(k1 * (N3 - k1))
-            work[960 + k] = S2_pp
-            work[992 + k] = S2_pm
-            work[1024 + k] = S2_pm
-            work[1056 + k] = S2_pp
-            work[1088 + k] = s4_pp
-            work[1120 + k] = s4_pm
-            work[1152 + k] = -s4_mp
-            work[1184 + k] = -s4_mm
-            work[1216 + k] = w4_pp
-            work[1248 + k] = w4_pm
-            work[1280 + k] = w4_mp
-            work[1312 + k] = w4_mm
-            work[1344 + k] = v37
-            work[1376 + k] = v39
-            work[1408 + k] = v40
-            work[1440 + k] = v41
-            work[1472 + k] = -T14
-            work[1504 + k] = k1 * w3
-            work[1536 + k] = C2_pp
-            work[1568 + k] = -C2_mp
-            work[1600 + k] = C2_mp
-            work[1632 + k] = -C2_pp
-            work[1664 + k] = -(factor2_pp * v26)
-            work[1696 + k] = -(factor2_pm * v27)
-            work[1728 + k] = -(factor2_pm * v28)
-            work[1760 + k] = -(factor2_mm * v29)
-            work[1792 + k] = factor2_pp * (v30 + s23_pp * v18)
-            work[1824 + k] = factor2_pm * (v31 + s23_pm * v18)
-            work[1856 + k] = factor2_pm * (v31 - s23_mp * v18)
-            work[1888 + k] = factor2_mm * (v30 - s23_mm * v18)
-            work[1920 + k] = v26 * v32 - s4_pp * (s23_pp * T32 - v42)
-            work[1952 + k] = v27 * v32 - s4_pm * (s23_pm * T32 - v43)
-            work[1984 + k] = s4_mp * (v43 + s23_mp * T32) - v28 * v32
-            work[2016 + k] = s4_mm * (v42 + s23_mm * T32) - v29 * v32
-        for k in range(896, 1472):
+            work[608 + k] = v41
+            work[640 + k] = v42
+            work[672 + k] = v48
+            work[704 + k] = v50
+            work[736 + k] = v51
+            work[768 + k] = v52
+            work[800 + k] = doubt1
+            work[832 + k] = -T24
+            work[864 + k] = -v4
+            work[896 + k] = S2_pp
+            work[928 + k] = S2_pm
+            work[960 + k] = S2_pm
+            work[992 + k] = S2_pp
+            work[1024 + k] = Y4
+            work[1056 + k] = Y4
+            work[1088 + k] = -Y4
+            work[1120 + k] = -Y4
+            work[1152 + k] = w4_pp
+            work[1184 + k] = w4_pm
+            work[1216 + k] = w4_mp
+            work[1248 + k] = w4_mm
+            work[1280 + k] = v48
+            work[1312 + k] = v50
+            work[1344 + k] = v51
+            work[1376 + k] = v52
+            work[1408 + k] = -T14
+            work[1440 + k] = v6
+            work[1472 + k] = C2_pp
+            work[1504 + k] = -C2_mp
+            work[1536 + k] = C2_mp
+            work[1568 + k] = -C2_pp
+            work[1600 + k] = -X4_pp
+            work[1632 + k] = -X4_pm
+            work[1664 + k] = -X4_mp
+            work[1696 + k] = -X4_mm
+            work[1728 + k] = c23_pp * T33 + s23_pp * v30
+            work[1760 + k] = v43 + s23_pm * v30
+            work[1792 + k] = v43 - s23_mp * v30
+            work[1824 + k] = c23_mm * T33 + v29 * v30
+            work[1856 + k] = v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45)
+            work[1888 + k] = v38 * v44 - s4_pm * (s23_pm * T32 - v53)
+            work[1920 + k] = s4_mp * (v53 + s23_mp * T32) - v39 * v44
+            work[1952 + k] = s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44
+        for k in range(832, 1408):
             work[k] = _atan2(work[k], work[k + 576])
         for k in range(0, 32):
             T24 = work[224 + k]
-            N3 = work[544 + k]
+            v3 = work[544 + k]
             v4 = work[576 + k]
-            s4_pp = work[608 + k]
-            s4_pm = work[640 + k]
-            s4_mp = work[672 + k]
-            s4_mm = work[704 + k]
-            v37 = work[736 + k]
-            v39 = work[768 + k]
-            v40 = work[800 + k]
-            v41 = work[832 + k]
-            doubt1 = work[864 + k] != 0.0
-            angle1 = work[896 + k]
-            angle1_ = work[928 + k]
-            angle1__ = work[960 + k]
-            angle1___ = work[992 + k]
-            angle1____ = work[1024 + k]
-            angle1_____ = work[1056 + k]
-            angle1______ = work[1088 + k]
-            angle1_______ = work[1120 + k]
-            angle1________ = work[1152 + k]
-            angle1_________ = work[1184 + k]
-            angle1__________ = work[1216 + k]
-            angle1___________ = work[1248 + k]
-            angle1____________ = work[1280 + k]
-            angle1_____________ = work[1312 + k]
-            angle1______________ = work[1344 + k]
-            angle1_______________ = work[1376 + k]
-            angle1________________ = work[1408 + k]
-            angle1_________________ = work[1440 + k]
-            q3_pmp = math.copysign(half_turn, -(k1 * (N3 - k1))) * h1 - angle1_
-            q4_ppm = angle1______ - h1 * math.copysign(half_turn, s4_pp)
-            q4_pmm = angle1_______ - h1 * math.copysign(half_turn, s4_pm)
-            q4_mpm = angle1________ - h1 * math.copysign(half_turn, -s4_mp)
-            q4_mmm = angle1_________ - h1 * math.copysign(half_turn, -s4_mm)
-            q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v37)
-            q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v39)
-            q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v40)
-            q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v41)
-            q1_ppp = angle1 + v4
-            q1_mpp = v4 + (angle1 - math.copysign(half_turn, -T24) * h1)
-            _2048 = q1_ppp
+            v41 = work[608 + k]
+            v42 = work[640 + k]
+            v48 = work[672 + k]
+            v50 = work[704 + k]
+            v51 = work[736 + k]
+            v52 = work[768 + k]
+            doubt1 = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle1_ = work[864 + k]
+            angle1__ = work[896 + k]
+            angle1___ = work[928 + k]
+            angle1____ = work[960 + k]
+            angle1_____ = work[992 + k]
+            angle1______ = work[1024 + k]
+            angle1_______ = work[1056 + k]
+            angle1________ = work[1088 + k]
+            angle1_________ = work[1120 + k]
+            angle1__________ = work[1152 + k]
+            angle1___________ = work[1184 + k]
+            angle1____________ = work[1216 + k]
+            angle1_____________ = work[1248 + k]
+            angle1______________ = work[1280 + k]
+            angle1_______________ = work[1312 + k]
+            angle1________________ = work[1344 + k]
+            angle1_________________ = work[1376 + k]
+            q3_pmp = math.copysign(half_turn, -v4) * h1 - angle1_
+            q4_ppm = angle1______ - v41
+            q4_pmm = angle1_______ - v41
+            q4_mpm = angle1________ - v42
+            q4_mmm = angle1_________ - v42
+            q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v48)
+            q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v50)
+            q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v51)
+            q6_mmm = angle1_________________ - h1 * math.copysign(half_turn, v52)
+            q1_ppp = angle1 + v3
+            q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24) * h1)
+            _1984 = q1_ppp
+            work[1984 + k] = _1984
+            _2016 = angle1__
+            work[2016 + k] = _2016
+            _2048 = angle1_
             work[2048 + k] = _2048
-            _2080 = angle1__
+            _2080 = angle1______
             work[2080 + k] = _2080
-            _2112 = angle1_
+            _2112 = angle1__________
             work[2112 + k] = _2112
-            _2144 = angle1______
+            _2144 = angle1______________
             work[2144 + k] = _2144
-            _2176 = angle1__________
+            _2176 = q4_ppm
             work[2176 + k] = _2176
-            _2208 = angle1______________
+            _2208 = -angle1__________
             work[2208 + k] = _2208
-            _2240 = q4_ppm
+            _2240 = q6_ppm
             work[2240 + k] = _2240
-            _2272 = -angle1__________
+            _2272 = angle1___
             work[2272 + k] = _2272
-            _2304 = q6_ppm
+            _2304 = q3_pmp
             work[2304 + k] = _2304
-            _2336 = angle1___
+            _2336 = angle1_______
             work[2336 + k] = _2336
-            _2368 = q3_pmp
+            _2368 = angle1___________
             work[2368 + k] = _2368
-            _2400 = angle1_______
+            _2400 = angle1_______________
             work[2400 + k] = _2400
-            _2432 = angle1___________
+            _2432 = q4_pmm
             work[2432 + k] = _2432
-            _2464 = angle1_______________
+            _2464 = -angle1___________
             work[2464 + k] = _2464
-            _2496 = q4_pmm
+            _2496 = q6_pmm
             work[2496 + k] = _2496
-            _2528 = -angle1___________
+            _2528 = q1_mpp
             work[2528 + k] = _2528
-            _2560 = q6_pmm
+            _2560 = angle1____
             work[2560 + k] = _2560
-            _2592 = q1_mpp
+            _2592 = angle1________
             work[2592 + k] = _2592
-            _2624 = angle1____
+            _2624 = angle1____________
             work[2624 + k] = _2624
-            _2656 = angle1________
+            _2656 = angle1________________
             work[2656 + k] = _2656
-            _2688 = angle1____________
+            _2688 = q4_mpm
             work[2688 + k] = _2688
-            _2720 = angle1________________
+            _2720 = -angle1____________
             work[2720 + k] = _2720
-            _2752 = q4_mpm
+            _2752 = q6_mpm
             work[2752 + k] = _2752
-            _2784 = -angle1____________
+            _2784 = angle1_____
             work[2784 + k] = _2784
-            _2816 = q6_mpm
+            _2816 = angle1_________
             work[2816 + k] = _2816
-            _2848 = angle1_____
+            _2848 = angle1_____________
             work[2848 + k] = _2848
-            _2880 = angle1_________
+            _2880 = angle1_________________
             work[2880 + k] = _2880
-            _2912 = angle1_____________
+            _2912 = q4_mmm
             work[2912 + k] = _2912
-            _2944 = angle1_________________
+            _2944 = -angle1_____________
             work[2944 + k] = _2944
-            _2976 = q4_mmm
+            _2976 = q6_mmm
             work[2976 + k] = _2976
-            _3008 = -angle1_____________
-            work[3008 + k] = _3008
-            _3040 = q6_mmm
-            work[3040 + k] = _3040
-            work[3072 + k] = UNREACHABLE if _2048 != _2048 else OK
-            work[3104 + k] = UNREACHABLE if _2048 != _2048 else OK
-            work[3136 + k] = UNREACHABLE if _2048 != _2048 else OK
-            work[3168 + k] = UNREACHABLE if _2048 != _2048 else OK
-            work[3200 + k] = UNREACHABLE if _2592 != _2592 else OK
-            work[3232 + k] = UNREACHABLE if _2592 != _2592 else OK
-            work[3264 + k] = UNREACHABLE if _2592 != _2592 else OK
-            work[3296 + k] = UNREACHABLE if _2592 != _2592 else OK
+            work[3008 + k] = UNREACHABLE if _1984 != _1984 else OK
+            work[3040 + k] = UNREACHABLE if _1984 != _1984 else OK
+            work[3072 + k] = UNREACHABLE if _1984 != _1984 else OK
+            work[3104 + k] = UNREACHABLE if _1984 != _1984 else OK
+            work[3136 + k] = UNREACHABLE if _2528 != _2528 else OK
+            work[3168 + k] = UNREACHABLE if _2528 != _2528 else OK
+            work[3200 + k] = UNREACHABLE if _2528 != _2528 else OK
+            work[3232 + k] = UNREACHABLE if _2528 != _2528 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef STAUBLI_TX2_90_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -40,21 +43,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -86,7 +89,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -130,7 +133,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -156,8 +159,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef STAUBLI_TX2_90_LIBM
 #define atan2_wide atan2
 #else
@@ -167,7 +170,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -601,168 +604,152 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v25 = v15 * v15 + v21 * v21;
     const wide v26 = S2_mp * S2_mp + v22 * v22;
     const wide v27 = S2_mm * S2_mm + v23 * v23;
-    const wide factor2_pp = 1.0 / sqrt_wide(v24);
-    const wide factor2_pm = 1.0 / sqrt_wide(v25);
-    const wide factor2_mp = 1.0 / sqrt_wide(v26);
-    const wide factor2_mm = 1.0 / sqrt_wide(v27);
-    const wide v28 = v20 * factor2_pp;
-    const wide v29 = v21 * factor2_pm;
-    const wide v30 = v22 * factor2_mp;
-    const wide v31 = v23 * factor2_mm;
-    const wide s2_pp = S2_pp * factor2_pp;
-    const wide v32 = v15 * factor2_pm;
-    const wide s2_mp = S2_mp * factor2_mp;
-    const wide s2_mm = S2_mm * factor2_mm;
+    const wide factor2_pp = sqrt_wide(v24) * (1.0 / v24);
+    const wide factor2_pm = sqrt_wide(v25) * (1.0 / v25);
+    const wide factor2_mp = sqrt_wide(v26) * (1.0 / v26);
+    const wide factor2_mm = sqrt_wide(v27) * (1.0 / v27);
 
     /* theta4 */
-    const wide v33 = s3_p * s2_pp - v10 * v28;
-    const wide v34 = v10 * v29 - s3_p * v32;
-    const wide v35 = s3_m * s2_mp - v11 * v30;
-    const wide v36 = s3_m * s2_mm + v11 * v31;
-    const wide v37 = s3_p * v28 + v10 * s2_pp;
-    const wide v38 = s3_p * v29 + v10 * v32;
-    const wide v39 = s3_m * v30 + v11 * s2_mp;
-    const wide v40 = s3_m * v31 - v11 * s2_mm;
-    const wide v41 = T21 * s1_p - T11 * v2;
-    const wide v42 = T21 * s1_m - T11 * v3;
-    const wide X4_pp = v33 * v41 - T31 * v37;
-    const wide X4_pm = v34 * v41 - T31 * v38;
-    const wide X4_mp = v35 * v42 - T31 * v39;
-    const wide X4_mm = v36 * v42 - T31 * v40;
-    const wide v43 = T21 * v2 + T11 * s1_p;
-    const wide v44 = T21 * v3 + T11 * s1_m;
-    const wide v45 = v43 * v43;
-    const wide v46 = v44 * v44;
-    const wide v47 = v45 + X4_pp * X4_pp;
-    const wide v48 = v45 + X4_pm * X4_pm;
-    const wide v49 = v46 + X4_mp * X4_mp;
-    const wide v50 = v46 + X4_mm * X4_mm;
-    const wide w4_pp = sqrt_wide(v47);
-    const wide w4_pm = sqrt_wide(v48);
-    const wide w4_mp = sqrt_wide(v49);
-    const wide w4_mm = sqrt_wide(v50);
-    const wide factor4_pp = 1.0 / w4_pp;
-    const wide factor4_pm = 1.0 / w4_pm;
-    const wide factor4_mp = 1.0 / w4_mp;
-    const wide factor4_mm = 1.0 / w4_mm;
-    const wide v51 = X4_pp * factor4_pp;
-    const wide v52 = X4_pm * factor4_pm;
-    const wide v53 = X4_mp * factor4_mp;
-    const wide v54 = X4_mm * factor4_mm;
-    const wide v55 = v43 * factor4_pp;
-    const wide v56 = v43 * factor4_pm;
-    const wide v57 = v44 * factor4_mp;
-    const wide v58 = v44 * factor4_mm;
+    const wide v28 = s3_p * S2_pp - v10 * v20;
+    const wide v29 = v10 * v21 - s3_p * v15;
+    const wide v30 = s3_m * S2_mp - v11 * v22;
+    const wide v31 = s3_m * S2_mm + v11 * v23;
+    const wide v32 = s3_p * v20 + v10 * S2_pp;
+    const wide v33 = s3_p * v21 + v10 * v15;
+    const wide v34 = s3_m * v22 + v11 * S2_mp;
+    const wide v35 = s3_m * v23 - v11 * S2_mm;
+    const wide v36 = T21 * s1_p - T11 * v2;
+    const wide v37 = T21 * s1_m - T11 * v3;
+    const wide X4_pp = v28 * v36 - T31 * v32;
+    const wide X4_pm = v29 * v36 - T31 * v33;
+    const wide X4_mp = v30 * v37 - T31 * v34;
+    const wide X4_mm = v31 * v37 - T31 * v35;
+    const wide v38 = T21 * v2 + T11 * s1_p;
+    const wide v39 = T21 * v3 + T11 * s1_m;
+    const wide v40 = v38 * v38;
+    const wide v41 = v39 * v39;
+    const wide v42 = v40 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
+    const wide v43 = v40 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
+    const wide v44 = v41 + factor2_mp * (X4_mp * (factor2_mp * X4_mp));
+    const wide v45 = v41 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
 
     /* theta6 */
-    const wide v59 = s1_p * T12 + v2 * T22;
-    const wide v60 = s1_m * T12 + v3 * T22;
-    const wide v61 = s1_p * T22 - v2 * T12;
-    const wide v62 = s1_m * T22 - v3 * T12;
-    const wide v63 = v2 * T23 + s1_p * T13;
-    const wide v64 = v3 * T23 + s1_m * T13;
-    const wide v65 = s1_p * T23 - v2 * T13;
-    const wide v66 = s1_m * T23 - v3 * T13;
-    const wide s6_pp = v51 * v63 - v55 * (v33 * v65 - v37 * T33);
-    const wide s6_pm = v52 * v63 - v56 * (v34 * v65 - v38 * T33);
-    const wide s6_mp = v53 * v64 - v57 * (v35 * v66 - v39 * T33);
-    const wide s6_mm = v54 * v64 - v58 * (v36 * v66 - v40 * T33);
-    const wide angle1 = atan2_wide(s6_pp, v55 * (v33 * v61 - v37 * T32) - v51 * v59);
-    const wide angle1_ = atan2_wide(s6_pm, v56 * (v34 * v61 - v38 * T32) - v52 * v59);
-    const wide angle1__ = atan2_wide(s6_mp, v57 * (v35 * v62 - v39 * T32) - v53 * v60);
-    const wide angle1___ = atan2_wide(s6_mm, v58 * (v36 * v62 - v40 * T32) - v54 * v60);
-    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
-    const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), s6_pm) * h1;
-    const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), s6_mp) * h1;
-    const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), s6_mm) * h1;
+    const wide v46 = s1_p * T12 + v2 * T22;
+    const wide v47 = s1_m * T12 + v3 * T22;
+    const wide v48 = s1_p * T22 - v2 * T12;
+    const wide v49 = s1_m * T22 - v3 * T12;
+    const wide v50 = v2 * T23 + s1_p * T13;
+    const wide v51 = v3 * T23 + s1_m * T13;
+    const wide v52 = s1_p * T23 - v2 * T13;
+    const wide v53 = s1_m * T23 - v3 * T13;
+    const wide angle1 = atan2_wide(-(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)), v46 * -X4_pp +
+        v38 * (v28 * v48 - v32 * T32));
+    const wide angle1_ = atan2_wide(-(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)), v46 * -X4_pm +
+        v38 * (v29 * v48 - v33 * T32));
+    const wide angle1__ = atan2_wide(-(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)), v47 * -X4_mp +
+        v39 * (v30 * v49 - v34 * T32));
+    const wide angle1___ = atan2_wide(-(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)), v47 * -X4_mm
+        + v39 * (v31 * v49 - v35 * T32));
+    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), -(v50 * -X4_pp + v38 * (v28 *
+        v52 - v32 * T33))) * h1;
+    const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), -(v50 * -X4_pm + v38 * (v29 *
+        v52 - v33 * T33))) * h1;
+    const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), -(v51 * -X4_mp + v39 * (v30 *
+        v53 - v34 * T33))) * h1;
+    const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), -(v51 * -X4_mm + v39 * (v31 *
+        v53 - v35 * T33))) * h1;
 
     /* joint values */
     const wide angle1____ = atan2_wide(S2_pp, -v20);
-    const wide v67 = angle1____ - offset2;
+    const wide v54 = angle1____ - offset2;
     const wide angle1_____ = atan2_wide(-v15, -v21);
-    const wide v68 = angle1_____ - offset2;
+    const wide v55 = angle1_____ - offset2;
     const wide angle1______ = atan2_wide(S2_mp, -v22);
-    const wide v69 = angle1______ - offset2;
+    const wide v56 = angle1______ - offset2;
     const wide angle1_______ = atan2_wide(S2_mm, -v23);
-    const wide v70 = angle1_______ - offset2;
-    const wide q2_ppp = v67 - pick_wide(half_turn < v67, all_wide(m7), all_wide(0.0));
-    const wide q2_pmp = v68 - pick_wide(half_turn < v68, all_wide(m7), all_wide(0.0));
-    const wide q2_mpp = v69 - pick_wide(half_turn < v69, all_wide(m7), all_wide(0.0));
-    const wide q2_mmp = v70 - pick_wide(half_turn < v70, all_wide(m7), all_wide(0.0));
+    const wide v57 = angle1_______ - offset2;
+    const wide q2_ppp = v54 - pick_wide(half_turn < v54, all_wide(m7), all_wide(0.0));
+    const wide q2_pmp = v55 - pick_wide(half_turn < v55, all_wide(m7), all_wide(0.0));
+    const wide q2_mpp = v56 - pick_wide(half_turn < v56, all_wide(m7), all_wide(0.0));
+    const wide q2_mmp = v57 - pick_wide(half_turn < v57, all_wide(m7), all_wide(0.0));
     const wide angle1________ = atan2_wide(s3_p, -v10);
     const wide angle1_________ = atan2_wide(s3_m, -v11);
-    const wide v71 = angle1________ - offset3;
-    const wide v72 = h1 * copysign_wide(all_wide(half_turn), s3_p) - angle1________ - offset3;
-    const wide v73 = angle1_________ - offset3;
-    const wide v74 = h1 * copysign_wide(all_wide(half_turn), s3_m) - angle1_________ - offset3;
-    const wide q3_ppp = v71 + pick_wide(v71 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q3_pmp = v72 + pick_wide(v72 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q3_mpp = v73 + pick_wide(v73 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q3_mmp = v74 + pick_wide(v74 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide angle1__________ = atan2_wide(-v43, -X4_pp);
-    const wide angle1___________ = atan2_wide(-v43, -X4_pm);
-    const wide angle1____________ = atan2_wide(-v44, -X4_mp);
-    const wide angle1_____________ = atan2_wide(-v44, -X4_mm);
-    const wide v75 = h1 * copysign_wide(all_wide(half_turn), -v43);
-    const wide v76 = h1 * copysign_wide(all_wide(half_turn), -v44);
-    const wide v77 = angle1__________ - offset4;
-    const wide v78 = angle1__________ - v75 - offset4;
-    const wide v79 = angle1___________ - offset4;
-    const wide v80 = angle1___________ - v75 - offset4;
-    const wide v81 = angle1____________ - offset4;
-    const wide v82 = angle1____________ - v76 - offset4;
-    const wide v83 = angle1_____________ - offset4;
-    const wide v84 = angle1_____________ - v76 - offset4;
-    const wide q4_ppp = v77 + pick_wide(v77 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_ppm = v78 + pick_wide(v78 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_pmp = v79 + pick_wide(v79 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_pmm = v80 + pick_wide(v80 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mpp = v81 + pick_wide(v81 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mpm = v82 + pick_wide(v82 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mmp = v83 + pick_wide(v83 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mmm = v84 + pick_wide(v84 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide angle1______________ = atan2_wide(w4_pp, T31 * v33 + v37 * v41);
-    const wide angle1_______________ = atan2_wide(w4_pm, T31 * v34 + v38 * v41);
-    const wide angle1________________ = atan2_wide(w4_mp, T31 * v35 + v39 * v42);
-    const wide angle1_________________ = atan2_wide(w4_mm, T31 * v36 + v40 * v42);
-    const wide v85 = angle1______________ - offset5;
-    const wide v86 = offset5 + angle1______________;
-    const wide v87 = angle1_______________ - offset5;
-    const wide v88 = offset5 + angle1_______________;
-    const wide v89 = angle1________________ - offset5;
-    const wide v90 = offset5 + angle1________________;
-    const wide v91 = angle1_________________ - offset5;
-    const wide v92 = offset5 + angle1_________________;
-    const wide q5_ppp = v85 + pick_wide(v85 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v86 <= -half_turn, all_wide(m7), all_wide(0.0)) - v86;
-    const wide q5_pmp = v87 + pick_wide(v87 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v88 <= -half_turn, all_wide(m7), all_wide(0.0)) - v88;
-    const wide q5_mpp = v89 + pick_wide(v89 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v90 <= -half_turn, all_wide(m7), all_wide(0.0)) - v90;
-    const wide q5_mmp = v91 + pick_wide(v91 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v92 <= -half_turn, all_wide(m7), all_wide(0.0)) - v92;
+    const wide v58 = angle1________ - offset3;
+    const wide v59 = h1 * copysign_wide(all_wide(half_turn), s3_p) - angle1________ - offset3;
+    const wide v60 = angle1_________ - offset3;
+    const wide v61 = h1 * copysign_wide(all_wide(half_turn), s3_m) - angle1_________ - offset3;
+    const wide q3_ppp = v58 + pick_wide(v58 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q3_pmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q3_mpp = v60 + pick_wide(v60 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q3_mmp = v61 + pick_wide(v61 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide angle1__________ = atan2_wide(-v38, factor2_pp * -X4_pp);
+    const wide angle1___________ = atan2_wide(-v38, factor2_pm * -X4_pm);
+    const wide angle1____________ = atan2_wide(-v39, factor2_mp * -X4_mp);
+    const wide angle1_____________ = atan2_wide(-v39, factor2_mm * -X4_mm);
+    const wide v62 = h1 * copysign_wide(all_wide(half_turn), -v38);
+    const wide v63 = h1 * copysign_wide(all_wide(half_turn), -v39);
+    const wide v64 = angle1__________ - offset4;
+    const wide v65 = angle1__________ - v62 - offset4;
+    const wide v66 = angle1___________ - offset4;
+    const wide v67 = angle1___________ - v62 - offset4;
+    const wide v68 = angle1____________ - offset4;
+    const wide v69 = angle1____________ - v63 - offset4;
+    const wide v70 = angle1_____________ - offset4;
+    const wide v71 = angle1_____________ - v63 - offset4;
+    const wide q4_ppp = v64 + pick_wide(v64 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_ppm = v65 + pick_wide(v65 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_pmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_pmm = v67 + pick_wide(v67 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mpp = v68 + pick_wide(v68 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mpm = v69 + pick_wide(v69 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mmp = v70 + pick_wide(v70 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mmm = v71 + pick_wide(v71 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide angle1______________ = atan2_wide(sqrt_wide(v42), factor2_pp * (T31 * v28 + v32 *
+        v36));
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v43), factor2_pm * (T31 * v29 + v33 *
+        v36));
+    const wide angle1________________ = atan2_wide(sqrt_wide(v44), factor2_mp * (T31 * v30 + v34 *
+        v37));
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v45), factor2_mm * (T31 * v31 + v35 *
+        v37));
+    const wide v72 = angle1______________ - offset5;
+    const wide v73 = offset5 + angle1______________;
+    const wide v74 = angle1_______________ - offset5;
+    const wide v75 = offset5 + angle1_______________;
+    const wide v76 = angle1________________ - offset5;
+    const wide v77 = offset5 + angle1________________;
+    const wide v78 = angle1_________________ - offset5;
+    const wide v79 = offset5 + angle1_________________;
+    const wide q5_ppp = v72 + pick_wide(v72 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v73 <= -half_turn, all_wide(m7), all_wide(0.0)) - v73;
+    const wide q5_pmp = v74 + pick_wide(v74 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v75 <= -half_turn, all_wide(m7), all_wide(0.0)) - v75;
+    const wide q5_mpp = v76 + pick_wide(v76 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v77 <= -half_turn, all_wide(m7), all_wide(0.0)) - v77;
+    const wide q5_mmp = v78 + pick_wide(v78 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v79 <= -half_turn, all_wide(m7), all_wide(0.0)) - v79;
     const wide angle1__________________ = atan2_wide(s1_p, -v2);
     const wide q1_ppp = angle1__________________ + (w3_p - w3_p);
     const wide angle1___________________ = atan2_wide(s1_m, -v3);
     const wide q1_mpp = angle1___________________ + (w3_m - w3_m);
-    const wide_mask v93 = ((q2_ppp < low2) | (high2 < q2_ppp)) | ((q3_ppp < low3) | (high3 <
+    const wide_mask v80 = ((q2_ppp < low2) | (high2 < q2_ppp)) | ((q3_ppp < low3) | (high3 <
         q3_ppp));
-    const wide_mask v94 = ((q2_pmp < low2) | (high2 < q2_pmp)) | ((q3_pmp < low3) | (high3 <
+    const wide_mask v81 = ((q2_pmp < low2) | (high2 < q2_pmp)) | ((q3_pmp < low3) | (high3 <
         q3_pmp));
-    const wide_mask v95 = ((q2_mpp < low2) | (high2 < q2_mpp)) | ((q3_mpp < low3) | (high3 <
+    const wide_mask v82 = ((q2_mpp < low2) | (high2 < q2_mpp)) | ((q3_mpp < low3) | (high3 <
         q3_mpp));
-    const wide_mask v96 = ((q2_mmp < low2) | (high2 < q2_mmp)) | ((q3_mmp < low3) | (high3 <
+    const wide_mask v83 = ((q2_mmp < low2) | (high2 < q2_mmp)) | ((q3_mmp < low3) | (high3 <
         q3_mmp));
-    const wide_mask outside_ppp = v93 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v93 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v94 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v94 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v95 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v95 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v96 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v96 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (v50 <= m5) | ((v27 <= m4) | ((v49 <= m5) | ((v26 <= m4) | ((v48 <= m5)
-        | ((v25 <= m4) | ((v47 <= m5) | ((v24 <= m4) | (((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) |
+    const wide_mask outside_ppp = v80 | ((q5_ppp < low5) | (high5 < q5_ppp));
+    const wide_mask outside_ppm = v80 | ((q5_ppm < low5) | (high5 < q5_ppm));
+    const wide_mask outside_pmp = v81 | ((q5_pmp < low5) | (high5 < q5_pmp));
+    const wide_mask outside_pmm = v81 | ((q5_pmm < low5) | (high5 < q5_pmm));
+    const wide_mask outside_mpp = v82 | ((q5_mpp < low5) | (high5 < q5_mpp));
+    const wide_mask outside_mpm = v82 | ((q5_mpm < low5) | (high5 < q5_mpm));
+    const wide_mask outside_mmp = v83 | ((q5_mmp < low5) | (high5 < q5_mmp));
+    const wide_mask outside_mmm = v83 | ((q5_mmm < low5) | (high5 < q5_mmm));
+    const wide_mask doubt1 = (v45 <= m5) | ((v27 <= m4) | ((v44 <= m5) | ((v26 <= m4) | ((v43 <= m5)
+        | ((v25 <= m4) | ((v42 <= m5) | ((v24 <= m4) | (((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) |
         (free1 | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart <
         N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) & (N3_m <=
         longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0))))))))))));
@@ -872,62 +859,57 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v10 = m3 * (e2 * Z1_3);
     const four v11 = v9 + w3 * v10;
     const four v12 = S2 * S2 + v11 * v11;
-    const four factor2 = 1.0 / sqrt_four(v12);
-    const four v13 = v11 * factor2;
-    const four s2 = S2 * factor2;
+    const four factor2 = sqrt_four(v12) * (1.0 / v12);
 
     /* theta4 */
-    const four v14 = s3 * s2 - e2 * (v7 * v13);
-    const four v15 = s3 * v13 + e2 * (v7 * s2);
-    const four v16 = T21 * s1 - T11 * v2;
-    const four X4 = v14 * v16 - T31 * v15;
-    const four v17 = T21 * v2 + T11 * s1;
-    const four v18 = v17 * v17;
-    const four v19 = v18 + X4 * X4;
-    const four w4 = sqrt_four(v19);
-    const four factor4 = 1.0 / w4;
-    const four v20 = X4 * factor4;
-    const four v21 = v17 * factor4;
+    const four v13 = s3 * S2 - e2 * (v7 * v11);
+    const four v14 = s3 * v11 + e2 * (v7 * S2);
+    const four v15 = T21 * s1 - T11 * v2;
+    const four X4 = v13 * v15 - T31 * v14;
+    const four v16 = T21 * v2 + T11 * s1;
+    const four v17 = v16 * v16;
+    const four v18 = v17 + factor2 * (X4 * (factor2 * X4));
 
     /* theta6 */
-    const four v22 = s1 * T12 + v2 * T22;
-    const four v23 = s1 * T22 - v2 * T12;
-    const four v24 = v2 * T23 + s1 * T13;
-    const four v25 = s1 * T23 - v2 * T13;
-    const four s6 = v20 * v24 - v21 * (v14 * v25 - v15 * T33);
+    const four v19 = s1 * T12 + v2 * T22;
+    const four v20 = s1 * T22 - v2 * T12;
+    const four v21 = v2 * T23 + s1 * T13;
+    const four v22 = s1 * T23 - v2 * T13;
 
     /* joint values */
-    const four v27 = copysign_four(all_four(half_turn), s3);
-    const four v28 = m6 * (1.0 - e2);
-    const four v30 = h1 * copysign_four(all_four(half_turn), -v17);
+    const four v24 = copysign_four(all_four(half_turn), s3);
+    const four v25 = m6 * (1.0 - e2);
+    const four v27 = h1 * copysign_four(all_four(half_turn), -v16);
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
-    const four_mask doubt3 = (v12 <= m4) | (v19 <= m5);
+    const four_mask doubt3 = (v12 <= m4) | (v18 <= m5);
 
-    const four angle1 = atan2_four(s6, v21 * (v14 * v23 - v15 * T32) - v20 * v22);
+    const four angle1 = atan2_four(-(v21 * -X4 + v16 * (v13 * v22 - v14 * T33)), v19 * -X4 + v16 *
+        (v13 * v20 - v14 * T32));
     const four angle1_ = atan2_four(S2, -v11);
-    const four angle1___ = atan2_four(-v17, -X4);
-    const four angle1____ = atan2_four(w4, T31 * v14 + v15 * v16);
+    const four angle1___ = atan2_four(-v16, factor2 * -X4);
+    const four angle1____ = atan2_four(sqrt_four(v18), factor2 * (T31 * v13 + v14 * v15));
     const four packed5 = atan2_four(__builtin_shufflevector(s3, s1, 0, 5, 2, 7),
         __builtin_shufflevector(-v7, -v2, 0, 5, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1_____ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
-    const four v26 = angle1_ - offset2;
-    const four q2_p = v26 - pick_four(half_turn < v26, all_four(m7), all_four(0.0));
-    const four v29 = e2 * angle1__ + v27 * v28 - offset3;
-    const four q3_p = v29 + pick_four(v29 <= -half_turn, all_four(m7), all_four(0.0));
-    const four v31 = angle1___ - offset4;
-    const four v32 = angle1___ - v30 - offset4;
-    const four q4_p = v31 + pick_four(v31 <= -half_turn, all_four(m7), all_four(0.0));
-    const four q4_m = v32 + pick_four(v32 <= -half_turn, all_four(m7), all_four(0.0));
-    const four v33 = angle1____ - offset5;
-    const four v34 = offset5 + angle1____;
-    const four q5_p = v33 + pick_four(v33 <= -half_turn, all_four(m7), all_four(0.0));
-    const four q5_m = pick_four(-v34 <= -half_turn, all_four(m7), all_four(0.0)) - v34;
+    const four q6_m = angle1 - copysign_four(all_four(half_turn), -(v21 * -X4 + v16 * (v13 * v22 -
+        v14 * T33))) * h1;
+    const four v23 = angle1_ - offset2;
+    const four q2_p = v23 - pick_four(half_turn < v23, all_four(m7), all_four(0.0));
+    const four v26 = e2 * angle1__ + v24 * v25 - offset3;
+    const four q3_p = v26 + pick_four(v26 <= -half_turn, all_four(m7), all_four(0.0));
+    const four v28 = angle1___ - offset4;
+    const four v29 = angle1___ - v27 - offset4;
+    const four q4_p = v28 + pick_four(v28 <= -half_turn, all_four(m7), all_four(0.0));
+    const four q4_m = v29 + pick_four(v29 <= -half_turn, all_four(m7), all_four(0.0));
+    const four v30 = angle1____ - offset5;
+    const four v31 = offset5 + angle1____;
+    const four q5_p = v30 + pick_four(v30 <= -half_turn, all_four(m7), all_four(0.0));
+    const four q5_m = pick_four(-v31 <= -half_turn, all_four(m7), all_four(0.0)) - v31;
     const four q1_p = angle1_____ + (w3 - w3);
-    const four_mask v35 = ((q2_p < low2) | (high2 < q2_p)) | ((q3_p < low3) | (high3 < q3_p));
-    const four_mask outside_p = v35 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v35 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask v32 = ((q2_p < low2) | (high2 < q2_p)) | ((q3_p < low3) | (high3 < q3_p));
+    const four_mask outside_p = v32 | ((q5_p < low5) | (high5 < q5_p));
+    const four_mask outside_m = v32 | ((q5_m < low5) | (high5 < q5_m));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;

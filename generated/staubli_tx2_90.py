@@ -581,164 +581,154 @@ def _regular(pose, q, status):
     v25 = v15 * v15 + v21 * v21
     v26 = S2_mp * S2_mp + v22 * v22
     v27 = S2_mm * S2_mm + v23 * v23
-    factor2_pp = 1.0 / math.sqrt(v24)
-    factor2_pm = 1.0 / math.sqrt(v25)
-    factor2_mp = 1.0 / math.sqrt(v26)
-    factor2_mm = 1.0 / math.sqrt(v27)
-    v28 = v20 * factor2_pp
-    v29 = v21 * factor2_pm
-    v30 = v22 * factor2_mp
-    v31 = v23 * factor2_mm
-    s2_pp = S2_pp * factor2_pp
-    v32 = v15 * factor2_pm
-    s2_mp = S2_mp * factor2_mp
-    s2_mm = S2_mm * factor2_mm
+    factor2_pp = math.sqrt(v24) * (1.0 / v24)
+    factor2_pm = math.sqrt(v25) * (1.0 / v25)
+    factor2_mp = math.sqrt(v26) * (1.0 / v26)
+    factor2_mm = math.sqrt(v27) * (1.0 / v27)
 
     # theta4, type 2: U4[3, 3]
-    v33 = s3_p * s2_pp - v10 * v28
-    v34 = v10 * v29 - s3_p * v32
-    v35 = s3_m * s2_mp - v11 * v30
-    v36 = s3_m * s2_mm + v11 * v31
-    v37 = s3_p * v28 + v10 * s2_pp
-    v38 = s3_p * v29 + v10 * v32
-    v39 = s3_m * v30 + v11 * s2_mp
-    v40 = s3_m * v31 - v11 * s2_mm
-    v41 = T21 * s1_p - T11 * v2
-    v42 = T21 * s1_m - T11 * v3
-    X4_pp = v33 * v41 - T31 * v37
-    X4_pm = v34 * v41 - T31 * v38
-    X4_mp = v35 * v42 - T31 * v39
-    X4_mm = v36 * v42 - T31 * v40
-    v43 = T21 * v2 + T11 * s1_p
-    v44 = T21 * v3 + T11 * s1_m
-    v45 = v43 * v43
-    v46 = v44 * v44
-    v47 = v45 + X4_pp * X4_pp
-    v48 = v45 + X4_pm * X4_pm
-    v49 = v46 + X4_mp * X4_mp
-    v50 = v46 + X4_mm * X4_mm
-    w4_pp = math.sqrt(v47)
-    w4_pm = math.sqrt(v48)
-    w4_mp = math.sqrt(v49)
-    w4_mm = math.sqrt(v50)
-    factor4_pp = 1.0 / w4_pp
-    factor4_pm = 1.0 / w4_pm
-    factor4_mp = 1.0 / w4_mp
-    factor4_mm = 1.0 / w4_mm
-    v51 = X4_pp * factor4_pp
-    v52 = X4_pm * factor4_pm
-    v53 = X4_mp * factor4_mp
-    v54 = X4_mm * factor4_mm
-    v55 = v43 * factor4_pp
-    v56 = v43 * factor4_pm
-    v57 = v44 * factor4_mp
-    v58 = v44 * factor4_mm
+    v28 = s3_p * S2_pp - v10 * v20
+    v29 = v10 * v21 - s3_p * v15
+    v30 = s3_m * S2_mp - v11 * v22
+    v31 = s3_m * S2_mm + v11 * v23
+    v32 = s3_p * v20 + v10 * S2_pp
+    v33 = s3_p * v21 + v10 * v15
+    v34 = s3_m * v22 + v11 * S2_mp
+    v35 = s3_m * v23 - v11 * S2_mm
+    v36 = T21 * s1_p - T11 * v2
+    v37 = T21 * s1_m - T11 * v3
+    X4_pp = v28 * v36 - T31 * v32
+    X4_pm = v29 * v36 - T31 * v33
+    X4_mp = v30 * v37 - T31 * v34
+    X4_mm = v31 * v37 - T31 * v35
+    v38 = T21 * v2 + T11 * s1_p
+    v39 = T21 * v3 + T11 * s1_m
+    v40 = v38 * v38
+    v41 = v39 * v39
+    v42 = v40 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
+    v43 = v40 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
+    v44 = v41 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
+    v45 = v41 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v59 = s1_p * T12 + v2 * T22
-    v60 = s1_m * T12 + v3 * T22
-    v61 = s1_p * T22 - v2 * T12
-    v62 = s1_m * T22 - v3 * T12
-    v63 = v2 * T23 + s1_p * T13
-    v64 = v3 * T23 + s1_m * T13
-    v65 = s1_p * T23 - v2 * T13
-    v66 = s1_m * T23 - v3 * T13
-    s6_pp = v51 * v63 - v55 * (v33 * v65 - v37 * T33)
-    s6_pm = v52 * v63 - v56 * (v34 * v65 - v38 * T33)
-    s6_mp = v53 * v64 - v57 * (v35 * v66 - v39 * T33)
-    s6_mm = v54 * v64 - v58 * (v36 * v66 - v40 * T33)
-    angle1 = _atan2(s6_pp, v55 * (v33 * v61 - v37 * T32) - v51 * v59)
-    angle1_ = _atan2(s6_pm, v56 * (v34 * v61 - v38 * T32) - v52 * v59)
-    angle1__ = _atan2(s6_mp, v57 * (v35 * v62 - v39 * T32) - v53 * v60)
-    angle1___ = _atan2(s6_mm, v58 * (v36 * v62 - v40 * T32) - v54 * v60)
-    q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-    q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
-    q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
-    q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
+    v46 = s1_p * T12 + v2 * T22
+    v47 = s1_m * T12 + v3 * T22
+    v48 = s1_p * T22 - v2 * T12
+    v49 = s1_m * T22 - v3 * T12
+    v50 = v2 * T23 + s1_p * T13
+    v51 = v3 * T23 + s1_m * T13
+    v52 = s1_p * T23 - v2 * T13
+    v53 = s1_m * T23 - v3 * T13
+    angle1 = (
+        _atan2(-(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)), v46 * -X4_pp + v38 * (v28 * v48 -
+        v32 * T32))
+    )
+    angle1_ = (
+        _atan2(-(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)), v46 * -X4_pm + v38 * (v29 * v48 -
+        v33 * T32))
+    )
+    angle1__ = (
+        _atan2(-(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)), v47 * -X4_mp + v39 * (v30 * v49 -
+        v34 * T32))
+    )
+    angle1___ = (
+        _atan2(-(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)), v47 * -X4_mm + v39 * (v31 * v49 -
+        v35 * T32))
+    )
+    q6_ppm = angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))) * h1
+    q6_pmm = (
+        angle1_ - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))) * h1
+    )
+    q6_mpm = (
+        angle1__ - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))) * h1
+    )
+    q6_mmm = (
+        angle1___ - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))) * h1
+    )
 
     # joint values
     angle1____ = _atan2(S2_pp, -v20)
-    v67 = angle1____ - offset2
+    v54 = angle1____ - offset2
     angle1_____ = _atan2(-v15, -v21)
-    v68 = angle1_____ - offset2
+    v55 = angle1_____ - offset2
     angle1______ = _atan2(S2_mp, -v22)
-    v69 = angle1______ - offset2
+    v56 = angle1______ - offset2
     angle1_______ = _atan2(S2_mm, -v23)
-    v70 = angle1_______ - offset2
-    q2_ppp = v67 - (m7 if half_turn < v67 else 0.0)
-    q2_pmp = v68 - (m7 if half_turn < v68 else 0.0)
-    q2_mpp = v69 - (m7 if half_turn < v69 else 0.0)
-    q2_mmp = v70 - (m7 if half_turn < v70 else 0.0)
+    v57 = angle1_______ - offset2
+    q2_ppp = v54 - (m7 if half_turn < v54 else 0.0)
+    q2_pmp = v55 - (m7 if half_turn < v55 else 0.0)
+    q2_mpp = v56 - (m7 if half_turn < v56 else 0.0)
+    q2_mmp = v57 - (m7 if half_turn < v57 else 0.0)
     angle1________ = _atan2(s3_p, -v10)
     angle1_________ = _atan2(s3_m, -v11)
-    v71 = angle1________ - offset3
-    v72 = h1 * math.copysign(half_turn, s3_p) - angle1________ - offset3
-    v73 = angle1_________ - offset3
-    v74 = h1 * math.copysign(half_turn, s3_m) - angle1_________ - offset3
-    q3_ppp = v71 + (m7 if v71 <= -half_turn else 0.0)
-    q3_pmp = v72 + (m7 if v72 <= -half_turn else 0.0)
-    q3_mpp = v73 + (m7 if v73 <= -half_turn else 0.0)
-    q3_mmp = v74 + (m7 if v74 <= -half_turn else 0.0)
-    angle1__________ = _atan2(-v43, -X4_pp)
-    angle1___________ = _atan2(-v43, -X4_pm)
-    angle1____________ = _atan2(-v44, -X4_mp)
-    angle1_____________ = _atan2(-v44, -X4_mm)
-    v75 = h1 * math.copysign(half_turn, -v43)
-    v76 = h1 * math.copysign(half_turn, -v44)
-    v77 = angle1__________ - offset4
-    v78 = angle1__________ - v75 - offset4
-    v79 = angle1___________ - offset4
-    v80 = angle1___________ - v75 - offset4
-    v81 = angle1____________ - offset4
-    v82 = angle1____________ - v76 - offset4
-    v83 = angle1_____________ - offset4
-    v84 = angle1_____________ - v76 - offset4
-    q4_ppp = v77 + (m7 if v77 <= -half_turn else 0.0)
-    q4_ppm = v78 + (m7 if v78 <= -half_turn else 0.0)
-    q4_pmp = v79 + (m7 if v79 <= -half_turn else 0.0)
-    q4_pmm = v80 + (m7 if v80 <= -half_turn else 0.0)
-    q4_mpp = v81 + (m7 if v81 <= -half_turn else 0.0)
-    q4_mpm = v82 + (m7 if v82 <= -half_turn else 0.0)
-    q4_mmp = v83 + (m7 if v83 <= -half_turn else 0.0)
-    q4_mmm = v84 + (m7 if v84 <= -half_turn else 0.0)
-    angle1______________ = _atan2(w4_pp, T31 * v33 + v37 * v41)
-    angle1_______________ = _atan2(w4_pm, T31 * v34 + v38 * v41)
-    angle1________________ = _atan2(w4_mp, T31 * v35 + v39 * v42)
-    angle1_________________ = _atan2(w4_mm, T31 * v36 + v40 * v42)
-    v85 = angle1______________ - offset5
-    v86 = offset5 + angle1______________
-    v87 = angle1_______________ - offset5
-    v88 = offset5 + angle1_______________
-    v89 = angle1________________ - offset5
-    v90 = offset5 + angle1________________
-    v91 = angle1_________________ - offset5
-    v92 = offset5 + angle1_________________
-    q5_ppp = v85 + (m7 if v85 <= -half_turn else 0.0)
-    q5_ppm = (m7 if -v86 <= -half_turn else 0.0) - v86
-    q5_pmp = v87 + (m7 if v87 <= -half_turn else 0.0)
-    q5_pmm = (m7 if -v88 <= -half_turn else 0.0) - v88
-    q5_mpp = v89 + (m7 if v89 <= -half_turn else 0.0)
-    q5_mpm = (m7 if -v90 <= -half_turn else 0.0) - v90
-    q5_mmp = v91 + (m7 if v91 <= -half_turn else 0.0)
-    q5_mmm = (m7 if -v92 <= -half_turn else 0.0) - v92
+    v58 = angle1________ - offset3
+    v59 = h1 * math.copysign(half_turn, s3_p) - angle1________ - offset3
+    v60 = angle1_________ - offset3
+    v61 = h1 * math.copysign(half_turn, s3_m) - angle1_________ - offset3
+    q3_ppp = v58 + (m7 if v58 <= -half_turn else 0.0)
+    q3_pmp = v59 + (m7 if v59 <= -half_turn else 0.0)
+    q3_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
+    q3_mmp = v61 + (m7 if v61 <= -half_turn else 0.0)
+    angle1__________ = _atan2(-v38, factor2_pp * -X4_pp)
+    angle1___________ = _atan2(-v38, factor2_pm * -X4_pm)
+    angle1____________ = _atan2(-v39, factor2_mp * -X4_mp)
+    angle1_____________ = _atan2(-v39, factor2_mm * -X4_mm)
+    v62 = h1 * math.copysign(half_turn, -v38)
+    v63 = h1 * math.copysign(half_turn, -v39)
+    v64 = angle1__________ - offset4
+    v65 = angle1__________ - v62 - offset4
+    v66 = angle1___________ - offset4
+    v67 = angle1___________ - v62 - offset4
+    v68 = angle1____________ - offset4
+    v69 = angle1____________ - v63 - offset4
+    v70 = angle1_____________ - offset4
+    v71 = angle1_____________ - v63 - offset4
+    q4_ppp = v64 + (m7 if v64 <= -half_turn else 0.0)
+    q4_ppm = v65 + (m7 if v65 <= -half_turn else 0.0)
+    q4_pmp = v66 + (m7 if v66 <= -half_turn else 0.0)
+    q4_pmm = v67 + (m7 if v67 <= -half_turn else 0.0)
+    q4_mpp = v68 + (m7 if v68 <= -half_turn else 0.0)
+    q4_mpm = v69 + (m7 if v69 <= -half_turn else 0.0)
+    q4_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
+    q4_mmm = v71 + (m7 if v71 <= -half_turn else 0.0)
+    angle1______________ = _atan2(math.sqrt(v42), factor2_pp * (T31 * v28 + v32 * v36))
+    angle1_______________ = _atan2(math.sqrt(v43), factor2_pm * (T31 * v29 + v33 * v36))
+    angle1________________ = _atan2(math.sqrt(v44), factor2_mp * (T31 * v30 + v34 * v37))
+    angle1_________________ = _atan2(math.sqrt(v45), factor2_mm * (T31 * v31 + v35 * v37))
+    v72 = angle1______________ - offset5
+    v73 = offset5 + angle1______________
+    v74 = angle1_______________ - offset5
+    v75 = offset5 + angle1_______________
+    v76 = angle1________________ - offset5
+    v77 = offset5 + angle1________________
+    v78 = angle1_________________ - offset5
+    v79 = offset5 + angle1_________________
+    q5_ppp = v72 + (m7 if v72 <= -half_turn else 0.0)
+    q5_ppm = (m7 if -v73 <= -half_turn else 0.0) - v73
+    q5_pmp = v74 + (m7 if v74 <= -half_turn else 0.0)
+    q5_pmm = (m7 if -v75 <= -half_turn else 0.0) - v75
+    q5_mpp = v76 + (m7 if v76 <= -half_turn else 0.0)
+    q5_mpm = (m7 if -v77 <= -half_turn else 0.0) - v77
+    q5_mmp = v78 + (m7 if v78 <= -half_turn else 0.0)
+    q5_mmm = (m7 if -v79 <= -half_turn else 0.0) - v79
     angle1__________________ = _atan2(s1_p, -v2)
     q1_ppp = angle1__________________ + (w3_p - w3_p)
     angle1___________________ = _atan2(s1_m, -v3)
     q1_mpp = angle1___________________ + (w3_m - w3_m)
-    v93 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
-    v94 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
-    v95 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
-    v96 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
-    outside_ppp = v93 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v93 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v94 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v94 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v95 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v95 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v96 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v96 or (q5_mmm < low5 or high5 < q5_mmm)
+    v80 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
+    v81 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
+    v82 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
+    v83 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
+    outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
+    outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
+    outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
+    outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
+    outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
+    outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
+    outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
+    outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
     doubt1 = (
-        v50 <= m5 or (v27 <= m4 or (v49 <= m5 or (v26 <= m4 or (v48 <= m5 or (v25 <= m4 or (v47 <=
+        v45 <= m5 or (v27 <= m4 or (v44 <= m5 or (v26 <= m4 or (v43 <= m5 or (v25 <= m4 or (v42 <=
         m5 or (v24 <= m4 or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (shortest3_reach <=
         N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)
         or shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and
@@ -931,16 +921,16 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2176, 2208, 2240, 2272, 2304, 2336],
-    [2176, 2208, 2240, 2368, 2400, 2432],
-    [2176, 2464, 2496, 2528, 2560, 2592],
-    [2176, 2464, 2496, 2624, 2656, 2688],
-    [2720, 2752, 2784, 2816, 2848, 2880],
-    [2720, 2752, 2784, 2912, 2944, 2976],
-    [2720, 3008, 3040, 3072, 3104, 3136],
-    [2720, 3008, 3040, 3168, 3200, 3232],
+    [2624, 2656, 2688, 2720, 2752, 2784],
+    [2624, 2656, 2688, 2816, 2848, 2880],
+    [2624, 2912, 2944, 2976, 3008, 3040],
+    [2624, 2912, 2944, 3072, 3104, 3136],
+    [3168, 3200, 3232, 3264, 3296, 3328],
+    [3168, 3200, 3232, 3360, 3392, 3424],
+    [3168, 3456, 3488, 3520, 3552, 3584],
+    [3168, 3456, 3488, 3616, 3648, 3680],
 ])
-_KINDS = np.array([3264, 3296, 3328, 3360, 3392, 3424, 3456, 3488])
+_KINDS = np.array([3712, 3744, 3776, 3808, 3840, 3872, 3904, 3936])
 _LEFT_OVER = 255
 
 
@@ -951,7 +941,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(3520)
+    work = np.empty(3968)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1035,73 +1025,45 @@ def _in_tiles(T, q, status):
             v25 = v15 * v15 + v21 * v21
             v26 = S2_mp * S2_mp + v22 * v22
             v27 = S2_mm * S2_mm + v23 * v23
-            factor2_pp = 1.0 / math.sqrt(v24)
-            factor2_pm = 1.0 / math.sqrt(v25)
-            factor2_mp = 1.0 / math.sqrt(v26)
-            factor2_mm = 1.0 / math.sqrt(v27)
-            v28 = v20 * factor2_pp
-            v29 = v21 * factor2_pm
-            v30 = v22 * factor2_mp
-            v31 = v23 * factor2_mm
-            s2_pp = S2_pp * factor2_pp
-            v32 = v15 * factor2_pm
-            s2_mp = S2_mp * factor2_mp
-            s2_mm = S2_mm * factor2_mm
-            v33 = s3_p * s2_pp - v10 * v28
-            v34 = v10 * v29 - s3_p * v32
-            v35 = s3_m * s2_mp - v11 * v30
-            v36 = s3_m * s2_mm + v11 * v31
-            v37 = s3_p * v28 + v10 * s2_pp
-            v38 = s3_p * v29 + v10 * v32
-            v39 = s3_m * v30 + v11 * s2_mp
-            v40 = s3_m * v31 - v11 * s2_mm
-            v41 = T21 * s1_p - T11 * v2
-            v42 = T21 * s1_m - T11 * v3
-            X4_pp = v33 * v41 - T31 * v37
-            X4_pm = v34 * v41 - T31 * v38
-            X4_mp = v35 * v42 - T31 * v39
-            X4_mm = v36 * v42 - T31 * v40
-            v43 = T21 * v2 + T11 * s1_p
-            v44 = T21 * v3 + T11 * s1_m
-            v45 = v43 * v43
-            v46 = v44 * v44
-            v47 = v45 + X4_pp * X4_pp
-            v48 = v45 + X4_pm * X4_pm
-            v49 = v46 + X4_mp * X4_mp
-            v50 = v46 + X4_mm * X4_mm
-            w4_pp = math.sqrt(v47)
-            w4_pm = math.sqrt(v48)
-            w4_mp = math.sqrt(v49)
-            w4_mm = math.sqrt(v50)
-            factor4_pp = 1.0 / w4_pp
-            factor4_pm = 1.0 / w4_pm
-            factor4_mp = 1.0 / w4_mp
-            factor4_mm = 1.0 / w4_mm
-            v51 = X4_pp * factor4_pp
-            v52 = X4_pm * factor4_pm
-            v53 = X4_mp * factor4_mp
-            v54 = X4_mm * factor4_mm
-            v55 = v43 * factor4_pp
-            v56 = v43 * factor4_pm
-            v57 = v44 * factor4_mp
-            v58 = v44 * factor4_mm
-            v59 = s1_p * T12 + v2 * T22
-            v60 = s1_m * T12 + v3 * T22
-            v61 = s1_p * T22 - v2 * T12
-            v62 = s1_m * T22 - v3 * T12
-            v63 = v2 * T23 + s1_p * T13
-            v64 = v3 * T23 + s1_m * T13
-            v65 = s1_p * T23 - v2 * T13
-            v66 = s1_m * T23 - v3 * T13
-            s6_pp = v51 * v63 - v55 * (v33 * v65 - v37 * T33)
-            s6_pm = v52 * v63 - v56 * (v34 * v65 - v38 * T33)
-            s6_mp = v53 * v64 - v57 * (v35 * v66 - v39 * T33)
-            s6_mm = v54 * v64 - v58 * (v36 * v66 - v40 * T33)
-            v75 = h1 * math.copysign(half_turn, -v43)
-            v76 = h1 * math.copysign(half_turn, -v44)
+            factor2_pp = math.sqrt(v24) * (1.0 / v24)
+            factor2_pm = math.sqrt(v25) * (1.0 / v25)
+            factor2_mp = math.sqrt(v26) * (1.0 / v26)
+            factor2_mm = math.sqrt(v27) * (1.0 / v27)
+            v28 = s3_p * S2_pp - v10 * v20
+            v29 = v10 * v21 - s3_p * v15
+            v30 = s3_m * S2_mp - v11 * v22
+            v31 = s3_m * S2_mm + v11 * v23
+            v32 = s3_p * v20 + v10 * S2_pp
+            v33 = s3_p * v21 + v10 * v15
+            v34 = s3_m * v22 + v11 * S2_mp
+            v35 = s3_m * v23 - v11 * S2_mm
+            v36 = T21 * s1_p - T11 * v2
+            v37 = T21 * s1_m - T11 * v3
+            X4_pp = v28 * v36 - T31 * v32
+            X4_pm = v29 * v36 - T31 * v33
+            X4_mp = v30 * v37 - T31 * v34
+            X4_mm = v31 * v37 - T31 * v35
+            v38 = T21 * v2 + T11 * s1_p
+            v39 = T21 * v3 + T11 * s1_m
+            v40 = v38 * v38
+            v41 = v39 * v39
+            v42 = v40 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
+            v43 = v40 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
+            v44 = v41 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
+            v45 = v41 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
+            v46 = s1_p * T12 + v2 * T22
+            v47 = s1_m * T12 + v3 * T22
+            v48 = s1_p * T22 - v2 * T12
+            v49 = s1_m * T22 - v3 * T12
+            v50 = v2 * T23 + s1_p * T13
+            v51 = v3 * T23 + s1_m * T13
+            v52 = s1_p * T23 - v2 * T13
+            v53 = s1_m * T23 - v3 * T13
+            v62 = h1 * math.copysign(half_turn, -v38)
+            v63 = h1 * math.copysign(half_turn, -v39)
             doubt1 = (
-                v50 <= m5 or (v27 <= m4 or (v49 <= m5 or (v26 <= m4 or (v48 <= m5 or (v25 <= m4 or
-                (v47 <= m5 or (v24 <= m4 or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or
+                v45 <= m5 or (v27 <= m4 or (v44 <= m5 or (v26 <= m4 or (v43 <= m5 or (v25 <= m4 or
+                (v42 <= m5 or (v24 <= m4 or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or
                 (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p
                 and N3_p < longest3_apart) or shortest3_reach <= N3_m and N3_m <= longest3_reach and
                 not (shortest3_apart < N3_m and N3_m < longest3_apart)))))))))))
@@ -1110,244 +1072,285 @@ def _in_tiles(T, q, status):
             work[576 + k] = w3_m
             work[608 + k] = s3_p
             work[640 + k] = s3_m
-            work[672 + k] = s6_pp
-            work[704 + k] = s6_pm
-            work[736 + k] = s6_mp
-            work[768 + k] = s6_mm
-            work[800 + k] = v75
-            work[832 + k] = v76
-            work[864 + k] = doubt1
-            work[896 + k] = s6_pp
-            work[928 + k] = s6_pm
-            work[960 + k] = s6_mp
-            work[992 + k] = s6_mm
-            work[1024 + k] = S2_pp
-            work[1056 + k] = -v15
-            work[1088 + k] = S2_mp
-            work[1120 + k] = S2_mm
-            work[1152 + k] = s3_p
-            work[1184 + k] = s3_m
-            work[1216 + k] = -v43
-            work[1248 + k] = -v43
-            work[1280 + k] = -v44
-            work[1312 + k] = -v44
-            work[1344 + k] = w4_pp
-            work[1376 + k] = w4_pm
-            work[1408 + k] = w4_mp
-            work[1440 + k] = w4_mm
-            work[1472 + k] = s1_p
-            work[1504 + k] = s1_m
-            work[1536 + k] = v55 * (v33 * v61 - v37 * T32) - v51 * v59
-            work[1568 + k] = v56 * (v34 * v61 - v38 * T32) - v52 * v59
-            work[1600 + k] = v57 * (v35 * v62 - v39 * T32) - v53 * v60
-            work[1632 + k] = v58 * (v36 * v62 - v40 * T32) - v54 * v60
-            work[1664 + k] = -v20
-            work[1696 + k] = -v21
-            work[1728 + k] = -v22
-            work[1760 + k] = -v23
-            work[1792 + k] = -v10
-            work[1824 + k] = -v11
-            work[1856 + k] = -X4_pp
-            work[1888 + k] = -X4_pm
-            work[1920 + k] = -X4_mp
-            work[1952 + k] = -X4_mm
-            work[1984 + k] = T31 * v33 + v37 * v41
-            work[2016 + k] = T31 * v34 + v38 * v41
-            work[2048 + k] = T31 * v35 + v39 * v42
-            work[2080 + k] = T31 * v36 + v40 * v42
-            work[2112 + k] = -v2
-            work[2144 + k] = -v3
-        for k in range(896, 1536):
+            work[672 + k] = v28
+            work[704 + k] = v29
+            work[736 + k] = v30
+            work[768 + k] = v31
+            work[800 + k] = v32
+            work[832 + k] = v33
+            work[864 + k] = v34
+            work[896 + k] = v35
+            work[928 + k] = X4_pp
+            work[960 + k] = X4_pm
+            work[992 + k] = X4_mp
+            work[1024 + k] = X4_mm
+            work[1056 + k] = v38
+            work[1088 + k] = v39
+            work[1120 + k] = v50
+            work[1152 + k] = v51
+            work[1184 + k] = v52
+            work[1216 + k] = v53
+            work[1248 + k] = v62
+            work[1280 + k] = v63
+            work[1312 + k] = doubt1
+            work[1344 + k] = -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))
+            work[1376 + k] = -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))
+            work[1408 + k] = -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))
+            work[1440 + k] = -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))
+            work[1472 + k] = S2_pp
+            work[1504 + k] = -v15
+            work[1536 + k] = S2_mp
+            work[1568 + k] = S2_mm
+            work[1600 + k] = s3_p
+            work[1632 + k] = s3_m
+            work[1664 + k] = -v38
+            work[1696 + k] = -v38
+            work[1728 + k] = -v39
+            work[1760 + k] = -v39
+            work[1792 + k] = math.sqrt(v42)
+            work[1824 + k] = math.sqrt(v43)
+            work[1856 + k] = math.sqrt(v44)
+            work[1888 + k] = math.sqrt(v45)
+            work[1920 + k] = s1_p
+            work[1952 + k] = s1_m
+            work[1984 + k] = v46 * -X4_pp + v38 * (v28 * v48 - v32 * T32)
+            work[2016 + k] = v46 * -X4_pm + v38 * (v29 * v48 - v33 * T32)
+            work[2048 + k] = v47 * -X4_mp + v39 * (v30 * v49 - v34 * T32)
+            work[2080 + k] = v47 * -X4_mm + v39 * (v31 * v49 - v35 * T32)
+            work[2112 + k] = -v20
+            work[2144 + k] = -v21
+            work[2176 + k] = -v22
+            work[2208 + k] = -v23
+            work[2240 + k] = -v10
+            work[2272 + k] = -v11
+            work[2304 + k] = factor2_pp * -X4_pp
+            work[2336 + k] = factor2_pm * -X4_pm
+            work[2368 + k] = factor2_mp * -X4_mp
+            work[2400 + k] = factor2_mm * -X4_mm
+            work[2432 + k] = factor2_pp * (T31 * v28 + v32 * v36)
+            work[2464 + k] = factor2_pm * (T31 * v29 + v33 * v36)
+            work[2496 + k] = factor2_mp * (T31 * v30 + v34 * v37)
+            work[2528 + k] = factor2_mm * (T31 * v31 + v35 * v37)
+            work[2560 + k] = -v2
+            work[2592 + k] = -v3
+        for k in range(1344, 1984):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
+            T33 = work[320 + k]
             w3_p = work[544 + k]
             w3_m = work[576 + k]
             s3_p = work[608 + k]
             s3_m = work[640 + k]
-            s6_pp = work[672 + k]
-            s6_pm = work[704 + k]
-            s6_mp = work[736 + k]
-            s6_mm = work[768 + k]
-            v75 = work[800 + k]
-            v76 = work[832 + k]
-            doubt1 = work[864 + k] != 0.0
-            angle1 = work[896 + k]
-            angle1_ = work[928 + k]
-            angle1__ = work[960 + k]
-            angle1___ = work[992 + k]
-            angle1____ = work[1024 + k]
-            angle1_____ = work[1056 + k]
-            angle1______ = work[1088 + k]
-            angle1_______ = work[1120 + k]
-            angle1________ = work[1152 + k]
-            angle1_________ = work[1184 + k]
-            angle1__________ = work[1216 + k]
-            angle1___________ = work[1248 + k]
-            angle1____________ = work[1280 + k]
-            angle1_____________ = work[1312 + k]
-            angle1______________ = work[1344 + k]
-            angle1_______________ = work[1376 + k]
-            angle1________________ = work[1408 + k]
-            angle1_________________ = work[1440 + k]
-            angle1__________________ = work[1472 + k]
-            angle1___________________ = work[1504 + k]
-            q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-            q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
-            q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
-            q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
-            v67 = angle1____ - offset2
-            v68 = angle1_____ - offset2
-            v69 = angle1______ - offset2
-            v70 = angle1_______ - offset2
-            q2_ppp = v67 - (m7 if half_turn < v67 else 0.0)
-            q2_pmp = v68 - (m7 if half_turn < v68 else 0.0)
-            q2_mpp = v69 - (m7 if half_turn < v69 else 0.0)
-            q2_mmp = v70 - (m7 if half_turn < v70 else 0.0)
-            v71 = angle1________ - offset3
-            v72 = h1 * math.copysign(half_turn, s3_p) - angle1________ - offset3
-            v73 = angle1_________ - offset3
-            v74 = h1 * math.copysign(half_turn, s3_m) - angle1_________ - offset3
-            q3_ppp = v71 + (m7 if v71 <= -half_turn else 0.0)
-            q3_pmp = v72 + (m7 if v72 <= -half_turn else 0.0)
-            q3_mpp = v73 + (m7 if v73 <= -half_turn else 0.0)
-            q3_mmp = v74 + (m7 if v74 <= -half_turn else 0.0)
-            v77 = angle1__________ - offset4
-            v78 = angle1__________ - v75 - offset4
-            v79 = angle1___________ - offset4
-            v80 = angle1___________ - v75 - offset4
-            v81 = angle1____________ - offset4
-            v82 = angle1____________ - v76 - offset4
-            v83 = angle1_____________ - offset4
-            v84 = angle1_____________ - v76 - offset4
-            q4_ppp = v77 + (m7 if v77 <= -half_turn else 0.0)
-            q4_ppm = v78 + (m7 if v78 <= -half_turn else 0.0)
-            q4_pmp = v79 + (m7 if v79 <= -half_turn else 0.0)
-            q4_pmm = v80 + (m7 if v80 <= -half_turn else 0.0)
-            q4_mpp = v81 + (m7 if v81 <= -half_turn else 0.0)
-            q4_mpm = v82 + (m7 if v82 <= -half_turn else 0.0)
-            q4_mmp = v83 + (m7 if v83 <= -half_turn else 0.0)
-            q4_mmm = v84 + (m7 if v84 <= -half_turn else 0.0)
-            v85 = angle1______________ - offset5
-            v86 = offset5 + angle1______________
-            v87 = angle1_______________ - offset5
-            v88 = offset5 + angle1_______________
-            v89 = angle1________________ - offset5
-            v90 = offset5 + angle1________________
-            v91 = angle1_________________ - offset5
-            v92 = offset5 + angle1_________________
-            q5_ppp = v85 + (m7 if v85 <= -half_turn else 0.0)
-            q5_ppm = (m7 if -v86 <= -half_turn else 0.0) - v86
-            q5_pmp = v87 + (m7 if v87 <= -half_turn else 0.0)
-            q5_pmm = (m7 if -v88 <= -half_turn else 0.0) - v88
-            q5_mpp = v89 + (m7 if v89 <= -half_turn else 0.0)
-            q5_mpm = (m7 if -v90 <= -half_turn else 0.0) - v90
-            q5_mmp = v91 + (m7 if v91 <= -half_turn else 0.0)
-            q5_mmm = (m7 if -v92 <= -half_turn else 0.0) - v92
+            v28 = work[672 + k]
+            v29 = work[704 + k]
+            v30 = work[736 + k]
+            v31 = work[768 + k]
+            v32 = work[800 + k]
+            v33 = work[832 + k]
+            v34 = work[864 + k]
+            v35 = work[896 + k]
+            X4_pp = work[928 + k]
+            X4_pm = work[960 + k]
+            X4_mp = work[992 + k]
+            X4_mm = work[1024 + k]
+            v38 = work[1056 + k]
+            v39 = work[1088 + k]
+            v50 = work[1120 + k]
+            v51 = work[1152 + k]
+            v52 = work[1184 + k]
+            v53 = work[1216 + k]
+            v62 = work[1248 + k]
+            v63 = work[1280 + k]
+            doubt1 = work[1312 + k] != 0.0
+            angle1 = work[1344 + k]
+            angle1_ = work[1376 + k]
+            angle1__ = work[1408 + k]
+            angle1___ = work[1440 + k]
+            angle1____ = work[1472 + k]
+            angle1_____ = work[1504 + k]
+            angle1______ = work[1536 + k]
+            angle1_______ = work[1568 + k]
+            angle1________ = work[1600 + k]
+            angle1_________ = work[1632 + k]
+            angle1__________ = work[1664 + k]
+            angle1___________ = work[1696 + k]
+            angle1____________ = work[1728 + k]
+            angle1_____________ = work[1760 + k]
+            angle1______________ = work[1792 + k]
+            angle1_______________ = work[1824 + k]
+            angle1________________ = work[1856 + k]
+            angle1_________________ = work[1888 + k]
+            angle1__________________ = work[1920 + k]
+            angle1___________________ = work[1952 + k]
+            q6_ppm = (
+                angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))) *
+                h1
+            )
+            q6_pmm = (
+                angle1_ - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)))
+                * h1
+            )
+            q6_mpm = (
+                angle1__ - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)))
+                * h1
+            )
+            q6_mmm = (
+                angle1___ - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 *
+                T33))) * h1
+            )
+            v54 = angle1____ - offset2
+            v55 = angle1_____ - offset2
+            v56 = angle1______ - offset2
+            v57 = angle1_______ - offset2
+            q2_ppp = v54 - (m7 if half_turn < v54 else 0.0)
+            q2_pmp = v55 - (m7 if half_turn < v55 else 0.0)
+            q2_mpp = v56 - (m7 if half_turn < v56 else 0.0)
+            q2_mmp = v57 - (m7 if half_turn < v57 else 0.0)
+            v58 = angle1________ - offset3
+            v59 = h1 * math.copysign(half_turn, s3_p) - angle1________ - offset3
+            v60 = angle1_________ - offset3
+            v61 = h1 * math.copysign(half_turn, s3_m) - angle1_________ - offset3
+            q3_ppp = v58 + (m7 if v58 <= -half_turn else 0.0)
+            q3_pmp = v59 + (m7 if v59 <= -half_turn else 0.0)
+            q3_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
+            q3_mmp = v61 + (m7 if v61 <= -half_turn else 0.0)
+            v64 = angle1__________ - offset4
+            v65 = angle1__________ - v62 - offset4
+            v66 = angle1___________ - offset4
+            v67 = angle1___________ - v62 - offset4
+            v68 = angle1____________ - offset4
+            v69 = angle1____________ - v63 - offset4
+            v70 = angle1_____________ - offset4
+            v71 = angle1_____________ - v63 - offset4
+            q4_ppp = v64 + (m7 if v64 <= -half_turn else 0.0)
+            q4_ppm = v65 + (m7 if v65 <= -half_turn else 0.0)
+            q4_pmp = v66 + (m7 if v66 <= -half_turn else 0.0)
+            q4_pmm = v67 + (m7 if v67 <= -half_turn else 0.0)
+            q4_mpp = v68 + (m7 if v68 <= -half_turn else 0.0)
+            q4_mpm = v69 + (m7 if v69 <= -half_turn else 0.0)
+            q4_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
+            q4_mmm = v71 + (m7 if v71 <= -half_turn else 0.0)
+            v72 = angle1______________ - offset5
+            v73 = offset5 + angle1______________
+            v74 = angle1_______________ - offset5
+            v75 = offset5 + angle1_______________
+            v76 = angle1________________ - offset5
+            v77 = offset5 + angle1________________
+            v78 = angle1_________________ - offset5
+            v79 = offset5 + angle1_________________
+            q5_ppp = v72 + (m7 if v72 <= -half_turn else 0.0)
+            q5_ppm = (m7 if -v73 <= -half_turn else 0.0) - v73
+            q5_pmp = v74 + (m7 if v74 <= -half_turn else 0.0)
+            q5_pmm = (m7 if -v75 <= -half_turn else 0.0) - v75
+            q5_mpp = v76 + (m7 if v76 <= -half_turn else 0.0)
+            q5_mpm = (m7 if -v77 <= -half_turn else 0.0) - v77
+            q5_mmp = v78 + (m7 if v78 <= -half_turn else 0.0)
+            q5_mmm = (m7 if -v79 <= -half_turn else 0.0) - v79
             q1_ppp = angle1__________________ + (w3_p - w3_p)
             q1_mpp = angle1___________________ + (w3_m - w3_m)
-            v93 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
-            v94 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
-            v95 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
-            v96 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
-            outside_ppp = v93 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v93 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v94 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v94 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v95 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v95 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v96 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v96 or (q5_mmm < low5 or high5 < q5_mmm)
-            _2176 = q1_ppp
-            work[2176 + k] = _2176
-            _2208 = q2_ppp
-            work[2208 + k] = _2208
-            _2240 = q3_ppp
-            work[2240 + k] = _2240
-            _2272 = q4_ppp
-            work[2272 + k] = _2272
-            _2304 = q5_ppp
-            work[2304 + k] = _2304
-            _2336 = angle1
-            work[2336 + k] = _2336
-            _2368 = q4_ppm
-            work[2368 + k] = _2368
-            _2400 = q5_ppm
-            work[2400 + k] = _2400
-            _2432 = q6_ppm
-            work[2432 + k] = _2432
-            _2464 = q2_pmp
-            work[2464 + k] = _2464
-            _2496 = q3_pmp
-            work[2496 + k] = _2496
-            _2528 = q4_pmp
-            work[2528 + k] = _2528
-            _2560 = q5_pmp
-            work[2560 + k] = _2560
-            _2592 = angle1_
-            work[2592 + k] = _2592
-            _2624 = q4_pmm
+            v80 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
+            v81 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
+            v82 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
+            v83 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
+            outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
+            outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
+            outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
+            outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
+            outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
+            outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
+            outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
+            outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
+            _2624 = q1_ppp
             work[2624 + k] = _2624
-            _2656 = q5_pmm
+            _2656 = q2_ppp
             work[2656 + k] = _2656
-            _2688 = q6_pmm
+            _2688 = q3_ppp
             work[2688 + k] = _2688
-            _2720 = q1_mpp
+            _2720 = q4_ppp
             work[2720 + k] = _2720
-            _2752 = q2_mpp
+            _2752 = q5_ppp
             work[2752 + k] = _2752
-            _2784 = q3_mpp
+            _2784 = angle1
             work[2784 + k] = _2784
-            _2816 = q4_mpp
+            _2816 = q4_ppm
             work[2816 + k] = _2816
-            _2848 = q5_mpp
+            _2848 = q5_ppm
             work[2848 + k] = _2848
-            _2880 = angle1__
+            _2880 = q6_ppm
             work[2880 + k] = _2880
-            _2912 = q4_mpm
+            _2912 = q2_pmp
             work[2912 + k] = _2912
-            _2944 = q5_mpm
+            _2944 = q3_pmp
             work[2944 + k] = _2944
-            _2976 = q6_mpm
+            _2976 = q4_pmp
             work[2976 + k] = _2976
-            _3008 = q2_mmp
+            _3008 = q5_pmp
             work[3008 + k] = _3008
-            _3040 = q3_mmp
+            _3040 = angle1_
             work[3040 + k] = _3040
-            _3072 = q4_mmp
+            _3072 = q4_pmm
             work[3072 + k] = _3072
-            _3104 = q5_mmp
+            _3104 = q5_pmm
             work[3104 + k] = _3104
-            _3136 = angle1___
+            _3136 = q6_pmm
             work[3136 + k] = _3136
-            _3168 = q4_mmm
+            _3168 = q1_mpp
             work[3168 + k] = _3168
-            _3200 = q5_mmm
+            _3200 = q2_mpp
             work[3200 + k] = _3200
-            _3232 = q6_mmm
+            _3232 = q3_mpp
             work[3232 + k] = _3232
-            work[3264 + k] = (
-                UNREACHABLE if _2176 != _2176 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _3264 = q4_mpp
+            work[3264 + k] = _3264
+            _3296 = q5_mpp
+            work[3296 + k] = _3296
+            _3328 = angle1__
+            work[3328 + k] = _3328
+            _3360 = q4_mpm
+            work[3360 + k] = _3360
+            _3392 = q5_mpm
+            work[3392 + k] = _3392
+            _3424 = q6_mpm
+            work[3424 + k] = _3424
+            _3456 = q2_mmp
+            work[3456 + k] = _3456
+            _3488 = q3_mmp
+            work[3488 + k] = _3488
+            _3520 = q4_mmp
+            work[3520 + k] = _3520
+            _3552 = q5_mmp
+            work[3552 + k] = _3552
+            _3584 = angle1___
+            work[3584 + k] = _3584
+            _3616 = q4_mmm
+            work[3616 + k] = _3616
+            _3648 = q5_mmm
+            work[3648 + k] = _3648
+            _3680 = q6_mmm
+            work[3680 + k] = _3680
+            work[3712 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[3296 + k] = (
-                UNREACHABLE if _2176 != _2176 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[3744 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[3328 + k] = (
-                UNREACHABLE if _2176 != _2176 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[3776 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[3360 + k] = (
-                UNREACHABLE if _2176 != _2176 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[3808 + k] = (
+                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[3392 + k] = (
-                UNREACHABLE if _2720 != _2720 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[3840 + k] = (
+                UNREACHABLE if _3168 != _3168 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[3424 + k] = (
-                UNREACHABLE if _2720 != _2720 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[3872 + k] = (
+                UNREACHABLE if _3168 != _3168 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[3456 + k] = (
-                UNREACHABLE if _2720 != _2720 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[3904 + k] = (
+                UNREACHABLE if _3168 != _3168 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[3488 + k] = (
-                UNREACHABLE if _2720 != _2720 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[3936 + k] = (
+                UNREACHABLE if _3168 != _3168 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef STAUBLI_TX40_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -39,21 +42,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -85,7 +88,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -129,7 +132,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -155,8 +158,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef STAUBLI_TX40_LIBM
 #define atan2_wide atan2
 #else
@@ -166,7 +169,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -581,59 +584,53 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v16 = v15 + C2_pm * C2_pm;
     const wide v17 = v15 + C2_mp * C2_mp;
     const wide v18 = v13 + C2_mm * C2_mm;
-    const wide factor2_pp = 1.0 / sqrt_wide(v14);
-    const wide factor2_pm = 1.0 / sqrt_wide(v16);
-    const wide factor2_mp = 1.0 / sqrt_wide(v17);
-    const wide factor2_mm = 1.0 / sqrt_wide(v18);
+    const wide factor2_pp = sqrt_wide(v14) * (1.0 / v14);
+    const wide factor2_pm = sqrt_wide(v16) * (1.0 / v16);
+    const wide factor2_mp = sqrt_wide(v17) * (1.0 / v17);
+    const wide factor2_mm = sqrt_wide(v18) * (1.0 / v18);
 
     /* theta4 */
-    const wide v19 = S2_pm * factor2_pp;
-    const wide v20 = S2_pp * factor2_pm;
-    const wide v21 = S2_pp * factor2_mp;
-    const wide v22 = S2_pm * factor2_mm;
-    const wide v23 = m3 * N3;
-    const wide v24 = v23 - m1;
-    const wide v25 = m4 - v23;
-    const wide v26 = m1 * (Z1_3 * w3);
-    const wide v27 = m1 * (w3 * -Z1_3);
-    const wide v28 = w1 * (N3 * (v24 + v25));
-    const wide s23_pp = factor2_pp * (v28 - v26);
-    const wide s23_pm = factor2_pm * (v28 - v27);
-    const wide v29 = w1 * (N3 * (-v24 + -v25));
-    const wide s23_mp = factor2_mp * (v29 - v26);
-    const wide s23_mm = factor2_mm * (v29 - v27);
-    const wide v30 = T23 * s1_p - T13 * v3;
-    const wide v31 = T23 * s1_m - T13 * v4;
-    const wide X4_pp = v19 * v30 - T33 * s23_pp;
-    const wide X4_pm = v20 * v30 - T33 * s23_pm;
-    const wide X4_mp = v21 * v31 - T33 * s23_mp;
-    const wide X4_mm = v22 * v31 - T33 * s23_mm;
+    const wide v19 = m3 * N3;
+    const wide v20 = v19 - m1;
+    const wide v21 = m4 - v19;
+    const wide v22 = w1 * (N3 * (v20 + v21));
+    const wide s23_pp = v22 - v10;
+    const wide s23_pm = v22 - v11;
+    const wide v23 = w1 * (N3 * (-v20 + -v21));
+    const wide s23_mp = v23 - v10;
+    const wide s23_mm = v23 - v11;
+    const wide v24 = T23 * s1_p - T13 * v3;
+    const wide v25 = T23 * s1_m - T13 * v4;
+    const wide X4_pp = S2_pm * v24 - T33 * s23_pp;
+    const wide X4_pm = S2_pp * v24 - T33 * s23_pm;
+    const wide X4_mp = S2_pp * v25 - T33 * s23_mp;
+    const wide X4_mm = S2_pm * v25 - T33 * s23_mm;
     const wide Y4_p = T13 * s1_p + T23 * v3;
     const wide Y4_m = T13 * s1_m + T23 * v4;
-    const wide v32 = Y4_p * Y4_p;
-    const wide v33 = Y4_m * Y4_m;
-    const wide v34 = v32 + X4_pp * X4_pp;
-    const wide v35 = v32 + X4_pm * X4_pm;
-    const wide v36 = v33 + X4_mp * X4_mp;
-    const wide v37 = v33 + X4_mm * X4_mm;
+    const wide v26 = Y4_p * Y4_p;
+    const wide v27 = Y4_m * Y4_m;
+    const wide v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
+    const wide v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
+    const wide v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp));
+    const wide v31 = v27 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
 
     /* theta6 */
-    const wide v38 = v3 * T22 + s1_p * T12;
-    const wide v39 = v4 * T22 + s1_m * T12;
-    const wide v40 = s1_p * T22 - v3 * T12;
-    const wide v41 = s1_m * T22 - v4 * T12;
-    const wide v42 = v3 * T21 + s1_p * T11;
-    const wide v43 = v4 * T21 + s1_m * T11;
-    const wide v44 = s1_p * T21 - v3 * T11;
-    const wide v45 = s1_m * T21 - v4 * T11;
-    const wide s6_pp = Y4_p * (s23_pp * T31 - v19 * v44) - v42 * -X4_pp;
-    const wide s6_pm = Y4_p * (s23_pm * T31 - v20 * v44) - v42 * -X4_pm;
-    const wide s6_mp = Y4_m * (s23_mp * T31 - v21 * v45) - v43 * -X4_mp;
-    const wide s6_mm = Y4_m * (s23_mm * T31 - v22 * v45) - v43 * -X4_mm;
-    const wide angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - v19 * v40) - v38 * -X4_pp);
-    const wide angle1_ = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - v20 * v40) - v38 * -X4_pm);
-    const wide angle1__ = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - v21 * v41) - v39 * -X4_mp);
-    const wide angle1___ = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - v22 * v41) - v39 * -X4_mm);
+    const wide v32 = v3 * T22 + s1_p * T12;
+    const wide v33 = v4 * T22 + s1_m * T12;
+    const wide v34 = s1_p * T22 - v3 * T12;
+    const wide v35 = s1_m * T22 - v4 * T12;
+    const wide v36 = v3 * T21 + s1_p * T11;
+    const wide v37 = v4 * T21 + s1_m * T11;
+    const wide v38 = s1_p * T21 - v3 * T11;
+    const wide v39 = s1_m * T21 - v4 * T11;
+    const wide s6_pp = Y4_p * (s23_pp * T31 - S2_pm * v38) - v36 * -X4_pp;
+    const wide s6_pm = Y4_p * (s23_pm * T31 - S2_pp * v38) - v36 * -X4_pm;
+    const wide s6_mp = Y4_m * (s23_mp * T31 - S2_pp * v39) - v37 * -X4_mp;
+    const wide s6_mm = Y4_m * (s23_mm * T31 - S2_pm * v39) - v37 * -X4_mm;
+    const wide angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - S2_pm * v34) - v32 * -X4_pp);
+    const wide angle1_ = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - S2_pp * v34) - v32 * -X4_pm);
+    const wide angle1__ = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - S2_pp * v35) - v33 * -X4_mp);
+    const wide angle1___ = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - S2_pm * v35) - v33 * -X4_mm);
     const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
     const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), s6_pm) * h1;
     const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), s6_mp) * h1;
@@ -641,72 +638,78 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide angle1____ = atan2_wide(s1_p, -v3);
-    const wide v46 = angle1____ - offset1;
+    const wide v40 = angle1____ - offset1;
     const wide angle1_____ = atan2_wide(s1_m, -v4);
-    const wide v47 = angle1_____ - offset1;
+    const wide v41 = angle1_____ - offset1;
     const wide angle1______ = atan2_wide(S2_pp, C2_pp);
-    const wide v48 = angle1______ - offset2;
+    const wide v42 = angle1______ - offset2;
     const wide angle1_______ = atan2_wide(S2_pm, C2_pm);
-    const wide v49 = angle1_______ - offset2;
+    const wide v43 = angle1_______ - offset2;
     const wide angle1________ = atan2_wide(S2_pm, C2_mp);
-    const wide v50 = angle1________ - offset2;
+    const wide v44 = angle1________ - offset2;
     const wide angle1_________ = atan2_wide(S2_pp, C2_mm);
-    const wide v51 = angle1_________ - offset2;
-    const wide q2_ppp = v48 + pick_wide(v48 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q2_pmp = v49 + pick_wide(v49 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q2_mpp = v50 + pick_wide(v50 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q2_mmp = v51 + pick_wide(v51 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide v45 = angle1_________ - offset2;
+    const wide q2_ppp = v42 + pick_wide(v42 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q2_pmp = v43 + pick_wide(v43 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q2_mpp = v44 + pick_wide(v44 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q2_mmp = v45 + pick_wide(v45 <= -half_turn, all_wide(m7), all_wide(0.0));
     const wide angle1__________ = atan2_wide(v7, -(k4 * w3));
-    const wide v52 = angle1__________ - offset3;
-    const wide v53 = h1 * copysign_wide(all_wide(half_turn), v7) - angle1__________ - offset3;
-    const wide angle1___________ = atan2_wide(Y4_p, -X4_pp);
-    const wide angle1____________ = atan2_wide(Y4_p, -X4_pm);
-    const wide angle1_____________ = atan2_wide(Y4_m, -X4_mp);
-    const wide angle1______________ = atan2_wide(Y4_m, -X4_mm);
-    const wide v54 = h1 * copysign_wide(all_wide(half_turn), Y4_p);
-    const wide v55 = h1 * copysign_wide(all_wide(half_turn), Y4_m);
-    const wide v56 = angle1___________ - offset4;
-    const wide v57 = angle1___________ - v54 - offset4;
-    const wide v58 = angle1____________ - offset4;
-    const wide v59 = angle1____________ - v54 - offset4;
-    const wide v60 = angle1_____________ - offset4;
-    const wide v61 = angle1_____________ - v55 - offset4;
-    const wide v62 = angle1______________ - offset4;
-    const wide v63 = angle1______________ - v55 - offset4;
-    const wide q4_ppp = v56 + pick_wide(v56 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_ppm = v57 + pick_wide(v57 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_pmp = v58 + pick_wide(v58 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_pmm = v59 + pick_wide(v59 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mpp = v60 + pick_wide(v60 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mpm = v61 + pick_wide(v61 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mmp = v62 + pick_wide(v62 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mmm = v63 + pick_wide(v63 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v34), -(T33 * v19 + s23_pp * v30));
-    const wide angle1________________ = atan2_wide(sqrt_wide(v35), -(T33 * v20 + s23_pm * v30));
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v36), -(T33 * v21 + s23_mp * v31));
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v37), -(T33 * v22 + s23_mm * v31));
-    const wide v64 = angle1_______________ - offset5;
-    const wide v65 = offset5 + angle1_______________;
-    const wide v66 = angle1________________ - offset5;
-    const wide v67 = offset5 + angle1________________;
-    const wide v68 = angle1_________________ - offset5;
-    const wide v69 = offset5 + angle1_________________;
-    const wide v70 = angle1__________________ - offset5;
-    const wide v71 = offset5 + angle1__________________;
-    const wide q5_ppp = v64 + pick_wide(v64 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v65 <= -half_turn, all_wide(m7), all_wide(0.0)) - v65;
-    const wide q5_pmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v67 <= -half_turn, all_wide(m7), all_wide(0.0)) - v67;
-    const wide q5_mpp = v68 + pick_wide(v68 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v69 <= -half_turn, all_wide(m7), all_wide(0.0)) - v69;
-    const wide q5_mmp = v70 + pick_wide(v70 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v71 <= -half_turn, all_wide(m7), all_wide(0.0)) - v71;
-    const wide q1_ppp = v6 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m7), all_wide(0.0)));
-    const wide q1_mpp = v6 + (v47 + pick_wide(v47 <= -half_turn, all_wide(m7), all_wide(0.0)));
-    const wide q3_ppp = v1 + (v52 + pick_wide(v52 <= -half_turn, all_wide(m7), all_wide(0.0)));
-    const wide q3_pmp = v1 + (v53 + pick_wide(v53 <= -half_turn, all_wide(m7), all_wide(0.0)));
-    const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((v37 <= m5) |
-        ((v18 <= m2) | ((v36 <= m5) | ((v17 <= m2) | ((v35 <= m5) | ((v16 <= m2) | ((v34 <= m5) |
+    const wide v46 = angle1__________ - offset3;
+    const wide v47 = h1 * copysign_wide(all_wide(half_turn), v7) - angle1__________ - offset3;
+    const wide angle1___________ = atan2_wide(Y4_p, factor2_pp * -X4_pp);
+    const wide angle1____________ = atan2_wide(Y4_p, factor2_pm * -X4_pm);
+    const wide angle1_____________ = atan2_wide(Y4_m, factor2_mp * -X4_mp);
+    const wide angle1______________ = atan2_wide(Y4_m, factor2_mm * -X4_mm);
+    const wide v48 = h1 * copysign_wide(all_wide(half_turn), Y4_p);
+    const wide v49 = h1 * copysign_wide(all_wide(half_turn), Y4_m);
+    const wide v50 = angle1___________ - offset4;
+    const wide v51 = angle1___________ - v48 - offset4;
+    const wide v52 = angle1____________ - offset4;
+    const wide v53 = angle1____________ - v48 - offset4;
+    const wide v54 = angle1_____________ - offset4;
+    const wide v55 = angle1_____________ - v49 - offset4;
+    const wide v56 = angle1______________ - offset4;
+    const wide v57 = angle1______________ - v49 - offset4;
+    const wide q4_ppp = v50 + pick_wide(v50 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_ppm = v51 + pick_wide(v51 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_pmp = v52 + pick_wide(v52 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_pmm = v53 + pick_wide(v53 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mpp = v54 + pick_wide(v54 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mpm = v55 + pick_wide(v55 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mmp = v56 + pick_wide(v56 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q4_mmm = v57 + pick_wide(v57 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide v58 = T33 * S2_pm;
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v28), -(factor2_pp * (v58 + s23_pp *
+        v24)));
+    const wide v59 = T33 * S2_pp;
+    const wide angle1________________ = atan2_wide(sqrt_wide(v29), -(factor2_pm * (v59 + s23_pm *
+        v24)));
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v30), -(factor2_mp * (v59 + s23_mp *
+        v25)));
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v31), -(factor2_mm * (v58 + s23_mm *
+        v25)));
+    const wide v60 = angle1_______________ - offset5;
+    const wide v61 = offset5 + angle1_______________;
+    const wide v62 = angle1________________ - offset5;
+    const wide v63 = offset5 + angle1________________;
+    const wide v64 = angle1_________________ - offset5;
+    const wide v65 = offset5 + angle1_________________;
+    const wide v66 = angle1__________________ - offset5;
+    const wide v67 = offset5 + angle1__________________;
+    const wide q5_ppp = v60 + pick_wide(v60 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_ppm = pick_wide(-v61 <= -half_turn, all_wide(m7), all_wide(0.0)) - v61;
+    const wide q5_pmp = v62 + pick_wide(v62 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_pmm = pick_wide(-v63 <= -half_turn, all_wide(m7), all_wide(0.0)) - v63;
+    const wide q5_mpp = v64 + pick_wide(v64 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_mpm = pick_wide(-v65 <= -half_turn, all_wide(m7), all_wide(0.0)) - v65;
+    const wide q5_mmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide q5_mmm = pick_wide(-v67 <= -half_turn, all_wide(m7), all_wide(0.0)) - v67;
+    const wide q1_ppp = v6 + (v40 + pick_wide(v40 <= -half_turn, all_wide(m7), all_wide(0.0)));
+    const wide q1_mpp = v6 + (v41 + pick_wide(v41 <= -half_turn, all_wide(m7), all_wide(0.0)));
+    const wide q3_ppp = v1 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m7), all_wide(0.0)));
+    const wide q3_pmp = v1 + (v47 + pick_wide(v47 <= -half_turn, all_wide(m7), all_wide(0.0)));
+    const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((v31 <= m5) |
+        ((v18 <= m2) | ((v30 <= m5) | ((v17 <= m2) | ((v29 <= m5) | ((v16 <= m2) | ((v28 <= m5) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v14 <= m2))))))))));
 
@@ -807,65 +810,63 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v7 = e1 * e2;
     const double v8 = m1 * (Z1_3 * N3);
     const four S2 = v8 - w3 * (m1 * (w1 * v7));
-    const four v9 = e2 * Z1_3;
-    const four v10 = w3 * (m1 * v9);
-    const four v11 = m1 * (w1 * (e1 * N3));
-    const four C2 = v10 + v11;
-    const four v12 = S2 * S2 + C2 * C2;
-    const four factor2 = 1.0 / sqrt_four(v12);
+    const four v9 = w3 * (m1 * (e2 * Z1_3));
+    const four v10 = m1 * (w1 * (e1 * N3));
+    const four C2 = v9 + v10;
+    const four v11 = S2 * S2 + C2 * C2;
+    const four factor2 = sqrt_four(v11) * (1.0 / v11);
 
     /* theta4 */
-    const four v13 = factor2 * (v8 + w3 * (w1 * (m1 * v7)));
-    const double v14 = m3 * N3;
-    const double v15 = v14 - m1;
-    const four v16 = e1 * v15;
-    const double v17 = m4 - v14;
-    const four v18 = e2 * v17;
-    const four v19 = m1 * (w3 * v9);
-    const four s23 = factor2 * (w1 * (N3 * (v16 + v7 * v18)) - v19);
-    const four v20 = T23 * s1 - T13 * v3;
-    const four X4 = v13 * v20 - T33 * s23;
+    const four v12 = v8 + w3 * (w1 * (m1 * v7));
+    const double v13 = m3 * N3;
+    const double v14 = v13 - m1;
+    const four v15 = e1 * v14;
+    const double v16 = m4 - v13;
+    const four v17 = e2 * v16;
+    const four s23 = w1 * (N3 * (v15 + v7 * v17)) - v9;
+    const four v18 = T23 * s1 - T13 * v3;
+    const four X4 = v12 * v18 - T33 * s23;
     const four Y4 = T13 * s1 + T23 * v3;
-    const four v21 = Y4 * Y4;
-    const four v22 = v21 + X4 * X4;
+    const four v19 = Y4 * Y4;
+    const four v20 = v19 + factor2 * (X4 * (factor2 * X4));
 
     /* theta6 */
-    const four v23 = v3 * T22 + s1 * T12;
-    const four v24 = s1 * T22 - v3 * T12;
-    const four v25 = v3 * T21 + s1 * T11;
-    const four v26 = s1 * T21 - v3 * T11;
-    const four s6 = Y4 * (s23 * T31 - v13 * v26) - v25 * -X4;
+    const four v21 = v3 * T22 + s1 * T12;
+    const four v22 = s1 * T22 - v3 * T12;
+    const four v23 = v3 * T21 + s1 * T11;
+    const four v24 = s1 * T21 - v3 * T11;
+    const four s6 = Y4 * (s23 * T31 - v12 * v24) - v23 * -X4;
 
     /* joint values */
-    const double v29 = copysign(half_turn, v6);
-    const four v31 = h1 * copysign_four(all_four(half_turn), Y4);
-    const four_mask doubt2 = (v12 <= m2) | (v22 <= m5);
+    const double v27 = copysign(half_turn, v6);
+    const four v29 = h1 * copysign_four(all_four(half_turn), Y4);
+    const four_mask doubt2 = (v11 <= m2) | (v20 <= m5);
     const int doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | (((shortest3_reach <=
         N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
-    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v13 * v24) - v23 * -X4);
+    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v12 * v22) - v21 * -X4);
     const four angle1__ = atan2_four(S2, C2);
-    const four angle1____ = atan2_four(Y4, -X4);
-    const four angle1_____ = atan2_four(sqrt_four(v22), -(T33 * v13 + s23 * v20));
+    const four angle1____ = atan2_four(Y4, factor2 * -X4);
+    const four angle1_____ = atan2_four(sqrt_four(v20), -(factor2 * (T33 * v12 + s23 * v18)));
     const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
         __builtin_shufflevector(-v3, all_four(-(k4 * w3)), 0, 5, 2, 3));
     const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1___ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
-    const four v27 = angle1_ - offset1;
-    const four v28 = angle1__ - offset2;
-    const four q2_p = v28 + pick_four(v28 <= -half_turn, all_four(m7), all_four(0.0));
-    const four v30 = e2 * angle1___ + v29 * (m6 * (1.0 - e2)) - offset3;
-    const four v32 = angle1____ - offset4;
-    const four v33 = angle1____ - v31 - offset4;
-    const four q4_p = v32 + pick_four(v32 <= -half_turn, all_four(m7), all_four(0.0));
-    const four q4_m = v33 + pick_four(v33 <= -half_turn, all_four(m7), all_four(0.0));
-    const four v34 = angle1_____ - offset5;
-    const four v35 = offset5 + angle1_____;
-    const four q5_p = v34 + pick_four(v34 <= -half_turn, all_four(m7), all_four(0.0));
-    const four q5_m = pick_four(-v35 <= -half_turn, all_four(m7), all_four(0.0)) - v35;
-    const four q1_p = v5 + (v27 + pick_four(v27 <= -half_turn, all_four(m7), all_four(0.0)));
-    const four q3_p = v1 + (v30 + pick_four(v30 <= -half_turn, all_four(m7), all_four(0.0)));
+    const four v25 = angle1_ - offset1;
+    const four v26 = angle1__ - offset2;
+    const four q2_p = v26 + pick_four(v26 <= -half_turn, all_four(m7), all_four(0.0));
+    const four v28 = e2 * angle1___ + v27 * (m6 * (1.0 - e2)) - offset3;
+    const four v30 = angle1____ - offset4;
+    const four v31 = angle1____ - v29 - offset4;
+    const four q4_p = v30 + pick_four(v30 <= -half_turn, all_four(m7), all_four(0.0));
+    const four q4_m = v31 + pick_four(v31 <= -half_turn, all_four(m7), all_four(0.0));
+    const four v32 = angle1_____ - offset5;
+    const four v33 = offset5 + angle1_____;
+    const four q5_p = v32 + pick_four(v32 <= -half_turn, all_four(m7), all_four(0.0));
+    const four q5_m = pick_four(-v33 <= -half_turn, all_four(m7), all_four(0.0)) - v33;
+    const four q1_p = v5 + (v25 + pick_four(v25 <= -half_turn, all_four(m7), all_four(0.0)));
+    const four q3_p = v1 + (v28 + pick_four(v28 <= -half_turn, all_four(m7), all_four(0.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

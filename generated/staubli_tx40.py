@@ -567,59 +567,53 @@ def _regular(pose, q, status):
     v16 = v15 + C2_pm * C2_pm
     v17 = v15 + C2_mp * C2_mp
     v18 = v13 + C2_mm * C2_mm
-    factor2_pp = 1.0 / math.sqrt(v14)
-    factor2_pm = 1.0 / math.sqrt(v16)
-    factor2_mp = 1.0 / math.sqrt(v17)
-    factor2_mm = 1.0 / math.sqrt(v18)
+    factor2_pp = math.sqrt(v14) * (1.0 / v14)
+    factor2_pm = math.sqrt(v16) * (1.0 / v16)
+    factor2_mp = math.sqrt(v17) * (1.0 / v17)
+    factor2_mm = math.sqrt(v18) * (1.0 / v18)
 
     # theta4, type 2: U4[3, 3]
-    v19 = S2_pm * factor2_pp
-    v20 = S2_pp * factor2_pm
-    v21 = S2_pp * factor2_mp
-    v22 = S2_pm * factor2_mm
-    v23 = m3 * N3
-    v24 = v23 - m1
-    v25 = m4 - v23
-    v26 = m1 * (Z1_3 * w3)
-    v27 = m1 * (w3 * -Z1_3)
-    v28 = w1 * (N3 * (v24 + v25))
-    s23_pp = factor2_pp * (v28 - v26)
-    s23_pm = factor2_pm * (v28 - v27)
-    v29 = w1 * (N3 * (-v24 + -v25))
-    s23_mp = factor2_mp * (v29 - v26)
-    s23_mm = factor2_mm * (v29 - v27)
-    v30 = T23 * s1_p - T13 * v3
-    v31 = T23 * s1_m - T13 * v4
-    X4_pp = v19 * v30 - T33 * s23_pp
-    X4_pm = v20 * v30 - T33 * s23_pm
-    X4_mp = v21 * v31 - T33 * s23_mp
-    X4_mm = v22 * v31 - T33 * s23_mm
+    v19 = m3 * N3
+    v20 = v19 - m1
+    v21 = m4 - v19
+    v22 = w1 * (N3 * (v20 + v21))
+    s23_pp = v22 - v10
+    s23_pm = v22 - v11
+    v23 = w1 * (N3 * (-v20 + -v21))
+    s23_mp = v23 - v10
+    s23_mm = v23 - v11
+    v24 = T23 * s1_p - T13 * v3
+    v25 = T23 * s1_m - T13 * v4
+    X4_pp = S2_pm * v24 - T33 * s23_pp
+    X4_pm = S2_pp * v24 - T33 * s23_pm
+    X4_mp = S2_pp * v25 - T33 * s23_mp
+    X4_mm = S2_pm * v25 - T33 * s23_mm
     Y4_p = T13 * s1_p + T23 * v3
     Y4_m = T13 * s1_m + T23 * v4
-    v32 = Y4_p * Y4_p
-    v33 = Y4_m * Y4_m
-    v34 = v32 + X4_pp * X4_pp
-    v35 = v32 + X4_pm * X4_pm
-    v36 = v33 + X4_mp * X4_mp
-    v37 = v33 + X4_mm * X4_mm
+    v26 = Y4_p * Y4_p
+    v27 = Y4_m * Y4_m
+    v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
+    v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
+    v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
+    v31 = v27 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v38 = v3 * T22 + s1_p * T12
-    v39 = v4 * T22 + s1_m * T12
-    v40 = s1_p * T22 - v3 * T12
-    v41 = s1_m * T22 - v4 * T12
-    v42 = v3 * T21 + s1_p * T11
-    v43 = v4 * T21 + s1_m * T11
-    v44 = s1_p * T21 - v3 * T11
-    v45 = s1_m * T21 - v4 * T11
-    s6_pp = Y4_p * (s23_pp * T31 - v19 * v44) - v42 * -X4_pp
-    s6_pm = Y4_p * (s23_pm * T31 - v20 * v44) - v42 * -X4_pm
-    s6_mp = Y4_m * (s23_mp * T31 - v21 * v45) - v43 * -X4_mp
-    s6_mm = Y4_m * (s23_mm * T31 - v22 * v45) - v43 * -X4_mm
-    angle1 = _atan2(s6_pp, Y4_p * (s23_pp * T32 - v19 * v40) - v38 * -X4_pp)
-    angle1_ = _atan2(s6_pm, Y4_p * (s23_pm * T32 - v20 * v40) - v38 * -X4_pm)
-    angle1__ = _atan2(s6_mp, Y4_m * (s23_mp * T32 - v21 * v41) - v39 * -X4_mp)
-    angle1___ = _atan2(s6_mm, Y4_m * (s23_mm * T32 - v22 * v41) - v39 * -X4_mm)
+    v32 = v3 * T22 + s1_p * T12
+    v33 = v4 * T22 + s1_m * T12
+    v34 = s1_p * T22 - v3 * T12
+    v35 = s1_m * T22 - v4 * T12
+    v36 = v3 * T21 + s1_p * T11
+    v37 = v4 * T21 + s1_m * T11
+    v38 = s1_p * T21 - v3 * T11
+    v39 = s1_m * T21 - v4 * T11
+    s6_pp = Y4_p * (s23_pp * T31 - S2_pm * v38) - v36 * -X4_pp
+    s6_pm = Y4_p * (s23_pm * T31 - S2_pp * v38) - v36 * -X4_pm
+    s6_mp = Y4_m * (s23_mp * T31 - S2_pp * v39) - v37 * -X4_mp
+    s6_mm = Y4_m * (s23_mm * T31 - S2_pm * v39) - v37 * -X4_mm
+    angle1 = _atan2(s6_pp, Y4_p * (s23_pp * T32 - S2_pm * v34) - v32 * -X4_pp)
+    angle1_ = _atan2(s6_pm, Y4_p * (s23_pm * T32 - S2_pp * v34) - v32 * -X4_pm)
+    angle1__ = _atan2(s6_mp, Y4_m * (s23_mp * T32 - S2_pp * v35) - v33 * -X4_mp)
+    angle1___ = _atan2(s6_mm, Y4_m * (s23_mm * T32 - S2_pm * v35) - v33 * -X4_mm)
     q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
     q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
     q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
@@ -627,73 +621,75 @@ def _regular(pose, q, status):
 
     # joint values
     angle1____ = _atan2(s1_p, -v3)
-    v46 = angle1____ - offset1
+    v40 = angle1____ - offset1
     angle1_____ = _atan2(s1_m, -v4)
-    v47 = angle1_____ - offset1
+    v41 = angle1_____ - offset1
     angle1______ = _atan2(S2_pp, C2_pp)
-    v48 = angle1______ - offset2
+    v42 = angle1______ - offset2
     angle1_______ = _atan2(S2_pm, C2_pm)
-    v49 = angle1_______ - offset2
+    v43 = angle1_______ - offset2
     angle1________ = _atan2(S2_pm, C2_mp)
-    v50 = angle1________ - offset2
+    v44 = angle1________ - offset2
     angle1_________ = _atan2(S2_pp, C2_mm)
-    v51 = angle1_________ - offset2
-    q2_ppp = v48 + (m7 if v48 <= -half_turn else 0.0)
-    q2_pmp = v49 + (m7 if v49 <= -half_turn else 0.0)
-    q2_mpp = v50 + (m7 if v50 <= -half_turn else 0.0)
-    q2_mmp = v51 + (m7 if v51 <= -half_turn else 0.0)
+    v45 = angle1_________ - offset2
+    q2_ppp = v42 + (m7 if v42 <= -half_turn else 0.0)
+    q2_pmp = v43 + (m7 if v43 <= -half_turn else 0.0)
+    q2_mpp = v44 + (m7 if v44 <= -half_turn else 0.0)
+    q2_mmp = v45 + (m7 if v45 <= -half_turn else 0.0)
     angle1__________ = _atan2(v7, -(k4 * w3))
-    v52 = angle1__________ - offset3
-    v53 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
-    angle1___________ = _atan2(Y4_p, -X4_pp)
-    angle1____________ = _atan2(Y4_p, -X4_pm)
-    angle1_____________ = _atan2(Y4_m, -X4_mp)
-    angle1______________ = _atan2(Y4_m, -X4_mm)
-    v54 = h1 * math.copysign(half_turn, Y4_p)
-    v55 = h1 * math.copysign(half_turn, Y4_m)
-    v56 = angle1___________ - offset4
-    v57 = angle1___________ - v54 - offset4
-    v58 = angle1____________ - offset4
-    v59 = angle1____________ - v54 - offset4
-    v60 = angle1_____________ - offset4
-    v61 = angle1_____________ - v55 - offset4
-    v62 = angle1______________ - offset4
-    v63 = angle1______________ - v55 - offset4
-    q4_ppp = v56 + (m7 if v56 <= -half_turn else 0.0)
-    q4_ppm = v57 + (m7 if v57 <= -half_turn else 0.0)
-    q4_pmp = v58 + (m7 if v58 <= -half_turn else 0.0)
-    q4_pmm = v59 + (m7 if v59 <= -half_turn else 0.0)
-    q4_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
-    q4_mpm = v61 + (m7 if v61 <= -half_turn else 0.0)
-    q4_mmp = v62 + (m7 if v62 <= -half_turn else 0.0)
-    q4_mmm = v63 + (m7 if v63 <= -half_turn else 0.0)
-    angle1_______________ = _atan2(math.sqrt(v34), -(T33 * v19 + s23_pp * v30))
-    angle1________________ = _atan2(math.sqrt(v35), -(T33 * v20 + s23_pm * v30))
-    angle1_________________ = _atan2(math.sqrt(v36), -(T33 * v21 + s23_mp * v31))
-    angle1__________________ = _atan2(math.sqrt(v37), -(T33 * v22 + s23_mm * v31))
-    v64 = angle1_______________ - offset5
-    v65 = offset5 + angle1_______________
-    v66 = angle1________________ - offset5
-    v67 = offset5 + angle1________________
-    v68 = angle1_________________ - offset5
-    v69 = offset5 + angle1_________________
-    v70 = angle1__________________ - offset5
-    v71 = offset5 + angle1__________________
-    q5_ppp = v64 + (m7 if v64 <= -half_turn else 0.0)
-    q5_ppm = (m7 if -v65 <= -half_turn else 0.0) - v65
-    q5_pmp = v66 + (m7 if v66 <= -half_turn else 0.0)
-    q5_pmm = (m7 if -v67 <= -half_turn else 0.0) - v67
-    q5_mpp = v68 + (m7 if v68 <= -half_turn else 0.0)
-    q5_mpm = (m7 if -v69 <= -half_turn else 0.0) - v69
-    q5_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
-    q5_mmm = (m7 if -v71 <= -half_turn else 0.0) - v71
-    q1_ppp = v6 + (v46 + (m7 if v46 <= -half_turn else 0.0))
-    q1_mpp = v6 + (v47 + (m7 if v47 <= -half_turn else 0.0))
-    q3_ppp = v1 + (v52 + (m7 if v52 <= -half_turn else 0.0))
-    q3_pmp = v1 + (v53 + (m7 if v53 <= -half_turn else 0.0))
+    v46 = angle1__________ - offset3
+    v47 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
+    angle1___________ = _atan2(Y4_p, factor2_pp * -X4_pp)
+    angle1____________ = _atan2(Y4_p, factor2_pm * -X4_pm)
+    angle1_____________ = _atan2(Y4_m, factor2_mp * -X4_mp)
+    angle1______________ = _atan2(Y4_m, factor2_mm * -X4_mm)
+    v48 = h1 * math.copysign(half_turn, Y4_p)
+    v49 = h1 * math.copysign(half_turn, Y4_m)
+    v50 = angle1___________ - offset4
+    v51 = angle1___________ - v48 - offset4
+    v52 = angle1____________ - offset4
+    v53 = angle1____________ - v48 - offset4
+    v54 = angle1_____________ - offset4
+    v55 = angle1_____________ - v49 - offset4
+    v56 = angle1______________ - offset4
+    v57 = angle1______________ - v49 - offset4
+    q4_ppp = v50 + (m7 if v50 <= -half_turn else 0.0)
+    q4_ppm = v51 + (m7 if v51 <= -half_turn else 0.0)
+    q4_pmp = v52 + (m7 if v52 <= -half_turn else 0.0)
+    q4_pmm = v53 + (m7 if v53 <= -half_turn else 0.0)
+    q4_mpp = v54 + (m7 if v54 <= -half_turn else 0.0)
+    q4_mpm = v55 + (m7 if v55 <= -half_turn else 0.0)
+    q4_mmp = v56 + (m7 if v56 <= -half_turn else 0.0)
+    q4_mmm = v57 + (m7 if v57 <= -half_turn else 0.0)
+    v58 = T33 * S2_pm
+    angle1_______________ = _atan2(math.sqrt(v28), -(factor2_pp * (v58 + s23_pp * v24)))
+    v59 = T33 * S2_pp
+    angle1________________ = _atan2(math.sqrt(v29), -(factor2_pm * (v59 + s23_pm * v24)))
+    angle1_________________ = _atan2(math.sqrt(v30), -(factor2_mp * (v59 + s23_mp * v25)))
+    angle1__________________ = _atan2(math.sqrt(v31), -(factor2_mm * (v58 + s23_mm * v25)))
+    v60 = angle1_______________ - offset5
+    v61 = offset5 + angle1_______________
+    v62 = angle1________________ - offset5
+    v63 = offset5 + angle1________________
+    v64 = angle1_________________ - offset5
+    v65 = offset5 + angle1_________________
+    v66 = angle1__________________ - offset5
+    v67 = offset5 + angle1__________________
+    q5_ppp = v60 + (m7 if v60 <= -half_turn else 0.0)
+    q5_ppm = (m7 if -v61 <= -half_turn else 0.0) - v61
+    q5_pmp = v62 + (m7 if v62 <= -half_turn else 0.0)
+    q5_pmm = (m7 if -v63 <= -half_turn else 0.0) - v63
+    q5_mpp = v64 + (m7 if v64 <= -half_turn else 0.0)
+    q5_mpm = (m7 if -v65 <= -half_turn else 0.0) - v65
+    q5_mmp = v66 + (m7 if v66 <= -half_turn else 0.0)
+    q5_mmm = (m7 if -v67 <= -half_turn else 0.0) - v67
+    q1_ppp = v6 + (v40 + (m7 if v40 <= -half_turn else 0.0))
+    q1_mpp = v6 + (v41 + (m7 if v41 <= -half_turn else 0.0))
+    q3_ppp = v1 + (v46 + (m7 if v46 <= -half_turn else 0.0))
+    q3_pmp = v1 + (v47 + (m7 if v47 <= -half_turn else 0.0))
     doubt1 = (
-        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v37 <= m5 or (v18 <= m2 or (v36 <= m5
-        or (v17 <= m2 or (v35 <= m5 or (v16 <= m2 or (v34 <= m5 or (shortest3_reach <= N3 and N3 <=
+        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v31 <= m5 or (v18 <= m2 or (v30 <= m5
+        or (v17 <= m2 or (v29 <= m5 or (v16 <= m2 or (v28 <= m5 or (shortest3_reach <= N3 and N3 <=
         longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or v14 <= m2)))))))))
     )
     # a joint is free, or branches meet
@@ -975,56 +971,52 @@ def _in_tiles(T, q, status):
             v16 = v15 + C2_pm * C2_pm
             v17 = v15 + C2_mp * C2_mp
             v18 = v13 + C2_mm * C2_mm
-            factor2_pp = 1.0 / math.sqrt(v14)
-            factor2_pm = 1.0 / math.sqrt(v16)
-            factor2_mp = 1.0 / math.sqrt(v17)
-            factor2_mm = 1.0 / math.sqrt(v18)
-            v19 = S2_pm * factor2_pp
-            v20 = S2_pp * factor2_pm
-            v21 = S2_pp * factor2_mp
-            v22 = S2_pm * factor2_mm
-            v23 = m3 * N3
-            v24 = v23 - m1
-            v25 = m4 - v23
-            v26 = m1 * (Z1_3 * w3)
-            v27 = m1 * (w3 * -Z1_3)
-            v28 = w1 * (N3 * (v24 + v25))
-            s23_pp = factor2_pp * (v28 - v26)
-            s23_pm = factor2_pm * (v28 - v27)
-            v29 = w1 * (N3 * (-v24 + -v25))
-            s23_mp = factor2_mp * (v29 - v26)
-            s23_mm = factor2_mm * (v29 - v27)
-            v30 = T23 * s1_p - T13 * v3
-            v31 = T23 * s1_m - T13 * v4
-            X4_pp = v19 * v30 - T33 * s23_pp
-            X4_pm = v20 * v30 - T33 * s23_pm
-            X4_mp = v21 * v31 - T33 * s23_mp
-            X4_mm = v22 * v31 - T33 * s23_mm
+            factor2_pp = math.sqrt(v14) * (1.0 / v14)
+            factor2_pm = math.sqrt(v16) * (1.0 / v16)
+            factor2_mp = math.sqrt(v17) * (1.0 / v17)
+            factor2_mm = math.sqrt(v18) * (1.0 / v18)
+            v19 = m3 * N3
+            v20 = v19 - m1
+            v21 = m4 - v19
+            v22 = w1 * (N3 * (v20 + v21))
+            s23_pp = v22 - v10
+            s23_pm = v22 - v11
+            v23 = w1 * (N3 * (-v20 + -v21))
+            s23_mp = v23 - v10
+            s23_mm = v23 - v11
+            v24 = T23 * s1_p - T13 * v3
+            v25 = T23 * s1_m - T13 * v4
+            X4_pp = S2_pm * v24 - T33 * s23_pp
+            X4_pm = S2_pp * v24 - T33 * s23_pm
+            X4_mp = S2_pp * v25 - T33 * s23_mp
+            X4_mm = S2_pm * v25 - T33 * s23_mm
             Y4_p = T13 * s1_p + T23 * v3
             Y4_m = T13 * s1_m + T23 * v4
-            v32 = Y4_p * Y4_p
-            v33 = Y4_m * Y4_m
-            v34 = v32 + X4_pp * X4_pp
-            v35 = v32 + X4_pm * X4_pm
-            v36 = v33 + X4_mp * X4_mp
-            v37 = v33 + X4_mm * X4_mm
-            v38 = v3 * T22 + s1_p * T12
-            v39 = v4 * T22 + s1_m * T12
-            v40 = s1_p * T22 - v3 * T12
-            v41 = s1_m * T22 - v4 * T12
-            v42 = v3 * T21 + s1_p * T11
-            v43 = v4 * T21 + s1_m * T11
-            v44 = s1_p * T21 - v3 * T11
-            v45 = s1_m * T21 - v4 * T11
-            s6_pp = Y4_p * (s23_pp * T31 - v19 * v44) - v42 * -X4_pp
-            s6_pm = Y4_p * (s23_pm * T31 - v20 * v44) - v42 * -X4_pm
-            s6_mp = Y4_m * (s23_mp * T31 - v21 * v45) - v43 * -X4_mp
-            s6_mm = Y4_m * (s23_mm * T31 - v22 * v45) - v43 * -X4_mm
-            v54 = h1 * math.copysign(half_turn, Y4_p)
-            v55 = h1 * math.copysign(half_turn, Y4_m)
+            v26 = Y4_p * Y4_p
+            v27 = Y4_m * Y4_m
+            v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
+            v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
+            v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
+            v31 = v27 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
+            v32 = v3 * T22 + s1_p * T12
+            v33 = v4 * T22 + s1_m * T12
+            v34 = s1_p * T22 - v3 * T12
+            v35 = s1_m * T22 - v4 * T12
+            v36 = v3 * T21 + s1_p * T11
+            v37 = v4 * T21 + s1_m * T11
+            v38 = s1_p * T21 - v3 * T11
+            v39 = s1_m * T21 - v4 * T11
+            s6_pp = Y4_p * (s23_pp * T31 - S2_pm * v38) - v36 * -X4_pp
+            s6_pm = Y4_p * (s23_pm * T31 - S2_pp * v38) - v36 * -X4_pm
+            s6_mp = Y4_m * (s23_mp * T31 - S2_pp * v39) - v37 * -X4_mp
+            s6_mm = Y4_m * (s23_mm * T31 - S2_pm * v39) - v37 * -X4_mm
+            v48 = h1 * math.copysign(half_turn, Y4_p)
+            v49 = h1 * math.copysign(half_turn, Y4_m)
+            v58 = T33 * S2_pm
+            v59 = T33 * S2_pp
             doubt1 = (
-                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v37 <= m5 or (v18 <= m2 or (v36
-                <= m5 or (v17 <= m2 or (v35 <= m5 or (v16 <= m2 or (v34 <= m5 or (shortest3_reach <=
+                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v31 <= m5 or (v18 <= m2 or (v30
+                <= m5 or (v17 <= m2 or (v29 <= m5 or (v16 <= m2 or (v28 <= m5 or (shortest3_reach <=
                 N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)
                 or v14 <= m2)))))))))
             )
@@ -1035,8 +1027,8 @@ def _in_tiles(T, q, status):
             work[672 + k] = s6_pm
             work[704 + k] = s6_mp
             work[736 + k] = s6_mm
-            work[768 + k] = v54
-            work[800 + k] = v55
+            work[768 + k] = v48
+            work[800 + k] = v49
             work[832 + k] = doubt1
             work[864 + k] = s6_pp
             work[896 + k] = s6_pm
@@ -1053,14 +1045,14 @@ def _in_tiles(T, q, status):
             work[1248 + k] = Y4_p
             work[1280 + k] = Y4_m
             work[1312 + k] = Y4_m
-            work[1344 + k] = math.sqrt(v34)
-            work[1376 + k] = math.sqrt(v35)
-            work[1408 + k] = math.sqrt(v36)
-            work[1440 + k] = math.sqrt(v37)
-            work[1472 + k] = Y4_p * (s23_pp * T32 - v19 * v40) - v38 * -X4_pp
-            work[1504 + k] = Y4_p * (s23_pm * T32 - v20 * v40) - v38 * -X4_pm
-            work[1536 + k] = Y4_m * (s23_mp * T32 - v21 * v41) - v39 * -X4_mp
-            work[1568 + k] = Y4_m * (s23_mm * T32 - v22 * v41) - v39 * -X4_mm
+            work[1344 + k] = math.sqrt(v28)
+            work[1376 + k] = math.sqrt(v29)
+            work[1408 + k] = math.sqrt(v30)
+            work[1440 + k] = math.sqrt(v31)
+            work[1472 + k] = Y4_p * (s23_pp * T32 - S2_pm * v34) - v32 * -X4_pp
+            work[1504 + k] = Y4_p * (s23_pm * T32 - S2_pp * v34) - v32 * -X4_pm
+            work[1536 + k] = Y4_m * (s23_mp * T32 - S2_pp * v35) - v33 * -X4_mp
+            work[1568 + k] = Y4_m * (s23_mm * T32 - S2_pm * v35) - v33 * -X4_mm
             work[1600 + k] = -v3
             work[1632 + k] = -v4
             work[1664 + k] = C2_pp
@@ -1068,14 +1060,14 @@ def _in_tiles(T, q, status):
             work[1728 + k] = C2_mp
             work[1760 + k] = C2_mm
             work[1792 + k] = -(k4 * w3)
-            work[1824 + k] = -X4_pp
-            work[1856 + k] = -X4_pm
-            work[1888 + k] = -X4_mp
-            work[1920 + k] = -X4_mm
-            work[1952 + k] = -(T33 * v19 + s23_pp * v30)
-            work[1984 + k] = -(T33 * v20 + s23_pm * v30)
-            work[2016 + k] = -(T33 * v21 + s23_mp * v31)
-            work[2048 + k] = -(T33 * v22 + s23_mm * v31)
+            work[1824 + k] = factor2_pp * -X4_pp
+            work[1856 + k] = factor2_pm * -X4_pm
+            work[1888 + k] = factor2_mp * -X4_mp
+            work[1920 + k] = factor2_mm * -X4_mm
+            work[1952 + k] = -(factor2_pp * (v58 + s23_pp * v24))
+            work[1984 + k] = -(factor2_pm * (v59 + s23_pm * v24))
+            work[2016 + k] = -(factor2_mp * (v59 + s23_mp * v25))
+            work[2048 + k] = -(factor2_mm * (v58 + s23_mm * v25))
         for k in range(864, 1472):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
@@ -1086,8 +1078,8 @@ def _in_tiles(T, q, status):
             s6_pm = work[672 + k]
             s6_mp = work[704 + k]
             s6_mm = work[736 + k]
-            v54 = work[768 + k]
-            v55 = work[800 + k]
+            v48 = work[768 + k]
+            v49 = work[800 + k]
             doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
             angle1_ = work[896 + k]
@@ -1112,54 +1104,54 @@ def _in_tiles(T, q, status):
             q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
             q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
             q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
-            v46 = angle1____ - offset1
-            v47 = angle1_____ - offset1
-            v48 = angle1______ - offset2
-            v49 = angle1_______ - offset2
-            v50 = angle1________ - offset2
-            v51 = angle1_________ - offset2
-            q2_ppp = v48 + (m7 if v48 <= -half_turn else 0.0)
-            q2_pmp = v49 + (m7 if v49 <= -half_turn else 0.0)
-            q2_mpp = v50 + (m7 if v50 <= -half_turn else 0.0)
-            q2_mmp = v51 + (m7 if v51 <= -half_turn else 0.0)
-            v52 = angle1__________ - offset3
-            v53 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
-            v56 = angle1___________ - offset4
-            v57 = angle1___________ - v54 - offset4
-            v58 = angle1____________ - offset4
-            v59 = angle1____________ - v54 - offset4
-            v60 = angle1_____________ - offset4
-            v61 = angle1_____________ - v55 - offset4
-            v62 = angle1______________ - offset4
-            v63 = angle1______________ - v55 - offset4
-            q4_ppp = v56 + (m7 if v56 <= -half_turn else 0.0)
-            q4_ppm = v57 + (m7 if v57 <= -half_turn else 0.0)
-            q4_pmp = v58 + (m7 if v58 <= -half_turn else 0.0)
-            q4_pmm = v59 + (m7 if v59 <= -half_turn else 0.0)
-            q4_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
-            q4_mpm = v61 + (m7 if v61 <= -half_turn else 0.0)
-            q4_mmp = v62 + (m7 if v62 <= -half_turn else 0.0)
-            q4_mmm = v63 + (m7 if v63 <= -half_turn else 0.0)
-            v64 = angle1_______________ - offset5
-            v65 = offset5 + angle1_______________
-            v66 = angle1________________ - offset5
-            v67 = offset5 + angle1________________
-            v68 = angle1_________________ - offset5
-            v69 = offset5 + angle1_________________
-            v70 = angle1__________________ - offset5
-            v71 = offset5 + angle1__________________
-            q5_ppp = v64 + (m7 if v64 <= -half_turn else 0.0)
-            q5_ppm = (m7 if -v65 <= -half_turn else 0.0) - v65
-            q5_pmp = v66 + (m7 if v66 <= -half_turn else 0.0)
-            q5_pmm = (m7 if -v67 <= -half_turn else 0.0) - v67
-            q5_mpp = v68 + (m7 if v68 <= -half_turn else 0.0)
-            q5_mpm = (m7 if -v69 <= -half_turn else 0.0) - v69
-            q5_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
-            q5_mmm = (m7 if -v71 <= -half_turn else 0.0) - v71
-            q1_ppp = v6 + (v46 + (m7 if v46 <= -half_turn else 0.0))
-            q1_mpp = v6 + (v47 + (m7 if v47 <= -half_turn else 0.0))
-            q3_ppp = v1 + (v52 + (m7 if v52 <= -half_turn else 0.0))
-            q3_pmp = v1 + (v53 + (m7 if v53 <= -half_turn else 0.0))
+            v40 = angle1____ - offset1
+            v41 = angle1_____ - offset1
+            v42 = angle1______ - offset2
+            v43 = angle1_______ - offset2
+            v44 = angle1________ - offset2
+            v45 = angle1_________ - offset2
+            q2_ppp = v42 + (m7 if v42 <= -half_turn else 0.0)
+            q2_pmp = v43 + (m7 if v43 <= -half_turn else 0.0)
+            q2_mpp = v44 + (m7 if v44 <= -half_turn else 0.0)
+            q2_mmp = v45 + (m7 if v45 <= -half_turn else 0.0)
+            v46 = angle1__________ - offset3
+            v47 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
+            v50 = angle1___________ - offset4
+            v51 = angle1___________ - v48 - offset4
+            v52 = angle1____________ - offset4
+            v53 = angle1____________ - v48 - offset4
+            v54 = angle1_____________ - offset4
+            v55 = angle1_____________ - v49 - offset4
+            v56 = angle1______________ - offset4
+            v57 = angle1______________ - v49 - offset4
+            q4_ppp = v50 + (m7 if v50 <= -half_turn else 0.0)
+            q4_ppm = v51 + (m7 if v51 <= -half_turn else 0.0)
+            q4_pmp = v52 + (m7 if v52 <= -half_turn else 0.0)
+            q4_pmm = v53 + (m7 if v53 <= -half_turn else 0.0)
+            q4_mpp = v54 + (m7 if v54 <= -half_turn else 0.0)
+            q4_mpm = v55 + (m7 if v55 <= -half_turn else 0.0)
+            q4_mmp = v56 + (m7 if v56 <= -half_turn else 0.0)
+            q4_mmm = v57 + (m7 if v57 <= -half_turn else 0.0)
+            v60 = angle1_______________ - offset5
+            v61 = offset5 + angle1_______________
+            v62 = angle1________________ - offset5
+            v63 = offset5 + angle1________________
+            v64 = angle1_________________ - offset5
+            v65 = offset5 + angle1_________________
+            v66 = angle1__________________ - offset5
+            v67 = offset5 + angle1__________________
+            q5_ppp = v60 + (m7 if v60 <= -half_turn else 0.0)
+            q5_ppm = (m7 if -v61 <= -half_turn else 0.0) - v61
+            q5_pmp = v62 + (m7 if v62 <= -half_turn else 0.0)
+            q5_pmm = (m7 if -v63 <= -half_turn else 0.0) - v63
+            q5_mpp = v64 + (m7 if v64 <= -half_turn else 0.0)
+            q5_mpm = (m7 if -v65 <= -half_turn else 0.0) - v65
+            q5_mmp = v66 + (m7 if v66 <= -half_turn else 0.0)
+            q5_mmm = (m7 if -v67 <= -half_turn else 0.0) - v67
+            q1_ppp = v6 + (v40 + (m7 if v40 <= -half_turn else 0.0))
+            q1_mpp = v6 + (v41 + (m7 if v41 <= -half_turn else 0.0))
+            q3_ppp = v1 + (v46 + (m7 if v46 <= -half_turn else 0.0))
+            q3_pmp = v1 + (v47 + (m7 if v47 <= -half_turn else 0.0))
             _2080 = q1_ppp
             work[2080 + k] = _2080
             _2112 = q2_ppp

@@ -22,6 +22,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef TECHMAN_TM5_900_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -40,21 +43,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -86,7 +89,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -130,7 +133,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -156,8 +159,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef TECHMAN_TM5_900_LIBM
 #define atan2_wide atan2
 #else
@@ -167,7 +170,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -567,12 +570,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v4 = X6_m * X6_m + Y6_m * Y6_m;
     const wide w6_p = sqrt_wide(v3);
     const wide w6_m = sqrt_wide(v4);
-    const wide factor6_p = 1.0 / w6_p;
-    const wide factor6_m = 1.0 / w6_m;
-    const wide v5 = X6_p * factor6_p;
-    const wide v6 = X6_m * factor6_m;
-    const wide s6_p = Y6_p * factor6_p;
-    const wide s6_m = Y6_m * factor6_m;
+    const wide v5 = 1.0 / v3;
+    const wide v6 = 1.0 / v4;
     const wide angle1 = atan2_wide(Y6_p, -X6_p);
     const wide angle1_ = atan2_wide(Y6_m, -X6_m);
 
@@ -583,37 +582,41 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle1___ = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide Z1_234_p = s6_p * T31 - v5 * T32;
-    const wide Z1_234_m = s6_m * T31 - v6 * T32;
-    const wide s234_p = w6_p * T33 - c5_p * (v5 * T31 + s6_p * T32);
-    const wide s234_m = w6_m * T33 - c5_m * (v6 * T31 + s6_m * T32);
-    const wide angle1____ = atan2_wide(s234_p, -Z1_234_p);
-    const wide angle1_____ = atan2_wide(s234_m, -Z1_234_m);
-    const wide theta234_pm = angle1____ - h1 * copysign_wide(all_wide(half_turn), s234_p);
-    const wide theta234_mm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), s234_m);
+    const wide v7 = v5 * (Y6_p * T31 - X6_p * T32);
+    const wide v8 = v6 * (Y6_m * T31 - X6_m * T32);
+    const wide Z1_234_p = w6_p * v7;
+    const wide Z1_234_m = w6_m * v8;
+    const wide v9 = T33 - v5 * (c5_p * (X6_p * T31 + Y6_p * T32));
+    const wide v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32));
+    const wide s234_p = w6_p * v9;
+    const wide s234_m = w6_m * v10;
+    const wide angle1____ = atan2_wide(v9, -v7);
+    const wide angle1_____ = atan2_wide(v10, -v8);
+    const wide theta234_pm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v9);
+    const wide theta234_mm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v10);
 
     /* theta3 */
-    const wide v7 = d6 * w6_p;
-    const wide v8 = d6 * w6_m;
-    const wide v9 = T34 - d1;
-    const wide v10 = d5 * Z1_234_p;
-    const wide v11 = d5 * Z1_234_m;
-    const wide v12 = s234_p * v7;
-    const wide v13 = s234_m * v8;
-    const wide Z1_3_pp = v9 - (v10 + v12);
-    const wide Z1_3_pm = v9 - (v12 - v10);
-    const wide Z1_3_mp = v9 - (v11 + v13);
-    const wide Z1_3_mm = v9 - (v13 - v11);
-    const wide v14 = T14 * c1_p + T24 * s1_p;
-    const wide v15 = T14 * c1_m + T24 * s1_m;
-    const wide v16 = Z1_234_p * v7;
-    const wide v17 = Z1_234_m * v8;
-    const wide v18 = d5 * s234_p;
-    const wide v19 = d5 * s234_m;
-    const wide Z2_3_pp = v14 + (v16 - v18);
-    const wide Z2_3_pm = v14 + (v16 + v18);
-    const wide Z2_3_mp = v15 + (v17 - v19);
-    const wide Z2_3_mm = v15 + (v17 + v19);
+    const wide v11 = d6 * w6_p;
+    const wide v12 = d6 * w6_m;
+    const wide v13 = T34 - d1;
+    const wide v14 = d5 * Z1_234_p;
+    const wide v15 = d5 * Z1_234_m;
+    const wide v16 = s234_p * v11;
+    const wide v17 = s234_m * v12;
+    const wide Z1_3_pp = v13 - (v14 + v16);
+    const wide Z1_3_pm = v13 - (v16 - v14);
+    const wide Z1_3_mp = v13 - (v15 + v17);
+    const wide Z1_3_mm = v13 - (v17 - v15);
+    const wide v18 = T14 * c1_p + T24 * s1_p;
+    const wide v19 = T14 * c1_m + T24 * s1_m;
+    const wide v20 = Z1_234_p * v11;
+    const wide v21 = Z1_234_m * v12;
+    const wide v22 = d5 * s234_p;
+    const wide v23 = d5 * s234_m;
+    const wide Z2_3_pp = v18 + (v20 - v22);
+    const wide Z2_3_pm = v18 + (v20 + v22);
+    const wide Z2_3_mp = v19 + (v21 - v23);
+    const wide Z2_3_mm = v19 + (v21 + v23);
     const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
     const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
     const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
@@ -622,80 +625,72 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
     const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
     const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
-    const wide v20 = w3_pp - w3_pp;
-    const wide v21 = w3_pm - w3_pm;
-    const wide v22 = w3_mp - w3_mp;
-    const wide v23 = w3_mm - w3_mm;
+    const wide v24 = w3_pp - w3_pp;
+    const wide v25 = w3_pm - w3_pm;
+    const wide v26 = w3_mp - w3_mp;
+    const wide v27 = w3_mm - w3_mm;
     const wide angle1______ = atan2_wide(w3_pp, N3_pp - k4);
     const wide angle1_______ = atan2_wide(w3_pm, N3_pm - k4);
     const wide angle1________ = atan2_wide(w3_mp, N3_mp - k4);
     const wide angle1_________ = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v24 = m5 + m4 * N3_pp;
-    const wide v25 = m5 + m4 * N3_pm;
-    const wide v26 = m5 + m4 * N3_mp;
-    const wide v27 = m5 + m4 * N3_mm;
-    const wide v28 = Z1_3_pp * v24;
-    const wide v29 = Z1_3_pm * v25;
-    const wide v30 = Z1_3_mp * v26;
-    const wide v31 = Z1_3_mm * v27;
-    const wide v32 = Z2_3_pp * v24;
-    const wide v33 = Z2_3_pm * v25;
-    const wide v34 = Z2_3_mp * v26;
-    const wide v35 = Z2_3_mm * v27;
-    const wide v36 = w3_pp * (m4 * Z2_3_pp);
-    const wide angle1__________ = atan2_wide(v28 - v36, v32 + w3_pp * (m4 * Z1_3_pp));
-    const wide angle1___________ = atan2_wide(v28 + v36, v32 + w3_pp * (m4 * -Z1_3_pp));
-    const wide v37 = w3_pm * (m4 * Z2_3_pm);
-    const wide angle1____________ = atan2_wide(v29 - v37, v33 + w3_pm * (m4 * Z1_3_pm));
-    const wide angle1_____________ = atan2_wide(v29 + v37, v33 + w3_pm * (m4 * -Z1_3_pm));
-    const wide v38 = w3_mp * (m4 * Z2_3_mp);
-    const wide angle1______________ = atan2_wide(v30 - v38, v34 + w3_mp * (m4 * Z1_3_mp));
-    const wide angle1_______________ = atan2_wide(v30 + v38, v34 + w3_mp * (m4 * -Z1_3_mp));
-    const wide v39 = w3_mm * (m4 * Z2_3_mm);
-    const wide angle1________________ = atan2_wide(v31 - v39, v35 + w3_mm * (m4 * Z1_3_mm));
-    const wide angle1_________________ = atan2_wide(v31 + v39, v35 + w3_mm * (m4 * -Z1_3_mm));
+    const wide v28 = m5 + m4 * N3_pp;
+    const wide v29 = m5 + m4 * N3_pm;
+    const wide v30 = m5 + m4 * N3_mp;
+    const wide v31 = m5 + m4 * N3_mm;
+    const wide v32 = Z1_3_pp * v28;
+    const wide v33 = Z1_3_pm * v29;
+    const wide v34 = Z1_3_mp * v30;
+    const wide v35 = Z1_3_mm * v31;
+    const wide v36 = Z2_3_pp * v28;
+    const wide v37 = Z2_3_pm * v29;
+    const wide v38 = Z2_3_mp * v30;
+    const wide v39 = Z2_3_mm * v31;
+    const wide v40 = w3_pp * (m4 * Z2_3_pp);
+    const wide angle1__________ = atan2_wide(v32 - v40, v36 + w3_pp * (m4 * Z1_3_pp));
+    const wide angle1___________ = atan2_wide(v32 + v40, v36 + w3_pp * (m4 * -Z1_3_pp));
+    const wide v41 = w3_pm * (m4 * Z2_3_pm);
+    const wide angle1____________ = atan2_wide(v33 - v41, v37 + w3_pm * (m4 * Z1_3_pm));
+    const wide angle1_____________ = atan2_wide(v33 + v41, v37 + w3_pm * (m4 * -Z1_3_pm));
+    const wide v42 = w3_mp * (m4 * Z2_3_mp);
+    const wide angle1______________ = atan2_wide(v34 - v42, v38 + w3_mp * (m4 * Z1_3_mp));
+    const wide angle1_______________ = atan2_wide(v34 + v42, v38 + w3_mp * (m4 * -Z1_3_mp));
+    const wide v43 = w3_mm * (m4 * Z2_3_mm);
+    const wide angle1________________ = atan2_wide(v35 - v43, v39 + w3_mm * (m4 * Z1_3_mm));
+    const wide angle1_________________ = atan2_wide(v35 + v43, v39 + w3_mm * (m4 * -Z1_3_mm));
 
     /* joint values */
     const wide angle1__________________ = atan2_wide(s1_p, c1_p);
-    const wide v40 = angle1__________________ - offset1;
+    const wide v44 = angle1__________________ - offset1;
     const wide angle1___________________ = atan2_wide(s1_m, c1_m);
-    const wide v41 = angle1___________________ - offset1;
-    const wide q1__p = v40 + pick_wide(v40 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q1__m = v41 + pick_wide(v41 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v42 = angle1__________ - offset2;
-    const wide v43 = angle1___________ - offset2;
-    const wide v44 = angle1____________ - offset2;
-    const wide v45 = angle1_____________ - offset2;
-    const wide v46 = angle1______________ - offset2;
-    const wide v47 = angle1_______________ - offset2;
-    const wide v48 = angle1________________ - offset2;
-    const wide v49 = angle1_________________ - offset2;
-    const wide q2_ppp = v42 + pick_wide(v42 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_ppm = v43 + pick_wide(v43 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_pmp = v44 + pick_wide(v44 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_pmm = v45 + pick_wide(v45 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_mpp = v46 + pick_wide(v46 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_mpm = v47 + pick_wide(v47 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_mmp = v48 + pick_wide(v48 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_mmm = v49 + pick_wide(v49 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v50 = angle1____ - (angle1______ + angle1__________) - offset4;
-    const wide v51 = angle1____ - (angle1___________ - angle1______) - offset4;
-    const wide v52 = theta234_pm - (angle1_______ + angle1____________) - offset4;
-    const wide v53 = theta234_pm - (angle1_____________ - angle1_______) - offset4;
-    const wide v54 = angle1_____ - (angle1________ + angle1______________) - offset4;
-    const wide v55 = angle1_____ - (angle1_______________ - angle1________) - offset4;
-    const wide v56 = theta234_mm - (angle1_________ + angle1________________) - offset4;
-    const wide v57 = theta234_mm - (angle1_________________ - angle1_________) - offset4;
-    const wide v58 = v50 - pick_wide(half_turn < v50, all_wide(m6), all_wide(0.0)) + pick_wide(v50
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v59 = v51 - pick_wide(half_turn < v51, all_wide(m6), all_wide(0.0)) + pick_wide(v51
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v60 = v52 - pick_wide(half_turn < v52, all_wide(m6), all_wide(0.0)) + pick_wide(v52
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v61 = v53 - pick_wide(half_turn < v53, all_wide(m6), all_wide(0.0)) + pick_wide(v53
-        <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide v45 = angle1___________________ - offset1;
+    const wide q1__p = v44 + pick_wide(v44 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q1__m = v45 + pick_wide(v45 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide v46 = angle1__________ - offset2;
+    const wide v47 = angle1___________ - offset2;
+    const wide v48 = angle1____________ - offset2;
+    const wide v49 = angle1_____________ - offset2;
+    const wide v50 = angle1______________ - offset2;
+    const wide v51 = angle1_______________ - offset2;
+    const wide v52 = angle1________________ - offset2;
+    const wide v53 = angle1_________________ - offset2;
+    const wide q2_ppp = v46 + pick_wide(v46 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2_ppm = v47 + pick_wide(v47 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2_pmp = v48 + pick_wide(v48 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2_pmm = v49 + pick_wide(v49 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2_mpp = v50 + pick_wide(v50 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2_mpm = v51 + pick_wide(v51 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2_mmp = v52 + pick_wide(v52 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q2_mmm = v53 + pick_wide(v53 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide v54 = angle1____ - (angle1______ + angle1__________) - offset4;
+    const wide v55 = angle1____ - (angle1___________ - angle1______) - offset4;
+    const wide v56 = theta234_pm - (angle1_______ + angle1____________) - offset4;
+    const wide v57 = theta234_pm - (angle1_____________ - angle1_______) - offset4;
+    const wide v58 = angle1_____ - (angle1________ + angle1______________) - offset4;
+    const wide v59 = angle1_____ - (angle1_______________ - angle1________) - offset4;
+    const wide v60 = theta234_mm - (angle1_________ + angle1________________) - offset4;
+    const wide v61 = theta234_mm - (angle1_________________ - angle1_________) - offset4;
     const wide v62 = v54 - pick_wide(half_turn < v54, all_wide(m6), all_wide(0.0)) + pick_wide(v54
         <= -half_turn, all_wide(m6), all_wide(0.0));
     const wide v63 = v55 - pick_wide(half_turn < v55, all_wide(m6), all_wide(0.0)) + pick_wide(v55
@@ -704,14 +699,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         <= -half_turn, all_wide(m6), all_wide(0.0));
     const wide v65 = v57 - pick_wide(half_turn < v57, all_wide(m6), all_wide(0.0)) + pick_wide(v57
         <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_ppp = v58 + pick_wide(v58 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_ppm = v59 + pick_wide(v59 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_pmp = v60 + pick_wide(v60 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_pmm = v61 + pick_wide(v61 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mpp = v62 + pick_wide(v62 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mpm = v63 + pick_wide(v63 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mmp = v64 + pick_wide(v64 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mmm = v65 + pick_wide(v65 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide v66 = v58 - pick_wide(half_turn < v58, all_wide(m6), all_wide(0.0)) + pick_wide(v58
+        <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide v67 = v59 - pick_wide(half_turn < v59, all_wide(m6), all_wide(0.0)) + pick_wide(v59
+        <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide v68 = v60 - pick_wide(half_turn < v60, all_wide(m6), all_wide(0.0)) + pick_wide(v60
+        <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide v69 = v61 - pick_wide(half_turn < v61, all_wide(m6), all_wide(0.0)) + pick_wide(v61
+        <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_ppp = v62 + pick_wide(v62 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_ppm = v63 + pick_wide(v63 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_pmp = v64 + pick_wide(v64 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_pmm = v65 + pick_wide(v65 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mpp = v66 + pick_wide(v66 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mpm = v67 + pick_wide(v67 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mmp = v68 + pick_wide(v68 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mmm = v69 + pick_wide(v69 <= -half_turn, all_wide(m6), all_wide(0.0));
     const wide_mask outside_ppp = (angle1______ < low3) | (high3 < angle1______);
     const wide_mask outside_ppm = (-angle1______ < low3) | (high3 < -angle1______);
     const wide_mask outside_pmp = (angle1_______ < low3) | (high3 < angle1_______);
@@ -720,18 +723,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mpm = (-angle1________ < low3) | (high3 < -angle1________);
     const wide_mask outside_mmp = (angle1_________ < low3) | (high3 < angle1_________);
     const wide_mask outside_mmm = (-angle1_________ < low3) | (high3 < -angle1_________);
-    const wide q1_ppp = v20 + q1__p;
-    const wide q1_pmp = v21 + q1__p;
-    const wide q1_mpp = v22 + q1__m;
-    const wide q1_mmp = v23 + q1__m;
-    const wide q5_ppp = angle1__ + v20;
-    const wide q5_pmp = v21 - angle1__;
-    const wide q5_mpp = angle1___ + v22;
-    const wide q5_mmp = v23 - angle1___;
-    const wide q6_ppp = angle1 + v20;
-    const wide q6_pmp = v21 + (angle1 - copysign_wide(all_wide(half_turn), Y6_p) * h1);
-    const wide q6_mpp = angle1_ + v22;
-    const wide q6_mmp = v23 + (angle1_ - copysign_wide(all_wide(half_turn), Y6_m) * h1);
+    const wide q1_ppp = v24 + q1__p;
+    const wide q1_pmp = v25 + q1__p;
+    const wide q1_mpp = v26 + q1__m;
+    const wide q1_mmp = v27 + q1__m;
+    const wide q5_ppp = angle1__ + v24;
+    const wide q5_pmp = v25 - angle1__;
+    const wide q5_mpp = angle1___ + v26;
+    const wide q5_mmp = v27 - angle1___;
+    const wide q6_ppp = angle1 + v24;
+    const wide q6_pmp = v25 + (angle1 - copysign_wide(all_wide(half_turn), Y6_p) * h1);
+    const wide q6_mpp = angle1_ + v26;
+    const wide q6_mmp = v27 + (angle1_ - copysign_wide(all_wide(half_turn), Y6_m) * h1);
     const wide_mask doubt1 = (N3_mm <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm
         <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
         ((N3_mp <= free_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach))
@@ -832,9 +835,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four Y6 = c1 * T22 - s1 * T12;
     const four v3 = X6 * X6 + Y6 * Y6;
     const four w6 = sqrt_four(v3);
-    const four factor6 = 1.0 / w6;
-    const four v4 = X6 * factor6;
-    const four s6 = Y6 * factor6;
+    const four v4 = 1.0 / v3;
     const four v5 = copysign_four(all_four(half_turn), Y6);
     const four v6 = m3 * (e2 - 1.0);
 
@@ -842,29 +843,31 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four c5 = T23 * c1 - T13 * s1;
 
     /* theta234 */
-    const four Z1_234 = s6 * T31 - v4 * T32;
-    const four s234 = w6 * T33 - c5 * (v4 * T31 + s6 * T32);
-    const four v7 = copysign_four(all_four(half_turn), s234);
+    const four v7 = v4 * (Y6 * T31 - X6 * T32);
+    const four Z1_234 = w6 * v7;
+    const four v8 = T33 - v4 * (c5 * (X6 * T31 + Y6 * T32));
+    const four s234 = w6 * v8;
+    const four v9 = copysign_four(all_four(half_turn), v8);
 
     /* theta3 */
-    const four v8 = d6 * w6;
-    const double v9 = T34 - d1;
-    const four v10 = d5 * Z1_234;
-    const four v11 = s234 * v8;
-    const four Z1_3 = v9 - (v11 + e2 * v10);
-    const four v12 = T14 * c1 + T24 * s1;
-    const four v13 = Z1_234 * v8;
-    const four v14 = d5 * s234;
-    const four Z2_3 = v12 + (v13 - e2 * v14);
+    const four v10 = d6 * w6;
+    const double v11 = T34 - d1;
+    const four v12 = d5 * Z1_234;
+    const four v13 = s234 * v10;
+    const four Z1_3 = v11 - (v13 + e2 * v12);
+    const four v14 = T14 * c1 + T24 * s1;
+    const four v15 = Z1_234 * v10;
+    const four v16 = d5 * s234;
+    const four Z2_3 = v14 + (v15 - e2 * v16);
     const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v15 = w3 - w3;
+    const four v17 = w3 - w3;
 
     /* theta2 */
-    const four v16 = m5 + m4 * N3;
-    const four v17 = Z1_3 * v16;
-    const four v18 = Z2_3 * v16;
-    const four v19 = w3 * (m4 * Z2_3);
+    const four v18 = m5 + m4 * N3;
+    const four v19 = Z1_3 * v18;
+    const four v20 = Z2_3 * v18;
+    const four v21 = w3 * (m4 * Z2_3);
 
     /* joint values */
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
@@ -873,36 +876,36 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
     const four angle1___ = atan2_four(w3, N3 - k4);
-    const four angle1____ = atan2_four(v17 - v19, v18 + w3 * (m4 * Z1_3));
-    const four angle1_____ = atan2_four(v17 + v19, v18 + w3 * (m4 * -Z1_3));
+    const four angle1____ = atan2_four(v19 - v21, v20 + w3 * (m4 * Z1_3));
+    const four angle1_____ = atan2_four(v19 + v21, v20 + w3 * (m4 * -Z1_3));
     const four packed4 = atan2_four(__builtin_shufflevector(Y6, w6, 0, 5, 2, 7),
         __builtin_shufflevector(-X6, c5, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
     const four angle1_ = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
-    const four packed5 = atan2_four(__builtin_shufflevector(s234, s1, 0, 5, 2, 7),
-        __builtin_shufflevector(-Z1_234, c1, 0, 5, 2, 7));
+    const four packed5 = atan2_four(__builtin_shufflevector(v8, s1, 0, 5, 2, 7),
+        __builtin_shufflevector(-v7, c1, 0, 5, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1______ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four theta234 = angle1__ + v6 * v7;
-    const four v20 = angle1______ - offset1;
-    const four q1_ = v20 + pick_four(v20 <= -half_turn, all_four(m6), all_four(0.0));
-    const four v21 = angle1____ - offset2;
-    const four v22 = angle1_____ - offset2;
-    const four q2_p = v21 + pick_four(v21 <= -half_turn, all_four(m6), all_four(0.0));
-    const four q2_m = v22 + pick_four(v22 <= -half_turn, all_four(m6), all_four(0.0));
-    const four v23 = theta234 - (angle1___ + angle1____) - offset4;
-    const four v24 = theta234 - (angle1_____ - angle1___) - offset4;
-    const four v25 = v23 - pick_four(half_turn < v23, all_four(m6), all_four(0.0)) + pick_four(v23
+    const four theta234 = angle1__ + v6 * v9;
+    const four v22 = angle1______ - offset1;
+    const four q1_ = v22 + pick_four(v22 <= -half_turn, all_four(m6), all_four(0.0));
+    const four v23 = angle1____ - offset2;
+    const four v24 = angle1_____ - offset2;
+    const four q2_p = v23 + pick_four(v23 <= -half_turn, all_four(m6), all_four(0.0));
+    const four q2_m = v24 + pick_four(v24 <= -half_turn, all_four(m6), all_four(0.0));
+    const four v25 = theta234 - (angle1___ + angle1____) - offset4;
+    const four v26 = theta234 - (angle1_____ - angle1___) - offset4;
+    const four v27 = v25 - pick_four(half_turn < v25, all_four(m6), all_four(0.0)) + pick_four(v25
         <= -half_turn, all_four(m6), all_four(0.0));
-    const four v26 = v24 - pick_four(half_turn < v24, all_four(m6), all_four(0.0)) + pick_four(v24
+    const four v28 = v26 - pick_four(half_turn < v26, all_four(m6), all_four(0.0)) + pick_four(v26
         <= -half_turn, all_four(m6), all_four(0.0));
-    const four q4_p = v25 + pick_four(v25 <= -half_turn, all_four(m6), all_four(0.0));
-    const four q4_m = v26 + pick_four(v26 <= -half_turn, all_four(m6), all_four(0.0));
+    const four q4_p = v27 + pick_four(v27 <= -half_turn, all_four(m6), all_four(0.0));
+    const four q4_m = v28 + pick_four(v28 <= -half_turn, all_four(m6), all_four(0.0));
     const four_mask outside_p = (angle1___ < low3) | (high3 < angle1___);
     const four_mask outside_m = (-angle1___ < low3) | (high3 < -angle1___);
-    const four q1_p = v15 + q1_;
-    const four q5_p = v15 + e2 * angle1_;
-    const four q6_p = v15 + (angle1 + v5 * v6);
+    const four q1_p = v17 + q1_;
+    const four q5_p = v17 + e2 * angle1_;
+    const four q6_p = v17 + (angle1 + v5 * v6);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;

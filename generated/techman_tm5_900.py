@@ -666,12 +666,8 @@ def _regular(pose, q, status):
     v4 = X6_m * X6_m + Y6_m * Y6_m
     w6_p = math.sqrt(v3)
     w6_m = math.sqrt(v4)
-    factor6_p = 1.0 / w6_p
-    factor6_m = 1.0 / w6_m
-    v5 = X6_p * factor6_p
-    v6 = X6_m * factor6_m
-    s6_p = Y6_p * factor6_p
-    s6_m = Y6_m * factor6_m
+    v5 = 1.0 / v3
+    v6 = 1.0 / v4
     angle1 = _atan2(Y6_p, -X6_p)
     angle1_ = _atan2(Y6_m, -X6_m)
 
@@ -682,37 +678,41 @@ def _regular(pose, q, status):
     angle1___ = _atan2(w6_m, c5_m)
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    Z1_234_p = s6_p * T31 - v5 * T32
-    Z1_234_m = s6_m * T31 - v6 * T32
-    s234_p = w6_p * T33 - c5_p * (v5 * T31 + s6_p * T32)
-    s234_m = w6_m * T33 - c5_m * (v6 * T31 + s6_m * T32)
-    angle1____ = _atan2(s234_p, -Z1_234_p)
-    angle1_____ = _atan2(s234_m, -Z1_234_m)
-    theta234_pm = angle1____ - h1 * math.copysign(half_turn, s234_p)
-    theta234_mm = angle1_____ - h1 * math.copysign(half_turn, s234_m)
+    v7 = v5 * (Y6_p * T31 - X6_p * T32)
+    v8 = v6 * (Y6_m * T31 - X6_m * T32)
+    Z1_234_p = w6_p * v7
+    Z1_234_m = w6_m * v8
+    v9 = T33 - v5 * (c5_p * (X6_p * T31 + Y6_p * T32))
+    v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32))
+    s234_p = w6_p * v9
+    s234_m = w6_m * v10
+    angle1____ = _atan2(v9, -v7)
+    angle1_____ = _atan2(v10, -v8)
+    theta234_pm = angle1____ - h1 * math.copysign(half_turn, v9)
+    theta234_mm = angle1_____ - h1 * math.copysign(half_turn, v10)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v7 = d6 * w6_p
-    v8 = d6 * w6_m
-    v9 = T34 - d1
-    v10 = d5 * Z1_234_p
-    v11 = d5 * Z1_234_m
-    v12 = s234_p * v7
-    v13 = s234_m * v8
-    Z1_3_pp = v9 - (v10 + v12)
-    Z1_3_pm = v9 - (v12 - v10)
-    Z1_3_mp = v9 - (v11 + v13)
-    Z1_3_mm = v9 - (v13 - v11)
-    v14 = T14 * c1_p + T24 * s1_p
-    v15 = T14 * c1_m + T24 * s1_m
-    v16 = Z1_234_p * v7
-    v17 = Z1_234_m * v8
-    v18 = d5 * s234_p
-    v19 = d5 * s234_m
-    Z2_3_pp = v14 + (v16 - v18)
-    Z2_3_pm = v14 + (v16 + v18)
-    Z2_3_mp = v15 + (v17 - v19)
-    Z2_3_mm = v15 + (v17 + v19)
+    v11 = d6 * w6_p
+    v12 = d6 * w6_m
+    v13 = T34 - d1
+    v14 = d5 * Z1_234_p
+    v15 = d5 * Z1_234_m
+    v16 = s234_p * v11
+    v17 = s234_m * v12
+    Z1_3_pp = v13 - (v14 + v16)
+    Z1_3_pm = v13 - (v16 - v14)
+    Z1_3_mp = v13 - (v15 + v17)
+    Z1_3_mm = v13 - (v17 - v15)
+    v18 = T14 * c1_p + T24 * s1_p
+    v19 = T14 * c1_m + T24 * s1_m
+    v20 = Z1_234_p * v11
+    v21 = Z1_234_m * v12
+    v22 = d5 * s234_p
+    v23 = d5 * s234_m
+    Z2_3_pp = v18 + (v20 - v22)
+    Z2_3_pm = v18 + (v20 + v22)
+    Z2_3_mp = v19 + (v21 - v23)
+    Z2_3_mm = v19 + (v21 + v23)
     N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
     N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
     N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
@@ -721,88 +721,88 @@ def _regular(pose, q, status):
     w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
     w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
     w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
-    v20 = w3_pp - w3_pp
-    v21 = w3_pm - w3_pm
-    v22 = w3_mp - w3_mp
-    v23 = w3_mm - w3_mm
+    v24 = w3_pp - w3_pp
+    v25 = w3_pm - w3_pm
+    v26 = w3_mp - w3_mp
+    v27 = w3_mm - w3_mm
     angle1______ = _atan2(w3_pp, N3_pp - k4)
     angle1_______ = _atan2(w3_pm, N3_pm - k4)
     angle1________ = _atan2(w3_mp, N3_mp - k4)
     angle1_________ = _atan2(w3_mm, N3_mm - k4)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v24 = m5 + m4 * N3_pp
-    v25 = m5 + m4 * N3_pm
-    v26 = m5 + m4 * N3_mp
-    v27 = m5 + m4 * N3_mm
-    v28 = Z1_3_pp * v24
-    v29 = Z1_3_pm * v25
-    v30 = Z1_3_mp * v26
-    v31 = Z1_3_mm * v27
-    v32 = Z2_3_pp * v24
-    v33 = Z2_3_pm * v25
-    v34 = Z2_3_mp * v26
-    v35 = Z2_3_mm * v27
-    v36 = w3_pp * (m4 * Z2_3_pp)
-    angle1__________ = _atan2(v28 - v36, v32 + w3_pp * (m4 * Z1_3_pp))
-    angle1___________ = _atan2(v28 + v36, v32 + w3_pp * (m4 * -Z1_3_pp))
-    v37 = w3_pm * (m4 * Z2_3_pm)
-    angle1____________ = _atan2(v29 - v37, v33 + w3_pm * (m4 * Z1_3_pm))
-    angle1_____________ = _atan2(v29 + v37, v33 + w3_pm * (m4 * -Z1_3_pm))
-    v38 = w3_mp * (m4 * Z2_3_mp)
-    angle1______________ = _atan2(v30 - v38, v34 + w3_mp * (m4 * Z1_3_mp))
-    angle1_______________ = _atan2(v30 + v38, v34 + w3_mp * (m4 * -Z1_3_mp))
-    v39 = w3_mm * (m4 * Z2_3_mm)
-    angle1________________ = _atan2(v31 - v39, v35 + w3_mm * (m4 * Z1_3_mm))
-    angle1_________________ = _atan2(v31 + v39, v35 + w3_mm * (m4 * -Z1_3_mm))
+    v28 = m5 + m4 * N3_pp
+    v29 = m5 + m4 * N3_pm
+    v30 = m5 + m4 * N3_mp
+    v31 = m5 + m4 * N3_mm
+    v32 = Z1_3_pp * v28
+    v33 = Z1_3_pm * v29
+    v34 = Z1_3_mp * v30
+    v35 = Z1_3_mm * v31
+    v36 = Z2_3_pp * v28
+    v37 = Z2_3_pm * v29
+    v38 = Z2_3_mp * v30
+    v39 = Z2_3_mm * v31
+    v40 = w3_pp * (m4 * Z2_3_pp)
+    angle1__________ = _atan2(v32 - v40, v36 + w3_pp * (m4 * Z1_3_pp))
+    angle1___________ = _atan2(v32 + v40, v36 + w3_pp * (m4 * -Z1_3_pp))
+    v41 = w3_pm * (m4 * Z2_3_pm)
+    angle1____________ = _atan2(v33 - v41, v37 + w3_pm * (m4 * Z1_3_pm))
+    angle1_____________ = _atan2(v33 + v41, v37 + w3_pm * (m4 * -Z1_3_pm))
+    v42 = w3_mp * (m4 * Z2_3_mp)
+    angle1______________ = _atan2(v34 - v42, v38 + w3_mp * (m4 * Z1_3_mp))
+    angle1_______________ = _atan2(v34 + v42, v38 + w3_mp * (m4 * -Z1_3_mp))
+    v43 = w3_mm * (m4 * Z2_3_mm)
+    angle1________________ = _atan2(v35 - v43, v39 + w3_mm * (m4 * Z1_3_mm))
+    angle1_________________ = _atan2(v35 + v43, v39 + w3_mm * (m4 * -Z1_3_mm))
 
     # joint values
     angle1__________________ = _atan2(s1_p, c1_p)
-    v40 = angle1__________________ - offset1
+    v44 = angle1__________________ - offset1
     angle1___________________ = _atan2(s1_m, c1_m)
-    v41 = angle1___________________ - offset1
-    q1__p = v40 + (m6 if v40 <= -half_turn else 0.0)
-    q1__m = v41 + (m6 if v41 <= -half_turn else 0.0)
-    v42 = angle1__________ - offset2
-    v43 = angle1___________ - offset2
-    v44 = angle1____________ - offset2
-    v45 = angle1_____________ - offset2
-    v46 = angle1______________ - offset2
-    v47 = angle1_______________ - offset2
-    v48 = angle1________________ - offset2
-    v49 = angle1_________________ - offset2
-    q2_ppp = v42 + (m6 if v42 <= -half_turn else 0.0)
-    q2_ppm = v43 + (m6 if v43 <= -half_turn else 0.0)
-    q2_pmp = v44 + (m6 if v44 <= -half_turn else 0.0)
-    q2_pmm = v45 + (m6 if v45 <= -half_turn else 0.0)
-    q2_mpp = v46 + (m6 if v46 <= -half_turn else 0.0)
-    q2_mpm = v47 + (m6 if v47 <= -half_turn else 0.0)
-    q2_mmp = v48 + (m6 if v48 <= -half_turn else 0.0)
-    q2_mmm = v49 + (m6 if v49 <= -half_turn else 0.0)
-    v50 = angle1____ - (angle1______ + angle1__________) - offset4
-    v51 = angle1____ - (angle1___________ - angle1______) - offset4
-    v52 = theta234_pm - (angle1_______ + angle1____________) - offset4
-    v53 = theta234_pm - (angle1_____________ - angle1_______) - offset4
-    v54 = angle1_____ - (angle1________ + angle1______________) - offset4
-    v55 = angle1_____ - (angle1_______________ - angle1________) - offset4
-    v56 = theta234_mm - (angle1_________ + angle1________________) - offset4
-    v57 = theta234_mm - (angle1_________________ - angle1_________) - offset4
-    v58 = v50 - (m6 if half_turn < v50 else 0.0) + (m6 if v50 <= -half_turn else 0.0)
-    v59 = v51 - (m6 if half_turn < v51 else 0.0) + (m6 if v51 <= -half_turn else 0.0)
-    v60 = v52 - (m6 if half_turn < v52 else 0.0) + (m6 if v52 <= -half_turn else 0.0)
-    v61 = v53 - (m6 if half_turn < v53 else 0.0) + (m6 if v53 <= -half_turn else 0.0)
+    v45 = angle1___________________ - offset1
+    q1__p = v44 + (m6 if v44 <= -half_turn else 0.0)
+    q1__m = v45 + (m6 if v45 <= -half_turn else 0.0)
+    v46 = angle1__________ - offset2
+    v47 = angle1___________ - offset2
+    v48 = angle1____________ - offset2
+    v49 = angle1_____________ - offset2
+    v50 = angle1______________ - offset2
+    v51 = angle1_______________ - offset2
+    v52 = angle1________________ - offset2
+    v53 = angle1_________________ - offset2
+    q2_ppp = v46 + (m6 if v46 <= -half_turn else 0.0)
+    q2_ppm = v47 + (m6 if v47 <= -half_turn else 0.0)
+    q2_pmp = v48 + (m6 if v48 <= -half_turn else 0.0)
+    q2_pmm = v49 + (m6 if v49 <= -half_turn else 0.0)
+    q2_mpp = v50 + (m6 if v50 <= -half_turn else 0.0)
+    q2_mpm = v51 + (m6 if v51 <= -half_turn else 0.0)
+    q2_mmp = v52 + (m6 if v52 <= -half_turn else 0.0)
+    q2_mmm = v53 + (m6 if v53 <= -half_turn else 0.0)
+    v54 = angle1____ - (angle1______ + angle1__________) - offset4
+    v55 = angle1____ - (angle1___________ - angle1______) - offset4
+    v56 = theta234_pm - (angle1_______ + angle1____________) - offset4
+    v57 = theta234_pm - (angle1_____________ - angle1_______) - offset4
+    v58 = angle1_____ - (angle1________ + angle1______________) - offset4
+    v59 = angle1_____ - (angle1_______________ - angle1________) - offset4
+    v60 = theta234_mm - (angle1_________ + angle1________________) - offset4
+    v61 = theta234_mm - (angle1_________________ - angle1_________) - offset4
     v62 = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
     v63 = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
     v64 = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
     v65 = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
-    q4_ppp = v58 + (m6 if v58 <= -half_turn else 0.0)
-    q4_ppm = v59 + (m6 if v59 <= -half_turn else 0.0)
-    q4_pmp = v60 + (m6 if v60 <= -half_turn else 0.0)
-    q4_pmm = v61 + (m6 if v61 <= -half_turn else 0.0)
-    q4_mpp = v62 + (m6 if v62 <= -half_turn else 0.0)
-    q4_mpm = v63 + (m6 if v63 <= -half_turn else 0.0)
-    q4_mmp = v64 + (m6 if v64 <= -half_turn else 0.0)
-    q4_mmm = v65 + (m6 if v65 <= -half_turn else 0.0)
+    v66 = v58 - (m6 if half_turn < v58 else 0.0) + (m6 if v58 <= -half_turn else 0.0)
+    v67 = v59 - (m6 if half_turn < v59 else 0.0) + (m6 if v59 <= -half_turn else 0.0)
+    v68 = v60 - (m6 if half_turn < v60 else 0.0) + (m6 if v60 <= -half_turn else 0.0)
+    v69 = v61 - (m6 if half_turn < v61 else 0.0) + (m6 if v61 <= -half_turn else 0.0)
+    q4_ppp = v62 + (m6 if v62 <= -half_turn else 0.0)
+    q4_ppm = v63 + (m6 if v63 <= -half_turn else 0.0)
+    q4_pmp = v64 + (m6 if v64 <= -half_turn else 0.0)
+    q4_pmm = v65 + (m6 if v65 <= -half_turn else 0.0)
+    q4_mpp = v66 + (m6 if v66 <= -half_turn else 0.0)
+    q4_mpm = v67 + (m6 if v67 <= -half_turn else 0.0)
+    q4_mmp = v68 + (m6 if v68 <= -half_turn else 0.0)
+    q4_mmm = v69 + (m6 if v69 <= -half_turn else 0.0)
     outside_ppp = angle1______ < low3 or high3 < angle1______
     outside_ppm = -angle1______ < low3 or high3 < -angle1______
     outside_pmp = angle1_______ < low3 or high3 < angle1_______
@@ -811,18 +811,18 @@ def _regular(pose, q, status):
     outside_mpm = -angle1________ < low3 or high3 < -angle1________
     outside_mmp = angle1_________ < low3 or high3 < angle1_________
     outside_mmm = -angle1_________ < low3 or high3 < -angle1_________
-    q1_ppp = v20 + q1__p
-    q1_pmp = v21 + q1__p
-    q1_mpp = v22 + q1__m
-    q1_mmp = v23 + q1__m
-    q5_ppp = angle1__ + v20
-    q5_pmp = v21 - angle1__
-    q5_mpp = angle1___ + v22
-    q5_mmp = v23 - angle1___
-    q6_ppp = angle1 + v20
-    q6_pmp = v21 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
-    q6_mpp = angle1_ + v22
-    q6_mmp = v23 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
+    q1_ppp = v24 + q1__p
+    q1_pmp = v25 + q1__p
+    q1_mpp = v26 + q1__m
+    q1_mmp = v27 + q1__m
+    q5_ppp = angle1__ + v24
+    q5_pmp = v25 - angle1__
+    q5_mpp = angle1___ + v26
+    q5_mmp = v27 - angle1___
+    q6_ppp = angle1 + v24
+    q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
+    q6_mpp = angle1_ + v26
+    q6_mmp = v27 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
     doubt1 = (
         N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
         not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= free_limit_squared2 or
@@ -1097,39 +1097,39 @@ def _in_tiles(T, q, status):
             v4 = X6_m * X6_m + Y6_m * Y6_m
             w6_p = math.sqrt(v3)
             w6_m = math.sqrt(v4)
-            factor6_p = 1.0 / w6_p
-            factor6_m = 1.0 / w6_m
-            v5 = X6_p * factor6_p
-            v6 = X6_m * factor6_m
-            s6_p = Y6_p * factor6_p
-            s6_m = Y6_m * factor6_m
+            v5 = 1.0 / v3
+            v6 = 1.0 / v4
             c5_p = T23 * c1_p - T13 * s1_p
             c5_m = T23 * c1_m - T13 * s1_m
-            Z1_234_p = s6_p * T31 - v5 * T32
-            Z1_234_m = s6_m * T31 - v6 * T32
-            s234_p = w6_p * T33 - c5_p * (v5 * T31 + s6_p * T32)
-            s234_m = w6_m * T33 - c5_m * (v6 * T31 + s6_m * T32)
-            v7 = d6 * w6_p
-            v8 = d6 * w6_m
-            v9 = T34 - d1
-            v10 = d5 * Z1_234_p
-            v11 = d5 * Z1_234_m
-            v12 = s234_p * v7
-            v13 = s234_m * v8
-            Z1_3_pp = v9 - (v10 + v12)
-            Z1_3_pm = v9 - (v12 - v10)
-            Z1_3_mp = v9 - (v11 + v13)
-            Z1_3_mm = v9 - (v13 - v11)
-            v14 = T14 * c1_p + T24 * s1_p
-            v15 = T14 * c1_m + T24 * s1_m
-            v16 = Z1_234_p * v7
-            v17 = Z1_234_m * v8
-            v18 = d5 * s234_p
-            v19 = d5 * s234_m
-            Z2_3_pp = v14 + (v16 - v18)
-            Z2_3_pm = v14 + (v16 + v18)
-            Z2_3_mp = v15 + (v17 - v19)
-            Z2_3_mm = v15 + (v17 + v19)
+            v7 = v5 * (Y6_p * T31 - X6_p * T32)
+            v8 = v6 * (Y6_m * T31 - X6_m * T32)
+            Z1_234_p = w6_p * v7
+            Z1_234_m = w6_m * v8
+            v9 = T33 - v5 * (c5_p * (X6_p * T31 + Y6_p * T32))
+            v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32))
+            s234_p = w6_p * v9
+            s234_m = w6_m * v10
+            v11 = d6 * w6_p
+            v12 = d6 * w6_m
+            v13 = T34 - d1
+            v14 = d5 * Z1_234_p
+            v15 = d5 * Z1_234_m
+            v16 = s234_p * v11
+            v17 = s234_m * v12
+            Z1_3_pp = v13 - (v14 + v16)
+            Z1_3_pm = v13 - (v16 - v14)
+            Z1_3_mp = v13 - (v15 + v17)
+            Z1_3_mm = v13 - (v17 - v15)
+            v18 = T14 * c1_p + T24 * s1_p
+            v19 = T14 * c1_m + T24 * s1_m
+            v20 = Z1_234_p * v11
+            v21 = Z1_234_m * v12
+            v22 = d5 * s234_p
+            v23 = d5 * s234_m
+            Z2_3_pp = v18 + (v20 - v22)
+            Z2_3_pm = v18 + (v20 + v22)
+            Z2_3_mp = v19 + (v21 - v23)
+            Z2_3_mm = v19 + (v21 + v23)
             N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
             N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
             N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
@@ -1138,26 +1138,26 @@ def _in_tiles(T, q, status):
             w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
             w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
             w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
-            v20 = w3_pp - w3_pp
-            v21 = w3_pm - w3_pm
-            v22 = w3_mp - w3_mp
-            v23 = w3_mm - w3_mm
-            v24 = m5 + m4 * N3_pp
-            v25 = m5 + m4 * N3_pm
-            v26 = m5 + m4 * N3_mp
-            v27 = m5 + m4 * N3_mm
-            v28 = Z1_3_pp * v24
-            v29 = Z1_3_pm * v25
-            v30 = Z1_3_mp * v26
-            v31 = Z1_3_mm * v27
-            v32 = Z2_3_pp * v24
-            v33 = Z2_3_pm * v25
-            v34 = Z2_3_mp * v26
-            v35 = Z2_3_mm * v27
-            v36 = w3_pp * (m4 * Z2_3_pp)
-            v37 = w3_pm * (m4 * Z2_3_pm)
-            v38 = w3_mp * (m4 * Z2_3_mp)
-            v39 = w3_mm * (m4 * Z2_3_mm)
+            v24 = w3_pp - w3_pp
+            v25 = w3_pm - w3_pm
+            v26 = w3_mp - w3_mp
+            v27 = w3_mm - w3_mm
+            v28 = m5 + m4 * N3_pp
+            v29 = m5 + m4 * N3_pm
+            v30 = m5 + m4 * N3_mp
+            v31 = m5 + m4 * N3_mm
+            v32 = Z1_3_pp * v28
+            v33 = Z1_3_pm * v29
+            v34 = Z1_3_mp * v30
+            v35 = Z1_3_mm * v31
+            v36 = Z2_3_pp * v28
+            v37 = Z2_3_pm * v29
+            v38 = Z2_3_mp * v30
+            v39 = Z2_3_mm * v31
+            v40 = w3_pp * (m4 * Z2_3_pp)
+            v41 = w3_pm * (m4 * Z2_3_pm)
+            v42 = w3_mp * (m4 * Z2_3_mp)
+            v43 = w3_mm * (m4 * Z2_3_mm)
             doubt1 = (
                 N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
                 longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or
@@ -1172,51 +1172,51 @@ def _in_tiles(T, q, status):
             )
             work[544 + k] = Y6_p
             work[576 + k] = Y6_m
-            work[608 + k] = s234_p
-            work[640 + k] = s234_m
-            work[672 + k] = v20
-            work[704 + k] = v21
-            work[736 + k] = v22
-            work[768 + k] = v23
+            work[608 + k] = v9
+            work[640 + k] = v10
+            work[672 + k] = v24
+            work[704 + k] = v25
+            work[736 + k] = v26
+            work[768 + k] = v27
             work[800 + k] = doubt1
             work[832 + k] = Y6_p
             work[864 + k] = Y6_m
             work[896 + k] = w6_p
             work[928 + k] = w6_m
-            work[960 + k] = s234_p
-            work[992 + k] = s234_m
+            work[960 + k] = v9
+            work[992 + k] = v10
             work[1024 + k] = w3_pp
             work[1056 + k] = w3_pm
             work[1088 + k] = w3_mp
             work[1120 + k] = w3_mm
-            work[1152 + k] = v28 - v36
-            work[1184 + k] = v28 + v36
-            work[1216 + k] = v29 - v37
-            work[1248 + k] = v29 + v37
-            work[1280 + k] = v30 - v38
-            work[1312 + k] = v30 + v38
-            work[1344 + k] = v31 - v39
-            work[1376 + k] = v31 + v39
+            work[1152 + k] = v32 - v40
+            work[1184 + k] = v32 + v40
+            work[1216 + k] = v33 - v41
+            work[1248 + k] = v33 + v41
+            work[1280 + k] = v34 - v42
+            work[1312 + k] = v34 + v42
+            work[1344 + k] = v35 - v43
+            work[1376 + k] = v35 + v43
             work[1408 + k] = s1_p
             work[1440 + k] = s1_m
             work[1472 + k] = -X6_p
             work[1504 + k] = -X6_m
             work[1536 + k] = c5_p
             work[1568 + k] = c5_m
-            work[1600 + k] = -Z1_234_p
-            work[1632 + k] = -Z1_234_m
+            work[1600 + k] = -v7
+            work[1632 + k] = -v8
             work[1664 + k] = N3_pp - k4
             work[1696 + k] = N3_pm - k4
             work[1728 + k] = N3_mp - k4
             work[1760 + k] = N3_mm - k4
-            work[1792 + k] = v32 + w3_pp * (m4 * Z1_3_pp)
-            work[1824 + k] = v32 + w3_pp * (m4 * -Z1_3_pp)
-            work[1856 + k] = v33 + w3_pm * (m4 * Z1_3_pm)
-            work[1888 + k] = v33 + w3_pm * (m4 * -Z1_3_pm)
-            work[1920 + k] = v34 + w3_mp * (m4 * Z1_3_mp)
-            work[1952 + k] = v34 + w3_mp * (m4 * -Z1_3_mp)
-            work[1984 + k] = v35 + w3_mm * (m4 * Z1_3_mm)
-            work[2016 + k] = v35 + w3_mm * (m4 * -Z1_3_mm)
+            work[1792 + k] = v36 + w3_pp * (m4 * Z1_3_pp)
+            work[1824 + k] = v36 + w3_pp * (m4 * -Z1_3_pp)
+            work[1856 + k] = v37 + w3_pm * (m4 * Z1_3_pm)
+            work[1888 + k] = v37 + w3_pm * (m4 * -Z1_3_pm)
+            work[1920 + k] = v38 + w3_mp * (m4 * Z1_3_mp)
+            work[1952 + k] = v38 + w3_mp * (m4 * -Z1_3_mp)
+            work[1984 + k] = v39 + w3_mm * (m4 * Z1_3_mm)
+            work[2016 + k] = v39 + w3_mm * (m4 * -Z1_3_mm)
             work[2048 + k] = c1_p
             work[2080 + k] = c1_m
         for k in range(832, 1472):
@@ -1224,12 +1224,12 @@ def _in_tiles(T, q, status):
         for k in range(0, 32):
             Y6_p = work[544 + k]
             Y6_m = work[576 + k]
-            s234_p = work[608 + k]
-            s234_m = work[640 + k]
-            v20 = work[672 + k]
-            v21 = work[704 + k]
-            v22 = work[736 + k]
-            v23 = work[768 + k]
+            v9 = work[608 + k]
+            v10 = work[640 + k]
+            v24 = work[672 + k]
+            v25 = work[704 + k]
+            v26 = work[736 + k]
+            v27 = work[768 + k]
             doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
@@ -1251,52 +1251,52 @@ def _in_tiles(T, q, status):
             angle1_________________ = work[1376 + k]
             angle1__________________ = work[1408 + k]
             angle1___________________ = work[1440 + k]
-            theta234_pm = angle1____ - h1 * math.copysign(half_turn, s234_p)
-            theta234_mm = angle1_____ - h1 * math.copysign(half_turn, s234_m)
-            v40 = angle1__________________ - offset1
-            v41 = angle1___________________ - offset1
-            q1__p = v40 + (m6 if v40 <= -half_turn else 0.0)
-            q1__m = v41 + (m6 if v41 <= -half_turn else 0.0)
-            v42 = angle1__________ - offset2
-            v43 = angle1___________ - offset2
-            v44 = angle1____________ - offset2
-            v45 = angle1_____________ - offset2
-            v46 = angle1______________ - offset2
-            v47 = angle1_______________ - offset2
-            v48 = angle1________________ - offset2
-            v49 = angle1_________________ - offset2
-            q2_ppp = v42 + (m6 if v42 <= -half_turn else 0.0)
-            q2_ppm = v43 + (m6 if v43 <= -half_turn else 0.0)
-            q2_pmp = v44 + (m6 if v44 <= -half_turn else 0.0)
-            q2_pmm = v45 + (m6 if v45 <= -half_turn else 0.0)
-            q2_mpp = v46 + (m6 if v46 <= -half_turn else 0.0)
-            q2_mpm = v47 + (m6 if v47 <= -half_turn else 0.0)
-            q2_mmp = v48 + (m6 if v48 <= -half_turn else 0.0)
-            q2_mmm = v49 + (m6 if v49 <= -half_turn else 0.0)
-            v50 = angle1____ - (angle1______ + angle1__________) - offset4
-            v51 = angle1____ - (angle1___________ - angle1______) - offset4
-            v52 = theta234_pm - (angle1_______ + angle1____________) - offset4
-            v53 = theta234_pm - (angle1_____________ - angle1_______) - offset4
-            v54 = angle1_____ - (angle1________ + angle1______________) - offset4
-            v55 = angle1_____ - (angle1_______________ - angle1________) - offset4
-            v56 = theta234_mm - (angle1_________ + angle1________________) - offset4
-            v57 = theta234_mm - (angle1_________________ - angle1_________) - offset4
-            v58 = v50 - (m6 if half_turn < v50 else 0.0) + (m6 if v50 <= -half_turn else 0.0)
-            v59 = v51 - (m6 if half_turn < v51 else 0.0) + (m6 if v51 <= -half_turn else 0.0)
-            v60 = v52 - (m6 if half_turn < v52 else 0.0) + (m6 if v52 <= -half_turn else 0.0)
-            v61 = v53 - (m6 if half_turn < v53 else 0.0) + (m6 if v53 <= -half_turn else 0.0)
+            theta234_pm = angle1____ - h1 * math.copysign(half_turn, v9)
+            theta234_mm = angle1_____ - h1 * math.copysign(half_turn, v10)
+            v44 = angle1__________________ - offset1
+            v45 = angle1___________________ - offset1
+            q1__p = v44 + (m6 if v44 <= -half_turn else 0.0)
+            q1__m = v45 + (m6 if v45 <= -half_turn else 0.0)
+            v46 = angle1__________ - offset2
+            v47 = angle1___________ - offset2
+            v48 = angle1____________ - offset2
+            v49 = angle1_____________ - offset2
+            v50 = angle1______________ - offset2
+            v51 = angle1_______________ - offset2
+            v52 = angle1________________ - offset2
+            v53 = angle1_________________ - offset2
+            q2_ppp = v46 + (m6 if v46 <= -half_turn else 0.0)
+            q2_ppm = v47 + (m6 if v47 <= -half_turn else 0.0)
+            q2_pmp = v48 + (m6 if v48 <= -half_turn else 0.0)
+            q2_pmm = v49 + (m6 if v49 <= -half_turn else 0.0)
+            q2_mpp = v50 + (m6 if v50 <= -half_turn else 0.0)
+            q2_mpm = v51 + (m6 if v51 <= -half_turn else 0.0)
+            q2_mmp = v52 + (m6 if v52 <= -half_turn else 0.0)
+            q2_mmm = v53 + (m6 if v53 <= -half_turn else 0.0)
+            v54 = angle1____ - (angle1______ + angle1__________) - offset4
+            v55 = angle1____ - (angle1___________ - angle1______) - offset4
+            v56 = theta234_pm - (angle1_______ + angle1____________) - offset4
+            v57 = theta234_pm - (angle1_____________ - angle1_______) - offset4
+            v58 = angle1_____ - (angle1________ + angle1______________) - offset4
+            v59 = angle1_____ - (angle1_______________ - angle1________) - offset4
+            v60 = theta234_mm - (angle1_________ + angle1________________) - offset4
+            v61 = theta234_mm - (angle1_________________ - angle1_________) - offset4
             v62 = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
             v63 = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
             v64 = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
             v65 = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
-            q4_ppp = v58 + (m6 if v58 <= -half_turn else 0.0)
-            q4_ppm = v59 + (m6 if v59 <= -half_turn else 0.0)
-            q4_pmp = v60 + (m6 if v60 <= -half_turn else 0.0)
-            q4_pmm = v61 + (m6 if v61 <= -half_turn else 0.0)
-            q4_mpp = v62 + (m6 if v62 <= -half_turn else 0.0)
-            q4_mpm = v63 + (m6 if v63 <= -half_turn else 0.0)
-            q4_mmp = v64 + (m6 if v64 <= -half_turn else 0.0)
-            q4_mmm = v65 + (m6 if v65 <= -half_turn else 0.0)
+            v66 = v58 - (m6 if half_turn < v58 else 0.0) + (m6 if v58 <= -half_turn else 0.0)
+            v67 = v59 - (m6 if half_turn < v59 else 0.0) + (m6 if v59 <= -half_turn else 0.0)
+            v68 = v60 - (m6 if half_turn < v60 else 0.0) + (m6 if v60 <= -half_turn else 0.0)
+            v69 = v61 - (m6 if half_turn < v61 else 0.0) + (m6 if v61 <= -half_turn else 0.0)
+            q4_ppp = v62 + (m6 if v62 <= -half_turn else 0.0)
+            q4_ppm = v63 + (m6 if v63 <= -half_turn else 0.0)
+            q4_pmp = v64 + (m6 if v64 <= -half_turn else 0.0)
+            q4_pmm = v65 + (m6 if v65 <= -half_turn else 0.0)
+            q4_mpp = v66 + (m6 if v66 <= -half_turn else 0.0)
+            q4_mpm = v67 + (m6 if v67 <= -half_turn else 0.0)
+            q4_mmp = v68 + (m6 if v68 <= -half_turn else 0.0)
+            q4_mmm = v69 + (m6 if v69 <= -half_turn else 0.0)
             outside_ppp = angle1______ < low3 or high3 < angle1______
             outside_ppm = -angle1______ < low3 or high3 < -angle1______
             outside_pmp = angle1_______ < low3 or high3 < angle1_______
@@ -1305,18 +1305,18 @@ def _in_tiles(T, q, status):
             outside_mpm = -angle1________ < low3 or high3 < -angle1________
             outside_mmp = angle1_________ < low3 or high3 < angle1_________
             outside_mmm = -angle1_________ < low3 or high3 < -angle1_________
-            q1_ppp = v20 + q1__p
-            q1_pmp = v21 + q1__p
-            q1_mpp = v22 + q1__m
-            q1_mmp = v23 + q1__m
-            q5_ppp = angle1__ + v20
-            q5_pmp = v21 - angle1__
-            q5_mpp = angle1___ + v22
-            q5_mmp = v23 - angle1___
-            q6_ppp = angle1 + v20
-            q6_pmp = v21 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
-            q6_mpp = angle1_ + v22
-            q6_mmp = v23 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
+            q1_ppp = v24 + q1__p
+            q1_pmp = v25 + q1__p
+            q1_mpp = v26 + q1__m
+            q1_mmp = v27 + q1__m
+            q5_ppp = angle1__ + v24
+            q5_pmp = v25 - angle1__
+            q5_mpp = angle1___ + v26
+            q5_mmp = v27 - angle1___
+            q6_ppp = angle1 + v24
+            q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
+            q6_mpp = angle1_ + v26
+            q6_mmp = v27 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
             _2112 = q1_ppp
             work[2112 + k] = _2112
             _2144 = q2_ppp

@@ -21,6 +21,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef UR20_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -38,21 +41,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -84,7 +87,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -128,7 +131,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -154,8 +157,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef UR20_LIBM
 #define atan2_wide atan2
 #else
@@ -165,7 +168,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -556,12 +559,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v10 = v6 * v6 + v8 * v8;
     const wide w6_p = sqrt_wide(v9);
     const wide w6_m = sqrt_wide(v10);
-    const wide factor6_p = 1.0 / w6_p;
-    const wide factor6_m = 1.0 / w6_m;
-    const wide c6_p = v5 * factor6_p;
-    const wide c6_m = v6 * factor6_m;
-    const wide v11 = v7 * factor6_p;
-    const wide v12 = v8 * factor6_m;
+    const wide v11 = 1.0 / v9;
+    const wide v12 = 1.0 / v10;
     const wide angle1__ = atan2_wide(-v7, v5);
     const wide angle1___ = atan2_wide(-v8, v6);
 
@@ -572,37 +571,41 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle1_____ = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide c234_p = c6_p * T32 - v11 * T31;
-    const wide c234_m = c6_m * T32 - v12 * T31;
-    const wide s234_p = c5_p * (c6_p * T31 + v11 * T32) - w6_p * T33;
-    const wide s234_m = c5_m * (c6_m * T31 + v12 * T32) - w6_m * T33;
-    const wide angle1______ = atan2_wide(s234_p, c234_p);
-    const wide angle1_______ = atan2_wide(s234_m, c234_m);
-    const wide theta234_pm = angle1______ - h1 * copysign_wide(all_wide(half_turn), s234_p);
-    const wide theta234_mm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), s234_m);
+    const wide v13 = v11 * (v5 * T32 - v7 * T31);
+    const wide v14 = v12 * (v6 * T32 - v8 * T31);
+    const wide c234_p = w6_p * v13;
+    const wide c234_m = w6_m * v14;
+    const wide v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33;
+    const wide v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33;
+    const wide s234_p = w6_p * v15;
+    const wide s234_m = w6_m * v16;
+    const wide angle1______ = atan2_wide(v15, v13);
+    const wide angle1_______ = atan2_wide(v16, v14);
+    const wide theta234_pm = angle1______ - h1 * copysign_wide(all_wide(half_turn), v15);
+    const wide theta234_mm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v16);
 
     /* theta3 */
-    const wide v13 = d6 * w6_p;
-    const wide v14 = d6 * w6_m;
-    const wide v15 = T34 - d1;
-    const wide v16 = d5 * c234_p;
-    const wide v17 = d5 * c234_m;
-    const wide v18 = s234_p * v13;
-    const wide v19 = s234_m * v14;
-    const wide Z1_3_pp = v15 + (v16 + v18);
-    const wide Z1_3_pm = v15 + (v18 - v16);
-    const wide Z1_3_mp = v15 + (v17 + v19);
-    const wide Z1_3_mm = v15 + (v19 - v17);
-    const wide v20 = T24 * s1_p - T14 * v2;
-    const wide v21 = T24 * s1_m - T14 * v3;
-    const wide v22 = c234_p * v13;
-    const wide v23 = c234_m * v14;
-    const wide v24 = d5 * s234_p;
-    const wide v25 = d5 * s234_m;
-    const wide Z2_3_pp = v20 + (v22 - v24);
-    const wide Z2_3_pm = v20 + (v22 + v24);
-    const wide Z2_3_mp = v21 + (v23 - v25);
-    const wide Z2_3_mm = v21 + (v23 + v25);
+    const wide v17 = d6 * w6_p;
+    const wide v18 = d6 * w6_m;
+    const wide v19 = T34 - d1;
+    const wide v20 = d5 * c234_p;
+    const wide v21 = d5 * c234_m;
+    const wide v22 = s234_p * v17;
+    const wide v23 = s234_m * v18;
+    const wide Z1_3_pp = v19 + (v20 + v22);
+    const wide Z1_3_pm = v19 + (v22 - v20);
+    const wide Z1_3_mp = v19 + (v21 + v23);
+    const wide Z1_3_mm = v19 + (v23 - v21);
+    const wide v24 = T24 * s1_p - T14 * v2;
+    const wide v25 = T24 * s1_m - T14 * v3;
+    const wide v26 = c234_p * v17;
+    const wide v27 = c234_m * v18;
+    const wide v28 = d5 * s234_p;
+    const wide v29 = d5 * s234_m;
+    const wide Z2_3_pp = v24 + (v26 - v28);
+    const wide Z2_3_pm = v24 + (v26 + v28);
+    const wide Z2_3_mp = v25 + (v27 - v29);
+    const wide Z2_3_mm = v25 + (v27 + v29);
     const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
     const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
     const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
@@ -611,82 +614,82 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
     const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
     const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
-    const wide v26 = w3_pp - w3_pp;
-    const wide v27 = w3_pm - w3_pm;
-    const wide v28 = w3_mp - w3_mp;
-    const wide v29 = w3_mm - w3_mm;
+    const wide v30 = w3_pp - w3_pp;
+    const wide v31 = w3_pm - w3_pm;
+    const wide v32 = w3_mp - w3_mp;
+    const wide v33 = w3_mm - w3_mm;
     const wide angle1________ = atan2_wide(w3_pp, N3_pp - k4);
     const wide angle1_________ = atan2_wide(w3_pm, N3_pm - k4);
     const wide angle1__________ = atan2_wide(w3_mp, N3_mp - k4);
     const wide angle1___________ = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v30 = m5 + m4 * N3_pp;
-    const wide v31 = m5 + m4 * N3_pm;
-    const wide v32 = m5 + m4 * N3_mp;
-    const wide v33 = m5 + m4 * N3_mm;
-    const wide v34 = Z1_3_pp * v30;
-    const wide v35 = Z1_3_pm * v31;
-    const wide v36 = Z1_3_mp * v32;
-    const wide v37 = Z1_3_mm * v33;
-    const wide v38 = Z2_3_pp * v30;
-    const wide v39 = Z2_3_pm * v31;
-    const wide v40 = Z2_3_mp * v32;
-    const wide v41 = Z2_3_mm * v33;
-    const wide v42 = w3_pp * (m4 * Z2_3_pp);
-    const wide v43 = w3_pp * (m4 * Z1_3_pp);
-    const wide angle1____________ = atan2_wide(v42 - v34, -(v38 + v43));
-    const wide angle1_____________ = atan2_wide(-(v34 + v42), v43 - v38);
-    const wide v44 = w3_pm * (m4 * Z2_3_pm);
-    const wide v45 = w3_pm * (m4 * Z1_3_pm);
-    const wide angle1______________ = atan2_wide(v44 - v35, -(v39 + v45));
-    const wide angle1_______________ = atan2_wide(-(v35 + v44), v45 - v39);
-    const wide v46 = w3_mp * (m4 * Z2_3_mp);
-    const wide v47 = w3_mp * (m4 * Z1_3_mp);
-    const wide angle1________________ = atan2_wide(v46 - v36, -(v40 + v47));
-    const wide angle1_________________ = atan2_wide(-(v36 + v46), v47 - v40);
-    const wide v48 = w3_mm * (m4 * Z2_3_mm);
-    const wide v49 = w3_mm * (m4 * Z1_3_mm);
-    const wide angle1__________________ = atan2_wide(v48 - v37, -(v41 + v49));
-    const wide angle1___________________ = atan2_wide(-(v37 + v48), v49 - v41);
+    const wide v34 = m5 + m4 * N3_pp;
+    const wide v35 = m5 + m4 * N3_pm;
+    const wide v36 = m5 + m4 * N3_mp;
+    const wide v37 = m5 + m4 * N3_mm;
+    const wide v38 = Z1_3_pp * v34;
+    const wide v39 = Z1_3_pm * v35;
+    const wide v40 = Z1_3_mp * v36;
+    const wide v41 = Z1_3_mm * v37;
+    const wide v42 = Z2_3_pp * v34;
+    const wide v43 = Z2_3_pm * v35;
+    const wide v44 = Z2_3_mp * v36;
+    const wide v45 = Z2_3_mm * v37;
+    const wide v46 = w3_pp * (m4 * Z2_3_pp);
+    const wide v47 = w3_pp * (m4 * Z1_3_pp);
+    const wide angle1____________ = atan2_wide(v46 - v38, -(v42 + v47));
+    const wide angle1_____________ = atan2_wide(-(v38 + v46), v47 - v42);
+    const wide v48 = w3_pm * (m4 * Z2_3_pm);
+    const wide v49 = w3_pm * (m4 * Z1_3_pm);
+    const wide angle1______________ = atan2_wide(v48 - v39, -(v43 + v49));
+    const wide angle1_______________ = atan2_wide(-(v39 + v48), v49 - v43);
+    const wide v50 = w3_mp * (m4 * Z2_3_mp);
+    const wide v51 = w3_mp * (m4 * Z1_3_mp);
+    const wide angle1________________ = atan2_wide(v50 - v40, -(v44 + v51));
+    const wide angle1_________________ = atan2_wide(-(v40 + v50), v51 - v44);
+    const wide v52 = w3_mm * (m4 * Z2_3_mm);
+    const wide v53 = w3_mm * (m4 * Z1_3_mm);
+    const wide angle1__________________ = atan2_wide(v52 - v41, -(v45 + v53));
+    const wide angle1___________________ = atan2_wide(-(v41 + v52), v53 - v45);
 
     /* joint values */
-    const wide v50 = angle1______ - (angle1________ + angle1____________);
-    const wide v51 = angle1______ - (angle1_____________ - angle1________);
-    const wide v52 = theta234_pm - (angle1_________ + angle1______________);
-    const wide v53 = theta234_pm - (angle1_______________ - angle1_________);
-    const wide v54 = angle1_______ - (angle1__________ + angle1________________);
-    const wide v55 = angle1_______ - (angle1_________________ - angle1__________);
-    const wide v56 = theta234_mm - (angle1___________ + angle1__________________);
-    const wide v57 = theta234_mm - (angle1___________________ - angle1___________);
-    const wide q4_ppp = v50 - pick_wide(half_turn < v50, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v50 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_ppm = v51 - pick_wide(half_turn < v51, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v51 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_pmp = v52 - pick_wide(half_turn < v52, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v52 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_pmm = v53 - pick_wide(half_turn < v53, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v53 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mpp = v54 - pick_wide(half_turn < v54, all_wide(m6), all_wide(0.0)) +
+    const wide v54 = angle1______ - (angle1________ + angle1____________);
+    const wide v55 = angle1______ - (angle1_____________ - angle1________);
+    const wide v56 = theta234_pm - (angle1_________ + angle1______________);
+    const wide v57 = theta234_pm - (angle1_______________ - angle1_________);
+    const wide v58 = angle1_______ - (angle1__________ + angle1________________);
+    const wide v59 = angle1_______ - (angle1_________________ - angle1__________);
+    const wide v60 = theta234_mm - (angle1___________ + angle1__________________);
+    const wide v61 = theta234_mm - (angle1___________________ - angle1___________);
+    const wide q4_ppp = v54 - pick_wide(half_turn < v54, all_wide(m6), all_wide(0.0)) +
         pick_wide(v54 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mpm = v55 - pick_wide(half_turn < v55, all_wide(m6), all_wide(0.0)) +
+    const wide q4_ppm = v55 - pick_wide(half_turn < v55, all_wide(m6), all_wide(0.0)) +
         pick_wide(v55 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mmp = v56 - pick_wide(half_turn < v56, all_wide(m6), all_wide(0.0)) +
+    const wide q4_pmp = v56 - pick_wide(half_turn < v56, all_wide(m6), all_wide(0.0)) +
         pick_wide(v56 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mmm = v57 - pick_wide(half_turn < v57, all_wide(m6), all_wide(0.0)) +
+    const wide q4_pmm = v57 - pick_wide(half_turn < v57, all_wide(m6), all_wide(0.0)) +
         pick_wide(v57 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q1_ppp = angle1 + v26;
-    const wide q1_pmp = angle1 + v27;
-    const wide q1_mpp = angle1_ + v28;
-    const wide q1_mmp = angle1_ + v29;
-    const wide q5_ppp = angle1____ + v26;
-    const wide q5_pmp = v27 - angle1____;
-    const wide q5_mpp = angle1_____ + v28;
-    const wide q5_mmp = v29 - angle1_____;
-    const wide q6_ppp = angle1__ + v26;
-    const wide q6_pmp = v27 + (angle1__ - copysign_wide(all_wide(half_turn), -v7) * h1);
-    const wide q6_mpp = angle1___ + v28;
-    const wide q6_mmp = v29 + (angle1___ - copysign_wide(all_wide(half_turn), -v8) * h1);
+    const wide q4_mpp = v58 - pick_wide(half_turn < v58, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v58 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mpm = v59 - pick_wide(half_turn < v59, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v59 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mmp = v60 - pick_wide(half_turn < v60, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v60 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q4_mmm = v61 - pick_wide(half_turn < v61, all_wide(m6), all_wide(0.0)) +
+        pick_wide(v61 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide q1_ppp = angle1 + v30;
+    const wide q1_pmp = angle1 + v31;
+    const wide q1_mpp = angle1_ + v32;
+    const wide q1_mmp = angle1_ + v33;
+    const wide q5_ppp = angle1____ + v30;
+    const wide q5_pmp = v31 - angle1____;
+    const wide q5_mpp = angle1_____ + v32;
+    const wide q5_mmp = v33 - angle1_____;
+    const wide q6_ppp = angle1__ + v30;
+    const wide q6_pmp = v31 + (angle1__ - copysign_wide(all_wide(half_turn), -v7) * h1);
+    const wide q6_mpp = angle1___ + v32;
+    const wide q6_mmp = v33 + (angle1___ - copysign_wide(all_wide(half_turn), -v8) * h1);
     const wide_mask doubt1 = (N3_mm <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm
         <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
         ((N3_mp <= free_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach))
@@ -788,9 +791,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v5 = v2 * T22 + s1 * T12;
     const four v6 = v4 * v4 + v5 * v5;
     const four w6 = sqrt_four(v6);
-    const four factor6 = 1.0 / w6;
-    const four c6 = v4 * factor6;
-    const four v7 = v5 * factor6;
+    const four v7 = 1.0 / v6;
     const four v8 = copysign_four(all_four(half_turn), -v5);
     const four v9 = m3 * (e2 - 1.0);
 
@@ -798,30 +799,32 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four c5 = T13 * s1 + T23 * v2;
 
     /* theta234 */
-    const four c234 = c6 * T32 - v7 * T31;
-    const four s234 = c5 * (c6 * T31 + v7 * T32) - w6 * T33;
-    const four v10 = copysign_four(all_four(half_turn), s234);
+    const four v10 = v7 * (v4 * T32 - v5 * T31);
+    const four c234 = w6 * v10;
+    const four v11 = v7 * (c5 * (v4 * T31 + v5 * T32)) - T33;
+    const four s234 = w6 * v11;
+    const four v12 = copysign_four(all_four(half_turn), v11);
 
     /* theta3 */
-    const four v11 = d6 * w6;
-    const double v12 = T34 - d1;
-    const four v13 = d5 * c234;
-    const four v14 = s234 * v11;
-    const four Z1_3 = v12 + (v14 + e2 * v13);
-    const four v15 = T24 * s1 - T14 * v2;
-    const four v16 = c234 * v11;
-    const four v17 = d5 * s234;
-    const four Z2_3 = v15 + (v16 - e2 * v17);
+    const four v13 = d6 * w6;
+    const double v14 = T34 - d1;
+    const four v15 = d5 * c234;
+    const four v16 = s234 * v13;
+    const four Z1_3 = v14 + (v16 + e2 * v15);
+    const four v17 = T24 * s1 - T14 * v2;
+    const four v18 = c234 * v13;
+    const four v19 = d5 * s234;
+    const four Z2_3 = v17 + (v18 - e2 * v19);
     const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v18 = w3 - w3;
+    const four v20 = w3 - w3;
 
     /* theta2 */
-    const four v19 = m5 + m4 * N3;
-    const four v20 = Z1_3 * v19;
-    const four v21 = Z2_3 * v19;
-    const four v22 = w3 * (m4 * Z2_3);
-    const four v23 = w3 * (m4 * Z1_3);
+    const four v21 = m5 + m4 * N3;
+    const four v22 = Z1_3 * v21;
+    const four v23 = Z2_3 * v21;
+    const four v24 = w3 * (m4 * Z2_3);
+    const four v25 = w3 * (m4 * Z1_3);
 
     /* joint values */
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
@@ -830,26 +833,26 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
     const four angle1____ = atan2_four(w3, N3 - k4);
-    const four angle1_____ = atan2_four(v22 - v20, -(v21 + v23));
-    const four angle1______ = atan2_four(-(v20 + v22), v23 - v21);
+    const four angle1_____ = atan2_four(v24 - v22, -(v23 + v25));
+    const four angle1______ = atan2_four(-(v22 + v24), v25 - v23);
     const four packed4 = atan2_four(__builtin_shufflevector(s1, -v5, 0, 5, 2, 7),
         __builtin_shufflevector(-v2, v4, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
     const four angle1_ = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
-    const four packed5 = atan2_four(__builtin_shufflevector(w6, s234, 0, 5, 2, 7),
-        __builtin_shufflevector(c5, c234, 0, 5, 2, 7));
+    const four packed5 = atan2_four(__builtin_shufflevector(w6, v11, 0, 5, 2, 7),
+        __builtin_shufflevector(c5, v10, 0, 5, 2, 7));
     const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1___ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four theta234 = angle1___ + v9 * v10;
-    const four v24 = theta234 - (angle1____ + angle1_____);
-    const four v25 = theta234 - (angle1______ - angle1____);
-    const four q4_p = v24 - pick_four(half_turn < v24, all_four(m6), all_four(0.0)) + pick_four(v24
+    const four theta234 = angle1___ + v9 * v12;
+    const four v26 = theta234 - (angle1____ + angle1_____);
+    const four v27 = theta234 - (angle1______ - angle1____);
+    const four q4_p = v26 - pick_four(half_turn < v26, all_four(m6), all_four(0.0)) + pick_four(v26
         <= -half_turn, all_four(m6), all_four(0.0));
-    const four q4_m = v25 - pick_four(half_turn < v25, all_four(m6), all_four(0.0)) + pick_four(v25
+    const four q4_m = v27 - pick_four(half_turn < v27, all_four(m6), all_four(0.0)) + pick_four(v27
         <= -half_turn, all_four(m6), all_four(0.0));
-    const four q1_p = angle1 + v18;
-    const four q5_p = v18 + e2 * angle1__;
-    const four q6_p = v18 + (angle1_ + v8 * v9);
+    const four q1_p = angle1 + v20;
+    const four q5_p = v20 + e2 * angle1__;
+    const four q6_p = v20 + (angle1_ + v8 * v9);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;

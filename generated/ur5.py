@@ -648,12 +648,8 @@ def _regular(pose, q, status):
     v10 = v6 * v6 + v8 * v8
     w6_p = math.sqrt(v9)
     w6_m = math.sqrt(v10)
-    factor6_p = 1.0 / w6_p
-    factor6_m = 1.0 / w6_m
-    c6_p = v5 * factor6_p
-    c6_m = v6 * factor6_m
-    v11 = v7 * factor6_p
-    v12 = v8 * factor6_m
+    v11 = 1.0 / v9
+    v12 = 1.0 / v10
     angle1__ = _atan2(-v7, v5)
     angle1___ = _atan2(-v8, v6)
 
@@ -664,37 +660,41 @@ def _regular(pose, q, status):
     angle1_____ = _atan2(w6_m, c5_m)
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    c234_p = c6_p * T32 - v11 * T31
-    c234_m = c6_m * T32 - v12 * T31
-    s234_p = c5_p * (c6_p * T31 + v11 * T32) - w6_p * T33
-    s234_m = c5_m * (c6_m * T31 + v12 * T32) - w6_m * T33
-    angle1______ = _atan2(s234_p, c234_p)
-    angle1_______ = _atan2(s234_m, c234_m)
-    theta234_pm = angle1______ - h1 * math.copysign(half_turn, s234_p)
-    theta234_mm = angle1_______ - h1 * math.copysign(half_turn, s234_m)
+    v13 = v11 * (v5 * T32 - v7 * T31)
+    v14 = v12 * (v6 * T32 - v8 * T31)
+    c234_p = w6_p * v13
+    c234_m = w6_m * v14
+    v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33
+    v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33
+    s234_p = w6_p * v15
+    s234_m = w6_m * v16
+    angle1______ = _atan2(v15, v13)
+    angle1_______ = _atan2(v16, v14)
+    theta234_pm = angle1______ - h1 * math.copysign(half_turn, v15)
+    theta234_mm = angle1_______ - h1 * math.copysign(half_turn, v16)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v13 = d6 * w6_p
-    v14 = d6 * w6_m
-    v15 = T34 - d1
-    v16 = d5 * c234_p
-    v17 = d5 * c234_m
-    v18 = s234_p * v13
-    v19 = s234_m * v14
-    Z1_3_pp = v15 + (v16 + v18)
-    Z1_3_pm = v15 + (v18 - v16)
-    Z1_3_mp = v15 + (v17 + v19)
-    Z1_3_mm = v15 + (v19 - v17)
-    v20 = T24 * s1_p - T14 * v2
-    v21 = T24 * s1_m - T14 * v3
-    v22 = c234_p * v13
-    v23 = c234_m * v14
-    v24 = d5 * s234_p
-    v25 = d5 * s234_m
-    Z2_3_pp = v20 + (v22 - v24)
-    Z2_3_pm = v20 + (v22 + v24)
-    Z2_3_mp = v21 + (v23 - v25)
-    Z2_3_mm = v21 + (v23 + v25)
+    v17 = d6 * w6_p
+    v18 = d6 * w6_m
+    v19 = T34 - d1
+    v20 = d5 * c234_p
+    v21 = d5 * c234_m
+    v22 = s234_p * v17
+    v23 = s234_m * v18
+    Z1_3_pp = v19 + (v20 + v22)
+    Z1_3_pm = v19 + (v22 - v20)
+    Z1_3_mp = v19 + (v21 + v23)
+    Z1_3_mm = v19 + (v23 - v21)
+    v24 = T24 * s1_p - T14 * v2
+    v25 = T24 * s1_m - T14 * v3
+    v26 = c234_p * v17
+    v27 = c234_m * v18
+    v28 = d5 * s234_p
+    v29 = d5 * s234_m
+    Z2_3_pp = v24 + (v26 - v28)
+    Z2_3_pm = v24 + (v26 + v28)
+    Z2_3_mp = v25 + (v27 - v29)
+    Z2_3_mm = v25 + (v27 + v29)
     N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
     N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
     N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
@@ -703,74 +703,74 @@ def _regular(pose, q, status):
     w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
     w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
     w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
-    v26 = w3_pp - w3_pp
-    v27 = w3_pm - w3_pm
-    v28 = w3_mp - w3_mp
-    v29 = w3_mm - w3_mm
+    v30 = w3_pp - w3_pp
+    v31 = w3_pm - w3_pm
+    v32 = w3_mp - w3_mp
+    v33 = w3_mm - w3_mm
     angle1________ = _atan2(w3_pp, N3_pp - k4)
     angle1_________ = _atan2(w3_pm, N3_pm - k4)
     angle1__________ = _atan2(w3_mp, N3_mp - k4)
     angle1___________ = _atan2(w3_mm, N3_mm - k4)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v30 = m5 + m4 * N3_pp
-    v31 = m5 + m4 * N3_pm
-    v32 = m5 + m4 * N3_mp
-    v33 = m5 + m4 * N3_mm
-    v34 = Z1_3_pp * v30
-    v35 = Z1_3_pm * v31
-    v36 = Z1_3_mp * v32
-    v37 = Z1_3_mm * v33
-    v38 = Z2_3_pp * v30
-    v39 = Z2_3_pm * v31
-    v40 = Z2_3_mp * v32
-    v41 = Z2_3_mm * v33
-    v42 = w3_pp * (m4 * Z2_3_pp)
-    v43 = w3_pp * (m4 * Z1_3_pp)
-    angle1____________ = _atan2(v42 - v34, -(v38 + v43))
-    angle1_____________ = _atan2(-(v34 + v42), v43 - v38)
-    v44 = w3_pm * (m4 * Z2_3_pm)
-    v45 = w3_pm * (m4 * Z1_3_pm)
-    angle1______________ = _atan2(v44 - v35, -(v39 + v45))
-    angle1_______________ = _atan2(-(v35 + v44), v45 - v39)
-    v46 = w3_mp * (m4 * Z2_3_mp)
-    v47 = w3_mp * (m4 * Z1_3_mp)
-    angle1________________ = _atan2(v46 - v36, -(v40 + v47))
-    angle1_________________ = _atan2(-(v36 + v46), v47 - v40)
-    v48 = w3_mm * (m4 * Z2_3_mm)
-    v49 = w3_mm * (m4 * Z1_3_mm)
-    angle1__________________ = _atan2(v48 - v37, -(v41 + v49))
-    angle1___________________ = _atan2(-(v37 + v48), v49 - v41)
+    v34 = m5 + m4 * N3_pp
+    v35 = m5 + m4 * N3_pm
+    v36 = m5 + m4 * N3_mp
+    v37 = m5 + m4 * N3_mm
+    v38 = Z1_3_pp * v34
+    v39 = Z1_3_pm * v35
+    v40 = Z1_3_mp * v36
+    v41 = Z1_3_mm * v37
+    v42 = Z2_3_pp * v34
+    v43 = Z2_3_pm * v35
+    v44 = Z2_3_mp * v36
+    v45 = Z2_3_mm * v37
+    v46 = w3_pp * (m4 * Z2_3_pp)
+    v47 = w3_pp * (m4 * Z1_3_pp)
+    angle1____________ = _atan2(v46 - v38, -(v42 + v47))
+    angle1_____________ = _atan2(-(v38 + v46), v47 - v42)
+    v48 = w3_pm * (m4 * Z2_3_pm)
+    v49 = w3_pm * (m4 * Z1_3_pm)
+    angle1______________ = _atan2(v48 - v39, -(v43 + v49))
+    angle1_______________ = _atan2(-(v39 + v48), v49 - v43)
+    v50 = w3_mp * (m4 * Z2_3_mp)
+    v51 = w3_mp * (m4 * Z1_3_mp)
+    angle1________________ = _atan2(v50 - v40, -(v44 + v51))
+    angle1_________________ = _atan2(-(v40 + v50), v51 - v44)
+    v52 = w3_mm * (m4 * Z2_3_mm)
+    v53 = w3_mm * (m4 * Z1_3_mm)
+    angle1__________________ = _atan2(v52 - v41, -(v45 + v53))
+    angle1___________________ = _atan2(-(v41 + v52), v53 - v45)
 
     # joint values
-    v50 = angle1______ - (angle1________ + angle1____________)
-    v51 = angle1______ - (angle1_____________ - angle1________)
-    v52 = theta234_pm - (angle1_________ + angle1______________)
-    v53 = theta234_pm - (angle1_______________ - angle1_________)
-    v54 = angle1_______ - (angle1__________ + angle1________________)
-    v55 = angle1_______ - (angle1_________________ - angle1__________)
-    v56 = theta234_mm - (angle1___________ + angle1__________________)
-    v57 = theta234_mm - (angle1___________________ - angle1___________)
-    q4_ppp = v50 - (m6 if half_turn < v50 else 0.0) + (m6 if v50 <= -half_turn else 0.0)
-    q4_ppm = v51 - (m6 if half_turn < v51 else 0.0) + (m6 if v51 <= -half_turn else 0.0)
-    q4_pmp = v52 - (m6 if half_turn < v52 else 0.0) + (m6 if v52 <= -half_turn else 0.0)
-    q4_pmm = v53 - (m6 if half_turn < v53 else 0.0) + (m6 if v53 <= -half_turn else 0.0)
-    q4_mpp = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
-    q4_mpm = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
-    q4_mmp = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
-    q4_mmm = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
-    q1_ppp = angle1 + v26
-    q1_pmp = angle1 + v27
-    q1_mpp = angle1_ + v28
-    q1_mmp = angle1_ + v29
-    q5_ppp = angle1____ + v26
-    q5_pmp = v27 - angle1____
-    q5_mpp = angle1_____ + v28
-    q5_mmp = v29 - angle1_____
-    q6_ppp = angle1__ + v26
-    q6_pmp = v27 + (angle1__ - math.copysign(half_turn, -v7) * h1)
-    q6_mpp = angle1___ + v28
-    q6_mmp = v29 + (angle1___ - math.copysign(half_turn, -v8) * h1)
+    v54 = angle1______ - (angle1________ + angle1____________)
+    v55 = angle1______ - (angle1_____________ - angle1________)
+    v56 = theta234_pm - (angle1_________ + angle1______________)
+    v57 = theta234_pm - (angle1_______________ - angle1_________)
+    v58 = angle1_______ - (angle1__________ + angle1________________)
+    v59 = angle1_______ - (angle1_________________ - angle1__________)
+    v60 = theta234_mm - (angle1___________ + angle1__________________)
+    v61 = theta234_mm - (angle1___________________ - angle1___________)
+    q4_ppp = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
+    q4_ppm = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
+    q4_pmp = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
+    q4_pmm = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
+    q4_mpp = v58 - (m6 if half_turn < v58 else 0.0) + (m6 if v58 <= -half_turn else 0.0)
+    q4_mpm = v59 - (m6 if half_turn < v59 else 0.0) + (m6 if v59 <= -half_turn else 0.0)
+    q4_mmp = v60 - (m6 if half_turn < v60 else 0.0) + (m6 if v60 <= -half_turn else 0.0)
+    q4_mmm = v61 - (m6 if half_turn < v61 else 0.0) + (m6 if v61 <= -half_turn else 0.0)
+    q1_ppp = angle1 + v30
+    q1_pmp = angle1 + v31
+    q1_mpp = angle1_ + v32
+    q1_mmp = angle1_ + v33
+    q5_ppp = angle1____ + v30
+    q5_pmp = v31 - angle1____
+    q5_mpp = angle1_____ + v32
+    q5_mmp = v33 - angle1_____
+    q6_ppp = angle1__ + v30
+    q6_pmp = v31 + (angle1__ - math.copysign(half_turn, -v7) * h1)
+    q6_mpp = angle1___ + v32
+    q6_mmp = v33 + (angle1___ - math.copysign(half_turn, -v8) * h1)
     doubt1 = (
         N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
         not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= free_limit_squared2 or
@@ -1045,39 +1045,39 @@ def _in_tiles(T, q, status):
             v10 = v6 * v6 + v8 * v8
             w6_p = math.sqrt(v9)
             w6_m = math.sqrt(v10)
-            factor6_p = 1.0 / w6_p
-            factor6_m = 1.0 / w6_m
-            c6_p = v5 * factor6_p
-            c6_m = v6 * factor6_m
-            v11 = v7 * factor6_p
-            v12 = v8 * factor6_m
+            v11 = 1.0 / v9
+            v12 = 1.0 / v10
             c5_p = T13 * s1_p + T23 * v2
             c5_m = T13 * s1_m + T23 * v3
-            c234_p = c6_p * T32 - v11 * T31
-            c234_m = c6_m * T32 - v12 * T31
-            s234_p = c5_p * (c6_p * T31 + v11 * T32) - w6_p * T33
-            s234_m = c5_m * (c6_m * T31 + v12 * T32) - w6_m * T33
-            v13 = d6 * w6_p
-            v14 = d6 * w6_m
-            v15 = T34 - d1
-            v16 = d5 * c234_p
-            v17 = d5 * c234_m
-            v18 = s234_p * v13
-            v19 = s234_m * v14
-            Z1_3_pp = v15 + (v16 + v18)
-            Z1_3_pm = v15 + (v18 - v16)
-            Z1_3_mp = v15 + (v17 + v19)
-            Z1_3_mm = v15 + (v19 - v17)
-            v20 = T24 * s1_p - T14 * v2
-            v21 = T24 * s1_m - T14 * v3
-            v22 = c234_p * v13
-            v23 = c234_m * v14
-            v24 = d5 * s234_p
-            v25 = d5 * s234_m
-            Z2_3_pp = v20 + (v22 - v24)
-            Z2_3_pm = v20 + (v22 + v24)
-            Z2_3_mp = v21 + (v23 - v25)
-            Z2_3_mm = v21 + (v23 + v25)
+            v13 = v11 * (v5 * T32 - v7 * T31)
+            v14 = v12 * (v6 * T32 - v8 * T31)
+            c234_p = w6_p * v13
+            c234_m = w6_m * v14
+            v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33
+            v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33
+            s234_p = w6_p * v15
+            s234_m = w6_m * v16
+            v17 = d6 * w6_p
+            v18 = d6 * w6_m
+            v19 = T34 - d1
+            v20 = d5 * c234_p
+            v21 = d5 * c234_m
+            v22 = s234_p * v17
+            v23 = s234_m * v18
+            Z1_3_pp = v19 + (v20 + v22)
+            Z1_3_pm = v19 + (v22 - v20)
+            Z1_3_mp = v19 + (v21 + v23)
+            Z1_3_mm = v19 + (v23 - v21)
+            v24 = T24 * s1_p - T14 * v2
+            v25 = T24 * s1_m - T14 * v3
+            v26 = c234_p * v17
+            v27 = c234_m * v18
+            v28 = d5 * s234_p
+            v29 = d5 * s234_m
+            Z2_3_pp = v24 + (v26 - v28)
+            Z2_3_pm = v24 + (v26 + v28)
+            Z2_3_mp = v25 + (v27 - v29)
+            Z2_3_mm = v25 + (v27 + v29)
             N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
             N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm
             N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
@@ -1086,30 +1086,30 @@ def _in_tiles(T, q, status):
             w3_pm = math.sqrt((longest3 - N3_pm) * (N3_pm - shortest3))
             w3_mp = math.sqrt((longest3 - N3_mp) * (N3_mp - shortest3))
             w3_mm = math.sqrt((longest3 - N3_mm) * (N3_mm - shortest3))
-            v26 = w3_pp - w3_pp
-            v27 = w3_pm - w3_pm
-            v28 = w3_mp - w3_mp
-            v29 = w3_mm - w3_mm
-            v30 = m5 + m4 * N3_pp
-            v31 = m5 + m4 * N3_pm
-            v32 = m5 + m4 * N3_mp
-            v33 = m5 + m4 * N3_mm
-            v34 = Z1_3_pp * v30
-            v35 = Z1_3_pm * v31
-            v36 = Z1_3_mp * v32
-            v37 = Z1_3_mm * v33
-            v38 = Z2_3_pp * v30
-            v39 = Z2_3_pm * v31
-            v40 = Z2_3_mp * v32
-            v41 = Z2_3_mm * v33
-            v42 = w3_pp * (m4 * Z2_3_pp)
-            v43 = w3_pp * (m4 * Z1_3_pp)
-            v44 = w3_pm * (m4 * Z2_3_pm)
-            v45 = w3_pm * (m4 * Z1_3_pm)
-            v46 = w3_mp * (m4 * Z2_3_mp)
-            v47 = w3_mp * (m4 * Z1_3_mp)
-            v48 = w3_mm * (m4 * Z2_3_mm)
-            v49 = w3_mm * (m4 * Z1_3_mm)
+            v30 = w3_pp - w3_pp
+            v31 = w3_pm - w3_pm
+            v32 = w3_mp - w3_mp
+            v33 = w3_mm - w3_mm
+            v34 = m5 + m4 * N3_pp
+            v35 = m5 + m4 * N3_pm
+            v36 = m5 + m4 * N3_mp
+            v37 = m5 + m4 * N3_mm
+            v38 = Z1_3_pp * v34
+            v39 = Z1_3_pm * v35
+            v40 = Z1_3_mp * v36
+            v41 = Z1_3_mm * v37
+            v42 = Z2_3_pp * v34
+            v43 = Z2_3_pm * v35
+            v44 = Z2_3_mp * v36
+            v45 = Z2_3_mm * v37
+            v46 = w3_pp * (m4 * Z2_3_pp)
+            v47 = w3_pp * (m4 * Z1_3_pp)
+            v48 = w3_pm * (m4 * Z2_3_pm)
+            v49 = w3_pm * (m4 * Z1_3_pm)
+            v50 = w3_mp * (m4 * Z2_3_mp)
+            v51 = w3_mp * (m4 * Z1_3_mp)
+            v52 = w3_mm * (m4 * Z2_3_mm)
+            v53 = w3_mm * (m4 * Z1_3_mm)
             doubt1 = (
                 N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
                 longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or
@@ -1124,12 +1124,12 @@ def _in_tiles(T, q, status):
             )
             work[544 + k] = v7
             work[576 + k] = v8
-            work[608 + k] = s234_p
-            work[640 + k] = s234_m
-            work[672 + k] = v26
-            work[704 + k] = v27
-            work[736 + k] = v28
-            work[768 + k] = v29
+            work[608 + k] = v15
+            work[640 + k] = v16
+            work[672 + k] = v30
+            work[704 + k] = v31
+            work[736 + k] = v32
+            work[768 + k] = v33
             work[800 + k] = doubt1
             work[832 + k] = s1_p
             work[864 + k] = s1_m
@@ -1137,51 +1137,51 @@ def _in_tiles(T, q, status):
             work[928 + k] = -v8
             work[960 + k] = w6_p
             work[992 + k] = w6_m
-            work[1024 + k] = s234_p
-            work[1056 + k] = s234_m
+            work[1024 + k] = v15
+            work[1056 + k] = v16
             work[1088 + k] = w3_pp
             work[1120 + k] = w3_pm
             work[1152 + k] = w3_mp
             work[1184 + k] = w3_mm
-            work[1216 + k] = v42 - v34
-            work[1248 + k] = -(v34 + v42)
-            work[1280 + k] = v44 - v35
-            work[1312 + k] = -(v35 + v44)
-            work[1344 + k] = v46 - v36
-            work[1376 + k] = -(v36 + v46)
-            work[1408 + k] = v48 - v37
-            work[1440 + k] = -(v37 + v48)
+            work[1216 + k] = v46 - v38
+            work[1248 + k] = -(v38 + v46)
+            work[1280 + k] = v48 - v39
+            work[1312 + k] = -(v39 + v48)
+            work[1344 + k] = v50 - v40
+            work[1376 + k] = -(v40 + v50)
+            work[1408 + k] = v52 - v41
+            work[1440 + k] = -(v41 + v52)
             work[1472 + k] = -v2
             work[1504 + k] = -v3
             work[1536 + k] = v5
             work[1568 + k] = v6
             work[1600 + k] = c5_p
             work[1632 + k] = c5_m
-            work[1664 + k] = c234_p
-            work[1696 + k] = c234_m
+            work[1664 + k] = v13
+            work[1696 + k] = v14
             work[1728 + k] = N3_pp - k4
             work[1760 + k] = N3_pm - k4
             work[1792 + k] = N3_mp - k4
             work[1824 + k] = N3_mm - k4
-            work[1856 + k] = -(v38 + v43)
-            work[1888 + k] = v43 - v38
-            work[1920 + k] = -(v39 + v45)
-            work[1952 + k] = v45 - v39
-            work[1984 + k] = -(v40 + v47)
-            work[2016 + k] = v47 - v40
-            work[2048 + k] = -(v41 + v49)
-            work[2080 + k] = v49 - v41
+            work[1856 + k] = -(v42 + v47)
+            work[1888 + k] = v47 - v42
+            work[1920 + k] = -(v43 + v49)
+            work[1952 + k] = v49 - v43
+            work[1984 + k] = -(v44 + v51)
+            work[2016 + k] = v51 - v44
+            work[2048 + k] = -(v45 + v53)
+            work[2080 + k] = v53 - v45
         for k in range(832, 1472):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
             v7 = work[544 + k]
             v8 = work[576 + k]
-            s234_p = work[608 + k]
-            s234_m = work[640 + k]
-            v26 = work[672 + k]
-            v27 = work[704 + k]
-            v28 = work[736 + k]
-            v29 = work[768 + k]
+            v15 = work[608 + k]
+            v16 = work[640 + k]
+            v30 = work[672 + k]
+            v31 = work[704 + k]
+            v32 = work[736 + k]
+            v33 = work[768 + k]
             doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
@@ -1203,36 +1203,36 @@ def _in_tiles(T, q, status):
             angle1_________________ = work[1376 + k]
             angle1__________________ = work[1408 + k]
             angle1___________________ = work[1440 + k]
-            theta234_pm = angle1______ - h1 * math.copysign(half_turn, s234_p)
-            theta234_mm = angle1_______ - h1 * math.copysign(half_turn, s234_m)
-            v50 = angle1______ - (angle1________ + angle1____________)
-            v51 = angle1______ - (angle1_____________ - angle1________)
-            v52 = theta234_pm - (angle1_________ + angle1______________)
-            v53 = theta234_pm - (angle1_______________ - angle1_________)
-            v54 = angle1_______ - (angle1__________ + angle1________________)
-            v55 = angle1_______ - (angle1_________________ - angle1__________)
-            v56 = theta234_mm - (angle1___________ + angle1__________________)
-            v57 = theta234_mm - (angle1___________________ - angle1___________)
-            q4_ppp = v50 - (m6 if half_turn < v50 else 0.0) + (m6 if v50 <= -half_turn else 0.0)
-            q4_ppm = v51 - (m6 if half_turn < v51 else 0.0) + (m6 if v51 <= -half_turn else 0.0)
-            q4_pmp = v52 - (m6 if half_turn < v52 else 0.0) + (m6 if v52 <= -half_turn else 0.0)
-            q4_pmm = v53 - (m6 if half_turn < v53 else 0.0) + (m6 if v53 <= -half_turn else 0.0)
-            q4_mpp = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
-            q4_mpm = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
-            q4_mmp = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
-            q4_mmm = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
-            q1_ppp = angle1 + v26
-            q1_pmp = angle1 + v27
-            q1_mpp = angle1_ + v28
-            q1_mmp = angle1_ + v29
-            q5_ppp = angle1____ + v26
-            q5_pmp = v27 - angle1____
-            q5_mpp = angle1_____ + v28
-            q5_mmp = v29 - angle1_____
-            q6_ppp = angle1__ + v26
-            q6_pmp = v27 + (angle1__ - math.copysign(half_turn, -v7) * h1)
-            q6_mpp = angle1___ + v28
-            q6_mmp = v29 + (angle1___ - math.copysign(half_turn, -v8) * h1)
+            theta234_pm = angle1______ - h1 * math.copysign(half_turn, v15)
+            theta234_mm = angle1_______ - h1 * math.copysign(half_turn, v16)
+            v54 = angle1______ - (angle1________ + angle1____________)
+            v55 = angle1______ - (angle1_____________ - angle1________)
+            v56 = theta234_pm - (angle1_________ + angle1______________)
+            v57 = theta234_pm - (angle1_______________ - angle1_________)
+            v58 = angle1_______ - (angle1__________ + angle1________________)
+            v59 = angle1_______ - (angle1_________________ - angle1__________)
+            v60 = theta234_mm - (angle1___________ + angle1__________________)
+            v61 = theta234_mm - (angle1___________________ - angle1___________)
+            q4_ppp = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
+            q4_ppm = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
+            q4_pmp = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
+            q4_pmm = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
+            q4_mpp = v58 - (m6 if half_turn < v58 else 0.0) + (m6 if v58 <= -half_turn else 0.0)
+            q4_mpm = v59 - (m6 if half_turn < v59 else 0.0) + (m6 if v59 <= -half_turn else 0.0)
+            q4_mmp = v60 - (m6 if half_turn < v60 else 0.0) + (m6 if v60 <= -half_turn else 0.0)
+            q4_mmm = v61 - (m6 if half_turn < v61 else 0.0) + (m6 if v61 <= -half_turn else 0.0)
+            q1_ppp = angle1 + v30
+            q1_pmp = angle1 + v31
+            q1_mpp = angle1_ + v32
+            q1_mmp = angle1_ + v33
+            q5_ppp = angle1____ + v30
+            q5_pmp = v31 - angle1____
+            q5_mpp = angle1_____ + v32
+            q5_mmp = v33 - angle1_____
+            q6_ppp = angle1__ + v30
+            q6_pmp = v31 + (angle1__ - math.copysign(half_turn, -v7) * h1)
+            q6_mpp = angle1___ + v32
+            q6_mmp = v33 + (angle1___ - math.copysign(half_turn, -v8) * h1)
             _2112 = q1_ppp
             work[2112 + k] = _2112
             _2144 = angle1____________

@@ -16,6 +16,9 @@ static const double turn = 6.283185307179586;
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef WRIST_OBLIQUE_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -33,21 +36,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -79,7 +82,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -123,7 +126,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -149,8 +152,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef WRIST_OBLIQUE_LIBM
 #define atan2_wide atan2
 #else
@@ -160,7 +163,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -332,7 +335,7 @@ static const double g2 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
 static const double g3 = 0.3213938048432697; /* ca2 * 1 / 2 */
 static const double m1 = 0.383022221559489; /* a coefficient of S3 */
 static const double m2 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m3 = 0.2541022842412185; /* a coefficient of v10 */
+static const double m3 = 0.6634139481689384; /* a coefficient of v10 */
 static const double m4 = 1.2855752193730787; /* a coefficient of v18 */
 
 const char *const wrist_oblique_branches[2] = {
@@ -502,111 +505,113 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide C3_m = v19 + w1 * (m1 * (inverse1 * -v18));
     const wide v20 = S3_p * S3_p + C3_p * C3_p;
     const wide v21 = S3_m * S3_m + C3_m * C3_m;
-    const wide v22 = 1.0 / sqrt_wide(v20);
-    const wide v23 = 1.0 / sqrt_wide(v21);
-    const wide v24 = C3_p * v22;
-    const wide v25 = C3_m * v23;
-    const wide v26 = S3_p * v22;
-    const wide v27 = S3_m * v23;
+    const wide w3_p = sqrt_wide(v20);
+    const wide w3_m = sqrt_wide(v21);
+    const wide v22 = 1.0 / v20;
+    const wide v23 = 1.0 / v21;
+    const wide v24 = w3_p * v22;
+    const wide v25 = w3_m * v23;
+    const wide v26 = C3_p * v24;
+    const wide v27 = C3_m * v25;
+    const wide v28 = S3_p * v24;
+    const wide v29 = S3_m * v25;
 
     /* theta2 */
-    const wide v28 = v12 * T31 - v14 * T32;
-    const wide v29 = v15 * T32 - v13 * T31;
-    const wide v30 = v3 * -v29 + v4 * v28;
-    const wide v31 = w1 * (v1 * v28 + Y1 * v29);
-    const wide v32 = v22 * (m3 * (inverse1 * (v30 + v31)));
-    const wide v33 = v23 * (m3 * (inverse1 * (v30 - v31)));
-    const wide v34 = k5 * (k1 * (2.0 * T33 - ca2));
-    const double v35 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const wide v36 = v34 * v34;
-    const wide v37 = v36 + v32 * v32;
-    const wide v38 = v36 + v33 * v33;
-    const wide factor2_p = v35 / sqrt_wide(v37);
-    const wide factor2_m = v35 / sqrt_wide(v38);
-    const wide v39 = v34 * factor2_p;
-    const wide v40 = v34 * factor2_m;
-    const wide v41 = v32 * factor2_p;
-    const wide v42 = v33 * factor2_m;
+    const wide v30 = w3_p * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))) -
+        T31 * (sa2 * (k1 * (T32 + (s1_p * v13 - c1_p * v12)))))));
+    const wide v31 = w3_m * (m3 * (v23 * (T32 * (sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)))) -
+        T31 * (sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)))))));
+    const wide v32 = k5 * (k1 * (2.0 * T33 - ca2));
+    const double v33 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const wide v34 = v32 * v32;
+    const wide v35 = v34 + v30 * v30;
+    const wide v36 = v34 + v31 * v31;
+    const wide factor2_p = v33 / sqrt_wide(v35);
+    const wide factor2_m = v33 / sqrt_wide(v36);
+    const wide v37 = v32 * factor2_p;
+    const wide v38 = v32 * factor2_m;
+    const wide v39 = v30 * factor2_p;
+    const wide v40 = v31 * factor2_m;
 
     /* is the pose one that the arm can take? */
-    const wide v43 = 2.0 * c1_p;
-    const wide v44 = 2.0 * c1_m;
-    const wide v45 = ca2 * s1_p;
-    const wide v46 = ca2 * v11;
-    const wide v47 = s1_p * v24;
-    const wide v48 = v11 * v25;
-    const wide v49 = ca2 * c1_p;
-    const wide v50 = ca2 * c1_m;
-    const wide v51 = m4 * v6;
-    const wide v52 = w1 * (m4 * v5);
-    const wide v53 = v51 + v52;
-    const wide v54 = v51 - v52;
-    const wide v55 = s1_p * v26;
-    const wide v56 = v11 * v27;
-    const wide v57 = sa2 * s1_p;
-    const wide v58 = sa2 * v11;
-    const wide v59 = sa2 * c1_p;
-    const wide v60 = sa2 * c1_m;
-    const wide v61 = v39 * v57 + v41 * (2.0 * v59) + ca2 * (sqrt3 * s1_p);
-    const wide v62 = v42 * (2.0 * v60) - v40 * v58 - ca2 * (sqrt3 * v11);
-    const wide v63 = 2.0 * s1_p;
-    const wide v64 = 2.0 * v11;
-    const wide v65 = c1_p * v24;
-    const wide v66 = c1_m * v25;
-    const wide v67 = m4 * v9;
-    const wide v68 = w1 * (m4 * v8);
-    const wide v69 = v68 - v67;
-    const wide v70 = v67 + v68;
-    const wide v71 = c1_p * v26;
-    const wide v72 = c1_m * v27;
-    const wide v73 = v41 * (2.0 * v57) - v39 * v59 - ca2 * (sqrt3 * c1_p);
-    const wide v74 = v42 * (2.0 * v58) + v40 * v60 + ca2 * (sqrt3 * c1_m);
+    const wide v41 = 2.0 * c1_p;
+    const wide v42 = 2.0 * c1_m;
+    const wide v43 = ca2 * s1_p;
+    const wide v44 = ca2 * v11;
+    const wide v45 = s1_p * v26;
+    const wide v46 = v11 * v27;
+    const wide v47 = ca2 * c1_p;
+    const wide v48 = ca2 * c1_m;
+    const wide v49 = m4 * v6;
+    const wide v50 = w1 * (m4 * v5);
+    const wide v51 = v49 + v50;
+    const wide v52 = v49 - v50;
+    const wide v53 = s1_p * v28;
+    const wide v54 = v11 * v29;
+    const wide v55 = sa2 * s1_p;
+    const wide v56 = sa2 * v11;
+    const wide v57 = sa2 * c1_p;
+    const wide v58 = sa2 * c1_m;
+    const wide v59 = v37 * v55 + v39 * (2.0 * v57) + ca2 * (sqrt3 * s1_p);
+    const wide v60 = v40 * (2.0 * v58) - v38 * v56 - ca2 * (sqrt3 * v11);
+    const wide v61 = 2.0 * s1_p;
+    const wide v62 = 2.0 * v11;
+    const wide v63 = c1_p * v26;
+    const wide v64 = c1_m * v27;
+    const wide v65 = m4 * v9;
+    const wide v66 = w1 * (m4 * v8);
+    const wide v67 = v66 - v65;
+    const wide v68 = v65 + v66;
+    const wide v69 = c1_p * v28;
+    const wide v70 = c1_m * v29;
+    const wide v71 = v39 * (2.0 * v55) - v37 * v57 - ca2 * (sqrt3 * c1_p);
+    const wide v72 = v40 * (2.0 * v56) + v38 * v58 + ca2 * (sqrt3 * c1_m);
+    const wide v73 = sqrt3 * v28;
+    const wide v74 = sqrt3 * v29;
     const wide v75 = sqrt3 * v26;
     const wide v76 = sqrt3 * v27;
-    const wide v77 = sqrt3 * v24;
-    const wide v78 = sqrt3 * v25;
-    const wide v79 = ca2 - k3 * v39;
-    const wide v80 = ca2 - k3 * v40;
-    const double v81 = sqrt(-1.0);
-    const wide v82 = pick_wide((abs_wide(T34 - k1 * (d3 * v79)) <= pose_slack1) & ((abs_wide(T33 -
-        k1 * v79) <= pose_slack) & ((abs_wide(T32 - k1 * (v39 * (ca2 * v77) - v41 * v75 + sa2 *
-        v24)) <= pose_slack) & ((abs_wide(T31 - k1 * (v39 * (ca2 * v75) + v41 * v77 + sa2 * v26)) <=
-        pose_slack) & ((abs_wide(T24 - k1 * (d3 * v73)) <= pose_slack1) & ((abs_wide(T23 - k1 * v73)
-        <= pose_slack) & ((abs_wide(T22 + k1 * (v39 * (v26 * v63 - v24 * v49) + v41 * (v71 + v24 *
-        v69) + sa2 * (sqrt3 * v65))) <= pose_slack) & ((abs_wide(T21 - k1 * (v39 * (v24 * v63 + v26
-        * v49) - v41 * (v26 * v69 - v65) - sa2 * (sqrt3 * v71))) <= pose_slack) & ((abs_wide(T14 -
-        k1 * (d3 * v61)) <= pose_slack1) & ((abs_wide(T13 - k1 * v61) <= pose_slack) &
-        ((abs_wide(T11 - k1 * (sa2 * (sqrt3 * v55) - (v39 * (v26 * v45 - v24 * v43) + v41 * (v47 +
-        v26 * v53)))) <= pose_slack) & (abs_wide(T12 + k1 * (v39 * (v24 * v45 + v26 * v43) - v41 *
-        (v55 - v24 * v53) - sa2 * (sqrt3 * v47))) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(v81));
-    const wide v83 = pick_wide((abs_wide(T34 - k1 * (d3 * v80)) <= pose_slack1) & ((abs_wide(T33 -
-        k1 * v80) <= pose_slack) & ((abs_wide(T32 - k1 * (v40 * (ca2 * v78) - v42 * v76 + sa2 *
-        v25)) <= pose_slack) & ((abs_wide(T31 - k1 * (v40 * (ca2 * v76) + v42 * v78 + sa2 * v27)) <=
-        pose_slack) & ((abs_wide(T24 + k1 * (d3 * v74)) <= pose_slack1) & ((abs_wide(T23 + k1 * v74)
-        <= pose_slack) & ((abs_wide(T22 + k1 * (v42 * (v72 - v25 * v70) - v40 * (v27 * v64 + v25 *
-        v50) + sa2 * (sqrt3 * v66))) <= pose_slack) & ((abs_wide(T21 - k1 * (v40 * (v27 * v50 - v25
-        * v64) + v42 * (v66 + v27 * v70) - sa2 * (sqrt3 * v72))) <= pose_slack) & ((abs_wide(T14 -
-        k1 * (d3 * v62)) <= pose_slack1) & ((abs_wide(T13 - k1 * v62) <= pose_slack) &
-        ((abs_wide(T11 + k1 * (sa2 * (sqrt3 * v56) + (v42 * (v27 * v54 - v48) - v40 * (v27 * v46 +
-        v25 * v44)))) <= pose_slack) & (abs_wide(T12 + k1 * (v40 * (v27 * v44 - v25 * v46) + v42 *
-        (v56 + v25 * v54) + sa2 * (sqrt3 * v48))) <= pose_slack))))))))))), all_wide(0.0),
-        all_wide(v81));
+    const wide v77 = ca2 - k3 * v37;
+    const wide v78 = ca2 - k3 * v38;
+    const double v79 = sqrt(-1.0);
+    const wide v80 = pick_wide(maximum_wide(abs_wide(T14 - k1 * (d3 * v59)),
+        maximum_wide(abs_wide(T34 - k1 * (d3 * v77)), abs_wide(T24 - k1 * (d3 * v71)))) <=
+        pose_slack1, all_wide(0.0), all_wide(v79));
+    const wide v81 = pick_wide(maximum_wide(abs_wide(T14 - k1 * (d3 * v60)),
+        maximum_wide(abs_wide(T34 - k1 * (d3 * v78)), abs_wide(T24 + k1 * (d3 * v72)))) <=
+        pose_slack1, all_wide(0.0), all_wide(v79));
+    const wide v82 = pick_wide(maximum_wide(abs_wide(T12 + k1 * (v37 * (v26 * v43 + v28 * v41) - v39
+        * (v53 - v26 * v51) - sa2 * (sqrt3 * v45))), maximum_wide(abs_wide(T11 - k1 * (sa2 * (sqrt3
+        * v53) - (v37 * (v28 * v43 - v26 * v41) + v39 * (v45 + v28 * v51)))),
+        maximum_wide(abs_wide(T13 - k1 * v59), maximum_wide(abs_wide(T21 - k1 * (v37 * (v26 * v61 +
+        v28 * v47) - v39 * (v28 * v67 - v63) - sa2 * (sqrt3 * v69))), maximum_wide(abs_wide(T22 + k1
+        * (v37 * (v28 * v61 - v26 * v47) + v39 * (v69 + v26 * v67) + sa2 * (sqrt3 * v63))),
+        maximum_wide(abs_wide(T23 - k1 * v71), maximum_wide(abs_wide(T31 - k1 * (v37 * (ca2 * v73) +
+        v39 * v75 + sa2 * v28)), maximum_wide(abs_wide(T33 - k1 * v77), abs_wide(T32 - k1 * (v37 *
+        (ca2 * v75) - v39 * v73 + sa2 * v26)))))))))) <= pose_slack, all_wide(0.0), all_wide(v79));
+    const wide v83 = pick_wide(maximum_wide(abs_wide(T12 + k1 * (v38 * (v29 * v42 - v27 * v44) + v40
+        * (v54 + v27 * v52) + sa2 * (sqrt3 * v46))), maximum_wide(abs_wide(T11 + k1 * (sa2 * (sqrt3
+        * v54) + (v40 * (v29 * v52 - v46) - v38 * (v29 * v44 + v27 * v42)))),
+        maximum_wide(abs_wide(T13 - k1 * v60), maximum_wide(abs_wide(T21 - k1 * (v38 * (v29 * v48 -
+        v27 * v62) + v40 * (v64 + v29 * v68) - sa2 * (sqrt3 * v70))), maximum_wide(abs_wide(T22 + k1
+        * (v40 * (v70 - v27 * v68) - v38 * (v29 * v62 + v27 * v48) + sa2 * (sqrt3 * v64))),
+        maximum_wide(abs_wide(T23 + k1 * v72), maximum_wide(abs_wide(T31 - k1 * (v38 * (ca2 * v74) +
+        v40 * v76 + sa2 * v29)), maximum_wide(abs_wide(T33 - k1 * v78), abs_wide(T32 - k1 * (v38 *
+        (ca2 * v76) - v40 * v74 + sa2 * v27)))))))))) <= pose_slack, all_wide(0.0), all_wide(v79));
 
     /* joint values */
     const wide angle1 = atan2_wide(s1_p, c1_p);
-    const wide q1_p = v82 + angle1;
+    const wide q1_p = v82 + (v80 + angle1);
     const wide angle1_ = atan2_wide(-v11, c1_m);
-    const wide q1_m = v83 + angle1_;
-    const wide angle1__ = atan2_wide(-v41, -v39);
-    const wide q2_p = v82 + angle1__;
-    const wide angle1___ = atan2_wide(-v42, -v40);
-    const wide q2_m = v83 + angle1___;
+    const wide q1_m = v83 + (v81 + angle1_);
+    const wide angle1__ = atan2_wide(-v39, -v37);
+    const wide q2_p = v82 + (v80 + angle1__);
+    const wide angle1___ = atan2_wide(-v40, -v38);
+    const wide q2_m = v83 + (v81 + angle1___);
     const wide angle1____ = atan2_wide(-S3_p, -C3_p);
-    const wide q3_p = v82 + angle1____;
+    const wide q3_p = v82 + (v80 + angle1____);
     const wide angle1_____ = atan2_wide(-S3_m, -C3_m);
-    const wide q3_m = v83 + angle1_____;
-    const wide_mask doubt1 = (v38 <= m2) | ((v21 <= m2) | ((v37 <= m2) | ((free1 | ((-(reach_slack1
+    const wide q3_m = v83 + (v81 + angle1_____);
+    const wide_mask doubt1 = (v36 <= m2) | ((v21 <= m2) | ((v35 <= m2) | ((free1 | ((-(reach_slack1
         * (reach_slack1 + v2)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 + v2) < D1) == 0))))
         | (v20 <= m2))));
 
@@ -663,72 +668,71 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double v16 = m1 * (T32 - inverse1 * (v3 * v10 + v4 * v9));
     const four C3 = v16 + w1 * (m1 * (inverse1 * (e1 * v15)));
     const four v17 = S3 * S3 + C3 * C3;
-    const four v18 = 1.0 / sqrt_four(v17);
-    const four v19 = C3 * v18;
-    const four v20 = S3 * v18;
+    const four w3 = sqrt_four(v17);
+    const four v18 = 1.0 / v17;
+    const four v19 = w3 * v18;
+    const four v20 = C3 * v19;
+    const four v21 = S3 * v19;
 
     /* theta2 */
-    const double v21 = v9 * T31 - v11 * T32;
-    const double v22 = v12 * T32 - v10 * T31;
-    const double v23 = v1 * v21 + Y1 * v22;
-    const double v24 = v3 * -v22 + v4 * v21;
-    const four v25 = v18 * (m3 * (inverse1 * (v24 + w1 * (e1 * v23))));
-    const double v26 = k5 * (k1 * (2.0 * T33 - ca2));
-    const double v27 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const double v28 = v26 * v26;
-    const four v29 = v28 + v25 * v25;
-    const four factor2 = v27 / sqrt_four(v29);
-    const four v30 = v26 * factor2;
-    const four v31 = v25 * factor2;
+    const four v22 = w3 * (m3 * (v18 * (T32 * (sa2 * (k1 * (T31 + (s1 * v12 - c1 * v11)))) - T31 *
+        (sa2 * (k1 * (T32 + (s1 * v10 - c1 * v9)))))));
+    const double v23 = k5 * (k1 * (2.0 * T33 - ca2));
+    const double v24 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const double v25 = v23 * v23;
+    const four v26 = v25 + v22 * v22;
+    const four factor2 = v24 / sqrt_four(v26);
+    const four v27 = v23 * factor2;
+    const four v28 = v22 * factor2;
 
     /* is the pose one that the arm can take? */
-    const four v32 = 2.0 * c1;
-    const four v33 = ca2 * s1;
-    const four v34 = s1 * v19;
-    const four v35 = ca2 * c1;
-    const double v36 = m4 * v6;
-    const four v37 = v36 + w1 * (m4 * v5);
-    const four v38 = s1 * v20;
-    const four v39 = sa2 * s1;
-    const four v40 = sa2 * c1;
-    const four v41 = v30 * v39 + v31 * (2.0 * v40) + ca2 * (sqrt3 * s1);
-    const four v42 = 2.0 * s1;
-    const four v43 = c1 * v19;
-    const double v44 = m4 * v8;
-    const four v45 = w1 * (m4 * v7) - v44;
-    const four v46 = c1 * v20;
-    const four v47 = v31 * (2.0 * v39) - v30 * v40 - ca2 * (sqrt3 * c1);
-    const four v48 = sqrt3 * v20;
-    const four v49 = sqrt3 * v19;
-    const four v50 = ca2 - k3 * v30;
-    const double v51 = sqrt(-1.0);
-    const four v52 = pick_four((abs_four(T34 - k1 * (d3 * v50)) <= pose_slack1) & ((abs_four(T33 -
-        k1 * v50) <= pose_slack) & ((abs_four(T32 - k1 * (v30 * (ca2 * v49) - v31 * v48 + sa2 *
-        v19)) <= pose_slack) & ((abs_four(T31 - k1 * (v30 * (ca2 * v48) + v31 * v49 + sa2 * v20)) <=
-        pose_slack) & ((abs_four(T24 - k1 * (d3 * v47)) <= pose_slack1) & ((abs_four(T23 - k1 * v47)
-        <= pose_slack) & ((abs_four(T22 + k1 * (v30 * (v20 * v42 - v19 * v35) + v31 * (v46 + v19 *
-        v45) + sa2 * (sqrt3 * v43))) <= pose_slack) & ((abs_four(T21 - k1 * (v30 * (v19 * v42 + v20
-        * v35) - v31 * (v20 * v45 - v43) - sa2 * (sqrt3 * v46))) <= pose_slack) & ((abs_four(T14 -
-        k1 * (d3 * v41)) <= pose_slack1) & ((abs_four(T13 - k1 * v41) <= pose_slack) &
-        ((abs_four(T11 - k1 * (sa2 * (sqrt3 * v38) - (v30 * (v20 * v33 - v19 * v32) + v31 * (v34 +
-        v20 * v37)))) <= pose_slack) & (abs_four(T12 + k1 * (v30 * (v19 * v33 + v20 * v32) - v31 *
-        (v38 - v19 * v37) - sa2 * (sqrt3 * v34))) <= pose_slack))))))))))), all_four(0.0),
-        all_four(v51));
+    const four v29 = 2.0 * c1;
+    const four v30 = ca2 * s1;
+    const four v31 = s1 * v20;
+    const four v32 = ca2 * c1;
+    const double v33 = m4 * v6;
+    const four v34 = v33 + w1 * (m4 * v5);
+    const four v35 = s1 * v21;
+    const four v36 = sa2 * s1;
+    const four v37 = sa2 * c1;
+    const four v38 = v27 * v36 + v28 * (2.0 * v37) + ca2 * (sqrt3 * s1);
+    const four v39 = 2.0 * s1;
+    const four v40 = c1 * v20;
+    const double v41 = m4 * v8;
+    const four v42 = w1 * (m4 * v7) - v41;
+    const four v43 = c1 * v21;
+    const four v44 = v28 * (2.0 * v36) - v27 * v37 - ca2 * (sqrt3 * c1);
+    const four v45 = sqrt3 * v21;
+    const four v46 = sqrt3 * v20;
+    const four v47 = ca2 - k3 * v27;
+    const double v48 = sqrt(-1.0);
+    const four v49 = pick_four(maximum_four(abs_four(T14 - k1 * (d3 * v38)),
+        maximum_four(abs_four(T34 - k1 * (d3 * v47)), abs_four(T24 - k1 * (d3 * v44)))) <=
+        pose_slack1, all_four(0.0), all_four(v48));
+    const four v50 = pick_four(maximum_four(abs_four(T12 + k1 * (v27 * (v20 * v30 + v21 * v29) - v28
+        * (v35 - v20 * v34) - sa2 * (sqrt3 * v31))), maximum_four(abs_four(T11 - k1 * (sa2 * (sqrt3
+        * v35) - (v27 * (v21 * v30 - v20 * v29) + v28 * (v31 + v21 * v34)))),
+        maximum_four(abs_four(T13 - k1 * v38), maximum_four(abs_four(T21 - k1 * (v27 * (v20 * v39 +
+        v21 * v32) - v28 * (v21 * v42 - v40) - sa2 * (sqrt3 * v43))), maximum_four(abs_four(T22 + k1
+        * (v27 * (v21 * v39 - v20 * v32) + v28 * (v43 + v20 * v42) + sa2 * (sqrt3 * v40))),
+        maximum_four(abs_four(T23 - k1 * v44), maximum_four(abs_four(T31 - k1 * (v27 * (ca2 * v45) +
+        v28 * v46 + sa2 * v21)), maximum_four(abs_four(T33 - k1 * v47), abs_four(T32 - k1 * (v27 *
+        (ca2 * v46) - v28 * v45 + sa2 * v20)))))))))) <= pose_slack, all_four(0.0), all_four(v48));
 
     /* joint values */
     const int doubt1 = free1 | ((-(reach_slack1 * (reach_slack1 + v2)) <= D1) & (free1 |
         ((merge_slack1 * (merge_slack1 + v2) < D1) == 0)));
-    const four_mask doubt2 = (v17 <= m2) | (v29 <= m2);
+    const four_mask doubt2 = (v17 <= m2) | (v26 <= m2);
 
-    const four packed1 = atan2_four(__builtin_shufflevector(s1, -v31, 0, 1, 6, 7),
-        __builtin_shufflevector(c1, -v30, 0, 1, 6, 7));
+    const four packed1 = atan2_four(__builtin_shufflevector(s1, -v28, 0, 1, 6, 7),
+        __builtin_shufflevector(c1, -v27, 0, 1, 6, 7));
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1_ = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
     const four packed2 = atan2_four(-S3, -C3);
     const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
-    const four q1 = v52 + angle1;
-    const four q2 = v52 + angle1_;
-    const four q3 = v52 + angle1__;
+    const four q1 = v50 + (v49 + angle1);
+    const four q2 = v50 + (v49 + angle1_);
+    const four q3 = v50 + (v49 + angle1__);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

@@ -72,7 +72,7 @@ g2 = 0.8660254037844386  # 1 / 2 * sqrt3
 g3 = 0.3213938048432697  # ca2 * 1 / 2
 m1 = 0.383022221559489  # a coefficient of S3
 m2 = 9.999999999999998e-49  # free_limit_squared^2
-m3 = 0.2541022842412185  # a coefficient of v10
+m3 = 0.6634139481689384  # a coefficient of v10
 m4 = 1.2855752193730787  # a coefficient of v18
 
 _TURN = 6.283185307179586
@@ -437,112 +437,122 @@ def _regular(pose, q, status):
     C3_m = v19 + w1 * (m1 * (inverse1 * -v18))
     v20 = S3_p * S3_p + C3_p * C3_p
     v21 = S3_m * S3_m + C3_m * C3_m
-    v22 = 1.0 / math.sqrt(v20)
-    v23 = 1.0 / math.sqrt(v21)
-    v24 = C3_p * v22
-    v25 = C3_m * v23
-    v26 = S3_p * v22
-    v27 = S3_m * v23
+    w3_p = math.sqrt(v20)
+    w3_m = math.sqrt(v21)
+    v22 = 1.0 / v20
+    v23 = 1.0 / v21
+    v24 = w3_p * v22
+    v25 = w3_m * v23
+    v26 = C3_p * v24
+    v27 = C3_m * v25
+    v28 = S3_p * v24
+    v29 = S3_m * v25
 
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
-    v28 = v12 * T31 - v14 * T32
-    v29 = v15 * T32 - v13 * T31
-    v30 = v3 * -v29 + v4 * v28
-    v31 = w1 * (v1 * v28 + Y1 * v29)
-    v32 = v22 * (m3 * (inverse1 * (v30 + v31)))
-    v33 = v23 * (m3 * (inverse1 * (v30 - v31)))
-    v34 = k5 * (k1 * (2.0 * T33 - ca2))
-    v35 = -1.0 if -k6 < 0.0 else 1.0
-    v36 = v34 * v34
-    v37 = v36 + v32 * v32
-    v38 = v36 + v33 * v33
-    factor2_p = v35 / math.sqrt(v37)
-    factor2_m = v35 / math.sqrt(v38)
-    v39 = v34 * factor2_p
-    v40 = v34 * factor2_m
-    v41 = v32 * factor2_p
-    v42 = v33 * factor2_m
+    v30 = (
+        w3_p * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))) - T31 * (sa2 *
+        (k1 * (T32 + (s1_p * v13 - c1_p * v12)))))))
+    )
+    v31 = (
+        w3_m * (m3 * (v23 * (T32 * (sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)))) - T31 * (sa2 *
+        (k1 * (T32 - (v11 * v13 + c1_m * v12)))))))
+    )
+    v32 = k5 * (k1 * (2.0 * T33 - ca2))
+    v33 = -1.0 if -k6 < 0.0 else 1.0
+    v34 = v32 * v32
+    v35 = v34 + v30 * v30
+    v36 = v34 + v31 * v31
+    factor2_p = v33 / math.sqrt(v35)
+    factor2_m = v33 / math.sqrt(v36)
+    v37 = v32 * factor2_p
+    v38 = v32 * factor2_m
+    v39 = v30 * factor2_p
+    v40 = v31 * factor2_m
 
     # is the pose one that the arm can take?
-    v43 = 2.0 * c1_p
-    v44 = 2.0 * c1_m
-    v45 = ca2 * s1_p
-    v46 = ca2 * v11
-    v47 = s1_p * v24
-    v48 = v11 * v25
-    v49 = ca2 * c1_p
-    v50 = ca2 * c1_m
-    v51 = m4 * v6
-    v52 = w1 * (m4 * v5)
-    v53 = v51 + v52
-    v54 = v51 - v52
-    v55 = s1_p * v26
-    v56 = v11 * v27
-    v57 = sa2 * s1_p
-    v58 = sa2 * v11
-    v59 = sa2 * c1_p
-    v60 = sa2 * c1_m
-    v61 = v39 * v57 + v41 * (2.0 * v59) + ca2 * (sqrt3 * s1_p)
-    v62 = v42 * (2.0 * v60) - v40 * v58 - ca2 * (sqrt3 * v11)
-    v63 = 2.0 * s1_p
-    v64 = 2.0 * v11
-    v65 = c1_p * v24
-    v66 = c1_m * v25
-    v67 = m4 * v9
-    v68 = w1 * (m4 * v8)
-    v69 = v68 - v67
-    v70 = v67 + v68
-    v71 = c1_p * v26
-    v72 = c1_m * v27
-    v73 = v41 * (2.0 * v57) - v39 * v59 - ca2 * (sqrt3 * c1_p)
-    v74 = v42 * (2.0 * v58) + v40 * v60 + ca2 * (sqrt3 * c1_m)
+    v41 = 2.0 * c1_p
+    v42 = 2.0 * c1_m
+    v43 = ca2 * s1_p
+    v44 = ca2 * v11
+    v45 = s1_p * v26
+    v46 = v11 * v27
+    v47 = ca2 * c1_p
+    v48 = ca2 * c1_m
+    v49 = m4 * v6
+    v50 = w1 * (m4 * v5)
+    v51 = v49 + v50
+    v52 = v49 - v50
+    v53 = s1_p * v28
+    v54 = v11 * v29
+    v55 = sa2 * s1_p
+    v56 = sa2 * v11
+    v57 = sa2 * c1_p
+    v58 = sa2 * c1_m
+    v59 = v37 * v55 + v39 * (2.0 * v57) + ca2 * (sqrt3 * s1_p)
+    v60 = v40 * (2.0 * v58) - v38 * v56 - ca2 * (sqrt3 * v11)
+    v61 = 2.0 * s1_p
+    v62 = 2.0 * v11
+    v63 = c1_p * v26
+    v64 = c1_m * v27
+    v65 = m4 * v9
+    v66 = w1 * (m4 * v8)
+    v67 = v66 - v65
+    v68 = v65 + v66
+    v69 = c1_p * v28
+    v70 = c1_m * v29
+    v71 = v39 * (2.0 * v55) - v37 * v57 - ca2 * (sqrt3 * c1_p)
+    v72 = v40 * (2.0 * v56) + v38 * v58 + ca2 * (sqrt3 * c1_m)
+    v73 = sqrt3 * v28
+    v74 = sqrt3 * v29
     v75 = sqrt3 * v26
     v76 = sqrt3 * v27
-    v77 = sqrt3 * v24
-    v78 = sqrt3 * v25
-    v79 = ca2 - k3 * v39
-    v80 = ca2 - k3 * v40
-    v81 = math.sqrt(-1.0)
+    v77 = ca2 - k3 * v37
+    v78 = ca2 - k3 * v38
+    v79 = math.sqrt(-1.0)
+    v80 = (
+        0.0 if max(abs(T14 - k1 * (d3 * v59)), max(abs(T34 - k1 * (d3 * v77)), abs(T24 - k1 * (d3 *
+        v71)))) <= pose_slack1 else v79
+    )
+    v81 = (
+        0.0 if max(abs(T14 - k1 * (d3 * v60)), max(abs(T34 - k1 * (d3 * v78)), abs(T24 + k1 * (d3 *
+        v72)))) <= pose_slack1 else v79
+    )
     v82 = (
-        0.0 if (abs(T34 - k1 * (d3 * v79)) <= pose_slack1 and (abs(T33 - k1 * v79) <= pose_slack and
-        (abs(T32 - k1 * (v39 * (ca2 * v77) - v41 * v75 + sa2 * v24)) <= pose_slack and (abs(T31 - k1
-        * (v39 * (ca2 * v75) + v41 * v77 + sa2 * v26)) <= pose_slack and (abs(T24 - k1 * (d3 * v73))
-        <= pose_slack1 and (abs(T23 - k1 * v73) <= pose_slack and (abs(T22 + k1 * (v39 * (v26 * v63
-        - v24 * v49) + v41 * (v71 + v24 * v69) + sa2 * (sqrt3 * v65))) <= pose_slack and (abs(T21 -
-        k1 * (v39 * (v24 * v63 + v26 * v49) - v41 * (v26 * v69 - v65) - sa2 * (sqrt3 * v71))) <=
-        pose_slack and (abs(T14 - k1 * (d3 * v61)) <= pose_slack1 and (abs(T13 - k1 * v61) <=
-        pose_slack and (abs(T11 - k1 * (sa2 * (sqrt3 * v55) - (v39 * (v26 * v45 - v24 * v43) + v41 *
-        (v47 + v26 * v53)))) <= pose_slack and abs(T12 + k1 * (v39 * (v24 * v45 + v26 * v43) - v41 *
-        (v55 - v24 * v53) - sa2 * (sqrt3 * v47))) <= pose_slack))))))))))) else v81
+        0.0 if max(abs(T12 + k1 * (v37 * (v26 * v43 + v28 * v41) - v39 * (v53 - v26 * v51) - sa2 *
+        (sqrt3 * v45))), max(abs(T11 - k1 * (sa2 * (sqrt3 * v53) - (v37 * (v28 * v43 - v26 * v41) +
+        v39 * (v45 + v28 * v51)))), max(abs(T13 - k1 * v59), max(abs(T21 - k1 * (v37 * (v26 * v61 +
+        v28 * v47) - v39 * (v28 * v67 - v63) - sa2 * (sqrt3 * v69))), max(abs(T22 + k1 * (v37 * (v28
+        * v61 - v26 * v47) + v39 * (v69 + v26 * v67) + sa2 * (sqrt3 * v63))), max(abs(T23 - k1 *
+        v71), max(abs(T31 - k1 * (v37 * (ca2 * v73) + v39 * v75 + sa2 * v28)), max(abs(T33 - k1 *
+        v77), abs(T32 - k1 * (v37 * (ca2 * v75) - v39 * v73 + sa2 * v26)))))))))) <= pose_slack else
+        v79
     )
     v83 = (
-        0.0 if (abs(T34 - k1 * (d3 * v80)) <= pose_slack1 and (abs(T33 - k1 * v80) <= pose_slack and
-        (abs(T32 - k1 * (v40 * (ca2 * v78) - v42 * v76 + sa2 * v25)) <= pose_slack and (abs(T31 - k1
-        * (v40 * (ca2 * v76) + v42 * v78 + sa2 * v27)) <= pose_slack and (abs(T24 + k1 * (d3 * v74))
-        <= pose_slack1 and (abs(T23 + k1 * v74) <= pose_slack and (abs(T22 + k1 * (v42 * (v72 - v25
-        * v70) - v40 * (v27 * v64 + v25 * v50) + sa2 * (sqrt3 * v66))) <= pose_slack and (abs(T21 -
-        k1 * (v40 * (v27 * v50 - v25 * v64) + v42 * (v66 + v27 * v70) - sa2 * (sqrt3 * v72))) <=
-        pose_slack and (abs(T14 - k1 * (d3 * v62)) <= pose_slack1 and (abs(T13 - k1 * v62) <=
-        pose_slack and (abs(T11 + k1 * (sa2 * (sqrt3 * v56) + (v42 * (v27 * v54 - v48) - v40 * (v27
-        * v46 + v25 * v44)))) <= pose_slack and abs(T12 + k1 * (v40 * (v27 * v44 - v25 * v46) + v42
-        * (v56 + v25 * v54) + sa2 * (sqrt3 * v48))) <= pose_slack))))))))))) else v81
+        0.0 if max(abs(T12 + k1 * (v38 * (v29 * v42 - v27 * v44) + v40 * (v54 + v27 * v52) + sa2 *
+        (sqrt3 * v46))), max(abs(T11 + k1 * (sa2 * (sqrt3 * v54) + (v40 * (v29 * v52 - v46) - v38 *
+        (v29 * v44 + v27 * v42)))), max(abs(T13 - k1 * v60), max(abs(T21 - k1 * (v38 * (v29 * v48 -
+        v27 * v62) + v40 * (v64 + v29 * v68) - sa2 * (sqrt3 * v70))), max(abs(T22 + k1 * (v40 * (v70
+        - v27 * v68) - v38 * (v29 * v62 + v27 * v48) + sa2 * (sqrt3 * v64))), max(abs(T23 + k1 *
+        v72), max(abs(T31 - k1 * (v38 * (ca2 * v74) + v40 * v76 + sa2 * v29)), max(abs(T33 - k1 *
+        v78), abs(T32 - k1 * (v38 * (ca2 * v76) - v40 * v74 + sa2 * v27)))))))))) <= pose_slack else
+        v79
     )
 
     # joint values
     angle1 = _atan2(s1_p, c1_p)
-    q1_p = v82 + angle1
+    q1_p = v82 + (v80 + angle1)
     angle1_ = _atan2(-v11, c1_m)
-    q1_m = v83 + angle1_
-    angle1__ = _atan2(-v41, -v39)
-    q2_p = v82 + angle1__
-    angle1___ = _atan2(-v42, -v40)
-    q2_m = v83 + angle1___
+    q1_m = v83 + (v81 + angle1_)
+    angle1__ = _atan2(-v39, -v37)
+    q2_p = v82 + (v80 + angle1__)
+    angle1___ = _atan2(-v40, -v38)
+    q2_m = v83 + (v81 + angle1___)
     angle1____ = _atan2(-S3_p, -C3_p)
-    q3_p = v82 + angle1____
+    q3_p = v82 + (v80 + angle1____)
     angle1_____ = _atan2(-S3_m, -C3_m)
-    q3_m = v83 + angle1_____
+    q3_m = v83 + (v81 + angle1_____)
     doubt1 = (
-        v38 <= m2 or (v21 <= m2 or (v37 <= m2 or (free1 or -(reach_slack1 * (reach_slack1 + v2)) <=
+        v36 <= m2 or (v21 <= m2 or (v35 <= m2 or (free1 or -(reach_slack1 * (reach_slack1 + v2)) <=
         D1 and (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1)) or v20 <= m2)))
     )
     # a joint is free, or branches meet
@@ -684,10 +694,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1024, 1056, 1088],
-    [1120, 1152, 1184],
+    [1088, 1120, 1152],
+    [1184, 1216, 1248],
 ])
-_KINDS = np.array([1216, 1248])
+_KINDS = np.array([1280, 1312])
 _LEFT_OVER = 255
 
 
@@ -698,7 +708,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1280)
+    work = np.empty(1344)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -769,146 +779,158 @@ def _in_tiles(T, q, status):
             C3_m = v19 + w1 * (m1 * (inverse1 * -v18))
             v20 = S3_p * S3_p + C3_p * C3_p
             v21 = S3_m * S3_m + C3_m * C3_m
-            v22 = 1.0 / math.sqrt(v20)
-            v23 = 1.0 / math.sqrt(v21)
-            v24 = C3_p * v22
-            v25 = C3_m * v23
-            v26 = S3_p * v22
-            v27 = S3_m * v23
-            v28 = v12 * T31 - v14 * T32
-            v29 = v15 * T32 - v13 * T31
-            v30 = v3 * -v29 + v4 * v28
-            v31 = w1 * (v1 * v28 + Y1 * v29)
-            v32 = v22 * (m3 * (inverse1 * (v30 + v31)))
-            v33 = v23 * (m3 * (inverse1 * (v30 - v31)))
-            v34 = k5 * (k1 * (2.0 * T33 - ca2))
-            v35 = -1.0 if -k6 < 0.0 else 1.0
-            v36 = v34 * v34
-            v37 = v36 + v32 * v32
-            v38 = v36 + v33 * v33
-            factor2_p = v35 / math.sqrt(v37)
-            factor2_m = v35 / math.sqrt(v38)
-            v39 = v34 * factor2_p
-            v40 = v34 * factor2_m
-            v41 = v32 * factor2_p
-            v42 = v33 * factor2_m
-            v43 = 2.0 * c1_p
-            v44 = 2.0 * c1_m
-            v45 = ca2 * s1_p
-            v46 = ca2 * v11
-            v47 = s1_p * v24
-            v48 = v11 * v25
-            v49 = ca2 * c1_p
-            v50 = ca2 * c1_m
-            v51 = m4 * v6
-            v52 = w1 * (m4 * v5)
-            v53 = v51 + v52
-            v54 = v51 - v52
-            v55 = s1_p * v26
-            v56 = v11 * v27
-            v57 = sa2 * s1_p
-            v58 = sa2 * v11
-            v59 = sa2 * c1_p
-            v60 = sa2 * c1_m
-            v61 = v39 * v57 + v41 * (2.0 * v59) + ca2 * (sqrt3 * s1_p)
-            v62 = v42 * (2.0 * v60) - v40 * v58 - ca2 * (sqrt3 * v11)
-            v63 = 2.0 * s1_p
-            v64 = 2.0 * v11
-            v65 = c1_p * v24
-            v66 = c1_m * v25
-            v67 = m4 * v9
-            v68 = w1 * (m4 * v8)
-            v69 = v68 - v67
-            v70 = v67 + v68
-            v71 = c1_p * v26
-            v72 = c1_m * v27
-            v73 = v41 * (2.0 * v57) - v39 * v59 - ca2 * (sqrt3 * c1_p)
-            v74 = v42 * (2.0 * v58) + v40 * v60 + ca2 * (sqrt3 * c1_m)
+            w3_p = math.sqrt(v20)
+            w3_m = math.sqrt(v21)
+            v22 = 1.0 / v20
+            v23 = 1.0 / v21
+            v24 = w3_p * v22
+            v25 = w3_m * v23
+            v26 = C3_p * v24
+            v27 = C3_m * v25
+            v28 = S3_p * v24
+            v29 = S3_m * v25
+            v30 = (
+                w3_p * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))) - T31 *
+                (sa2 * (k1 * (T32 + (s1_p * v13 - c1_p * v12)))))))
+            )
+            v31 = (
+                w3_m * (m3 * (v23 * (T32 * (sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)))) - T31 *
+                (sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)))))))
+            )
+            v32 = k5 * (k1 * (2.0 * T33 - ca2))
+            v33 = -1.0 if -k6 < 0.0 else 1.0
+            v34 = v32 * v32
+            v35 = v34 + v30 * v30
+            v36 = v34 + v31 * v31
+            factor2_p = v33 / math.sqrt(v35)
+            factor2_m = v33 / math.sqrt(v36)
+            v37 = v32 * factor2_p
+            v38 = v32 * factor2_m
+            v39 = v30 * factor2_p
+            v40 = v31 * factor2_m
+            v41 = 2.0 * c1_p
+            v42 = 2.0 * c1_m
+            v43 = ca2 * s1_p
+            v44 = ca2 * v11
+            v45 = s1_p * v26
+            v46 = v11 * v27
+            v47 = ca2 * c1_p
+            v48 = ca2 * c1_m
+            v49 = m4 * v6
+            v50 = w1 * (m4 * v5)
+            v51 = v49 + v50
+            v52 = v49 - v50
+            v53 = s1_p * v28
+            v54 = v11 * v29
+            v55 = sa2 * s1_p
+            v56 = sa2 * v11
+            v57 = sa2 * c1_p
+            v58 = sa2 * c1_m
+            v59 = v37 * v55 + v39 * (2.0 * v57) + ca2 * (sqrt3 * s1_p)
+            v60 = v40 * (2.0 * v58) - v38 * v56 - ca2 * (sqrt3 * v11)
+            v61 = 2.0 * s1_p
+            v62 = 2.0 * v11
+            v63 = c1_p * v26
+            v64 = c1_m * v27
+            v65 = m4 * v9
+            v66 = w1 * (m4 * v8)
+            v67 = v66 - v65
+            v68 = v65 + v66
+            v69 = c1_p * v28
+            v70 = c1_m * v29
+            v71 = v39 * (2.0 * v55) - v37 * v57 - ca2 * (sqrt3 * c1_p)
+            v72 = v40 * (2.0 * v56) + v38 * v58 + ca2 * (sqrt3 * c1_m)
+            v73 = sqrt3 * v28
+            v74 = sqrt3 * v29
             v75 = sqrt3 * v26
             v76 = sqrt3 * v27
-            v77 = sqrt3 * v24
-            v78 = sqrt3 * v25
-            v79 = ca2 - k3 * v39
-            v80 = ca2 - k3 * v40
-            v81 = math.sqrt(-1.0)
+            v77 = ca2 - k3 * v37
+            v78 = ca2 - k3 * v38
+            v79 = math.sqrt(-1.0)
+            v80 = (
+                0.0 if max(abs(T14 - k1 * (d3 * v59)), max(abs(T34 - k1 * (d3 * v77)), abs(T24 - k1
+                * (d3 * v71)))) <= pose_slack1 else v79
+            )
+            v81 = (
+                0.0 if max(abs(T14 - k1 * (d3 * v60)), max(abs(T34 - k1 * (d3 * v78)), abs(T24 + k1
+                * (d3 * v72)))) <= pose_slack1 else v79
+            )
             v82 = (
-                0.0 if (abs(T34 - k1 * (d3 * v79)) <= pose_slack1 and (abs(T33 - k1 * v79) <=
-                pose_slack and (abs(T32 - k1 * (v39 * (ca2 * v77) - v41 * v75 + sa2 * v24)) <=
-                pose_slack and (abs(T31 - k1 * (v39 * (ca2 * v75) + v41 * v77 + sa2 * v26)) <=
-                pose_slack and (abs(T24 - k1 * (d3 * v73)) <= pose_slack1 and (abs(T23 - k1 * v73)
-                <= pose_slack and (abs(T22 + k1 * (v39 * (v26 * v63 - v24 * v49) + v41 * (v71 + v24
-                * v69) + sa2 * (sqrt3 * v65))) <= pose_slack and (abs(T21 - k1 * (v39 * (v24 * v63 +
-                v26 * v49) - v41 * (v26 * v69 - v65) - sa2 * (sqrt3 * v71))) <= pose_slack and
-                (abs(T14 - k1 * (d3 * v61)) <= pose_slack1 and (abs(T13 - k1 * v61) <= pose_slack
-                and (abs(T11 - k1 * (sa2 * (sqrt3 * v55) - (v39 * (v26 * v45 - v24 * v43) + v41 *
-                (v47 + v26 * v53)))) <= pose_slack and abs(T12 + k1 * (v39 * (v24 * v45 + v26 * v43)
-                - v41 * (v55 - v24 * v53) - sa2 * (sqrt3 * v47))) <= pose_slack))))))))))) else v81
+                0.0 if max(abs(T12 + k1 * (v37 * (v26 * v43 + v28 * v41) - v39 * (v53 - v26 * v51) -
+                sa2 * (sqrt3 * v45))), max(abs(T11 - k1 * (sa2 * (sqrt3 * v53) - (v37 * (v28 * v43 -
+                v26 * v41) + v39 * (v45 + v28 * v51)))), max(abs(T13 - k1 * v59), max(abs(T21 - k1 *
+                (v37 * (v26 * v61 + v28 * v47) - v39 * (v28 * v67 - v63) - sa2 * (sqrt3 * v69))),
+                max(abs(T22 + k1 * (v37 * (v28 * v61 - v26 * v47) + v39 * (v69 + v26 * v67) + sa2 *
+                (sqrt3 * v63))), max(abs(T23 - k1 * v71), max(abs(T31 - k1 * (v37 * (ca2 * v73) +
+                v39 * v75 + sa2 * v28)), max(abs(T33 - k1 * v77), abs(T32 - k1 * (v37 * (ca2 * v75)
+                - v39 * v73 + sa2 * v26)))))))))) <= pose_slack else v79
             )
             v83 = (
-                0.0 if (abs(T34 - k1 * (d3 * v80)) <= pose_slack1 and (abs(T33 - k1 * v80) <=
-                pose_slack and (abs(T32 - k1 * (v40 * (ca2 * v78) - v42 * v76 + sa2 * v25)) <=
-                pose_slack and (abs(T31 - k1 * (v40 * (ca2 * v76) + v42 * v78 + sa2 * v27)) <=
-                pose_slack and (abs(T24 + k1 * (d3 * v74)) <= pose_slack1 and (abs(T23 + k1 * v74)
-                <= pose_slack and (abs(T22 + k1 * (v42 * (v72 - v25 * v70) - v40 * (v27 * v64 + v25
-                * v50) + sa2 * (sqrt3 * v66))) <= pose_slack and (abs(T21 - k1 * (v40 * (v27 * v50 -
-                v25 * v64) + v42 * (v66 + v27 * v70) - sa2 * (sqrt3 * v72))) <= pose_slack and
-                (abs(T14 - k1 * (d3 * v62)) <= pose_slack1 and (abs(T13 - k1 * v62) <= pose_slack
-                and (abs(T11 + k1 * (sa2 * (sqrt3 * v56) + (v42 * (v27 * v54 - v48) - v40 * (v27 *
-                v46 + v25 * v44)))) <= pose_slack and abs(T12 + k1 * (v40 * (v27 * v44 - v25 * v46)
-                + v42 * (v56 + v25 * v54) + sa2 * (sqrt3 * v48))) <= pose_slack))))))))))) else v81
+                0.0 if max(abs(T12 + k1 * (v38 * (v29 * v42 - v27 * v44) + v40 * (v54 + v27 * v52) +
+                sa2 * (sqrt3 * v46))), max(abs(T11 + k1 * (sa2 * (sqrt3 * v54) + (v40 * (v29 * v52 -
+                v46) - v38 * (v29 * v44 + v27 * v42)))), max(abs(T13 - k1 * v60), max(abs(T21 - k1 *
+                (v38 * (v29 * v48 - v27 * v62) + v40 * (v64 + v29 * v68) - sa2 * (sqrt3 * v70))),
+                max(abs(T22 + k1 * (v40 * (v70 - v27 * v68) - v38 * (v29 * v62 + v27 * v48) + sa2 *
+                (sqrt3 * v64))), max(abs(T23 + k1 * v72), max(abs(T31 - k1 * (v38 * (ca2 * v74) +
+                v40 * v76 + sa2 * v29)), max(abs(T33 - k1 * v78), abs(T32 - k1 * (v38 * (ca2 * v76)
+                - v40 * v74 + sa2 * v27)))))))))) <= pose_slack else v79
             )
             doubt1 = (
-                v38 <= m2 or (v21 <= m2 or (v37 <= m2 or (free1 or -(reach_slack1 * (reach_slack1 +
+                v36 <= m2 or (v21 <= m2 or (v35 <= m2 or (free1 or -(reach_slack1 * (reach_slack1 +
                 v2)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1)) or v20 <=
                 m2)))
             )
-            work[544 + k] = v82
-            work[576 + k] = v83
-            work[608 + k] = doubt1
-            work[640 + k] = s1_p
-            work[672 + k] = -v11
-            work[704 + k] = -v41
-            work[736 + k] = -v42
-            work[768 + k] = -S3_p
-            work[800 + k] = -S3_m
-            work[832 + k] = c1_p
-            work[864 + k] = c1_m
-            work[896 + k] = -v39
-            work[928 + k] = -v40
-            work[960 + k] = -C3_p
-            work[992 + k] = -C3_m
-        for k in range(640, 832):
+            work[544 + k] = v80
+            work[576 + k] = v81
+            work[608 + k] = v82
+            work[640 + k] = v83
+            work[672 + k] = doubt1
+            work[704 + k] = s1_p
+            work[736 + k] = -v11
+            work[768 + k] = -v39
+            work[800 + k] = -v40
+            work[832 + k] = -S3_p
+            work[864 + k] = -S3_m
+            work[896 + k] = c1_p
+            work[928 + k] = c1_m
+            work[960 + k] = -v37
+            work[992 + k] = -v38
+            work[1024 + k] = -C3_p
+            work[1056 + k] = -C3_m
+        for k in range(704, 896):
             work[k] = _atan2(work[k], work[k + 192])
         for k in range(0, 32):
-            v82 = work[544 + k]
-            v83 = work[576 + k]
-            doubt1 = work[608 + k] != 0.0
-            angle1 = work[640 + k]
-            angle1_ = work[672 + k]
-            angle1__ = work[704 + k]
-            angle1___ = work[736 + k]
-            angle1____ = work[768 + k]
-            angle1_____ = work[800 + k]
-            q1_p = v82 + angle1
-            q1_m = v83 + angle1_
-            q2_p = v82 + angle1__
-            q2_m = v83 + angle1___
-            q3_p = v82 + angle1____
-            q3_m = v83 + angle1_____
-            _1024 = q1_p
-            work[1024 + k] = _1024
-            _1056 = q2_p
-            work[1056 + k] = _1056
-            _1088 = q3_p
+            v80 = work[544 + k]
+            v81 = work[576 + k]
+            v82 = work[608 + k]
+            v83 = work[640 + k]
+            doubt1 = work[672 + k] != 0.0
+            angle1 = work[704 + k]
+            angle1_ = work[736 + k]
+            angle1__ = work[768 + k]
+            angle1___ = work[800 + k]
+            angle1____ = work[832 + k]
+            angle1_____ = work[864 + k]
+            q1_p = v82 + (v80 + angle1)
+            q1_m = v83 + (v81 + angle1_)
+            q2_p = v82 + (v80 + angle1__)
+            q2_m = v83 + (v81 + angle1___)
+            q3_p = v82 + (v80 + angle1____)
+            q3_m = v83 + (v81 + angle1_____)
+            _1088 = q1_p
             work[1088 + k] = _1088
-            _1120 = q1_m
+            _1120 = q2_p
             work[1120 + k] = _1120
-            _1152 = q2_m
+            _1152 = q3_p
             work[1152 + k] = _1152
-            _1184 = q3_m
+            _1184 = q1_m
             work[1184 + k] = _1184
-            work[1216 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[1248 + k] = UNREACHABLE if _1120 != _1120 else OK
+            _1216 = q2_m
+            work[1216 + k] = _1216
+            _1248 = q3_m
+            work[1248 + k] = _1248
+            work[1280 + k] = UNREACHABLE if _1088 != _1088 else OK
+            work[1312 + k] = UNREACHABLE if _1184 != _1184 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -21,6 +21,9 @@ static double wrap(double angle)
 #define HELPER static inline
 #endif
 
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
 #ifndef XARM5_LIBM
 /* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
 static const double odd[11] = {
@@ -38,21 +41,21 @@ static const double odd[11] = {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define LANES 8
 #define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
-#define larger_wide _mm512_max_pd
-#define smaller_wide _mm512_min_pd
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
 #define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
-#define larger_wide larger_four
-#define smaller_wide smaller_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
 #define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
-#define larger_four _mm256_max_pd
-#define smaller_four _mm256_min_pd
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
@@ -84,7 +87,7 @@ HELPER four atan2_four(four y, four x)
 {
     const four ax = abs_four(x), ay = abs_four(y);
     const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = larger_four(ay, ax), least = smaller_four(ax, ay);
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
     const four_mask turned = least > most * 0.41421356237309515;
     const four rest = pick_four(turned, least - most, least);
     const four up = pick_four(steep ^ left, -rest, rest);
@@ -128,7 +131,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -154,8 +157,8 @@ typedef int wide_mask;
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
-#define larger_wide(a, b) ((a) > (b) ? (a) : (b))
-#define smaller_wide(a, b) ((a) < (b) ? (a) : (b))
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
 #ifdef XARM5_LIBM
 #define atan2_wide atan2
 #else
@@ -165,7 +168,7 @@ HELPER wide atan2_wide(wide y, wide x)
 {
     const wide ax = abs_wide(x), ay = abs_wide(y);
     const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = larger_wide(ay, ax), least = smaller_wide(ax, ay);
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
     const wide_mask turned = least > most * 0.41421356237309515;
     const wide rest = pick_wide(turned, least - most, least);
     const wide up = pick_wide(steep ^ left, -rest, rest);
@@ -340,11 +343,13 @@ static const double k2 = 4.918543046385274; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1.1677971055248615e-24; /* free_limit1^2 [m^2] */
 static const double m2 = 9.999999999999998e-49; /* free_limit_squared^2 */
-static const double m4 = 1.727195576168653; /* a coefficient of S2 */
-static const double m5 = 0.06824295773100271; /* a coefficient of S2 */
-static const double m6 = 1.4238523749857612; /* a coefficient of c23 */
-static const double m7 = 0.05625761134525573; /* a coefficient of c23 */
-static const double m8 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 0.076; /* a coefficient of v6 */
+static const double m5 = 0.097; /* a coefficient of v8 */
+static const double m6 = 1.727195576168653; /* a coefficient of S2 */
+static const double m7 = 0.06824295773100271; /* a coefficient of S2 */
+static const double m8 = 1.4238523749857612; /* a coefficient of c23 */
+static const double m9 = 0.05625761134525573; /* a coefficient of c23 */
+static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const xarm5_branches[4] = {
@@ -518,166 +523,167 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     /* theta1 */
     const wide v1 = T14 * T14 + T24 * T24;
     const wide w1 = sqrt_wide(v1);
-    const wide factor1 = 1.0 / w1;
+    const wide v2 = 1.0 / v1;
+    const wide factor1 = w1 * v2;
     const wide c1 = T14 * factor1;
     const wide s1 = T24 * factor1;
 
     /* theta234 */
-    const wide Z2_234 = c1 * T13 + s1 * T23;
-    const wide v2 = T33 * T33 + Z2_234 * Z2_234;
-    const wide factor234 = 1.0 / sqrt_wide(v2);
-    const wide c234 = T33 * factor234;
-    const wide v3 = Z2_234 * factor234;
+    const wide v3 = v2 * (T14 * T13 + T24 * T23);
+    const wide Z2_234 = w1 * v3;
+    const wide v4 = T33 * T33 + Z2_234 * Z2_234;
+    const wide factor234 = sqrt_wide(v4) * (1.0 / v4);
     const wide angle1 = atan2_wide(-Z2_234, T33);
 
     /* theta5 */
-    const wide Z1_5 = s1 * T12 - c1 * T22;
-    const wide Z2_5 = s1 * T11 - c1 * T21;
-    const wide v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
-    const wide v5 = 1.0 / sqrt_wide(v4);
-    const wide v6 = Z1_5 * v5;
-    const wide v7 = Z2_5 * v5;
+    const wide Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22));
+    const wide Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21));
+    const wide v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
+    const wide v6 = sqrt_wide(v5) * (1.0 / v5);
+    const wide v7 = Z1_5 * v6;
+    const wide v8 = Z2_5 * v6;
     const wide angle1_ = atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const wide v8 = d5 * c234;
-    const wide v9 = a4 * v3;
-    const wide v10 = v8 - v9;
-    const wide v11 = v8 + v9;
-    const wide v12 = T34 - d1;
-    const wide Z1_3_p = v12 - v10;
-    const wide Z1_3_m = v12 - v11;
-    const wide v13 = d5 * v3;
-    const wide v14 = a4 * c234;
-    const wide v15 = v13 + v14;
-    const wide v16 = v14 - v13;
-    const wide Z2_3_p = w1 - v15;
-    const wide v17 = w1 + v16;
+    const wide v9 = d5 * T33;
+    const wide v10 = T34 - d1;
+    const wide v11 = w1 * (m4 * v3);
+    const wide v12 = factor234 * (v9 - v11);
+    const wide v13 = factor234 * (v9 + v11);
+    const wide Z1_3_p = v10 - v12;
+    const wide Z1_3_m = v10 - v13;
+    const wide v14 = a4 * T33;
+    const wide v15 = w1 * (m5 * v3);
+    const wide v16 = factor234 * (v14 + v15);
+    const wide v17 = factor234 * (v14 - v15);
+    const wide Z2_3_p = w1 - v16;
+    const wide v18 = w1 + v17;
     const wide N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p;
-    const wide N3_m = Z1_3_m * Z1_3_m + v17 * v17;
+    const wide N3_m = Z1_3_m * Z1_3_m + v18 * v18;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v18 = w3_p - w3_p;
-    const wide v19 = w3_m - w3_m;
+    const wide v19 = w3_p - w3_p;
+    const wide v20 = w3_m - w3_m;
     const wide angle1__ = atan2_wide(w3_p, N3_p - k1);
     const wide angle1___ = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide v20 = m4 * N3_p - m5;
-    const wide v21 = m4 * N3_m - m5;
-    const wide v22 = Z1_3_p * v20;
-    const wide v23 = Z1_3_m * v21;
-    const wide S2_pp = v22 - w3_p * (m4 * Z2_3_p);
-    const wide S2_pm = v22 - w3_p * (m4 * -Z2_3_p);
-    const wide v24 = w3_m * (m4 * v17);
-    const wide S2_mp = v23 + v24;
-    const wide S2_mm = v23 - v24;
-    const wide v25 = Z2_3_p * v20;
-    const wide v26 = v17 * v21;
+    const wide v21 = m6 * N3_p - m7;
+    const wide v22 = m6 * N3_m - m7;
+    const wide v23 = Z1_3_p * v21;
+    const wide v24 = Z1_3_m * v22;
+    const wide S2_pp = v23 - w3_p * (m6 * Z2_3_p);
+    const wide S2_pm = v23 - w3_p * (m6 * -Z2_3_p);
+    const wide v25 = w3_m * (m6 * v18);
+    const wide S2_mp = v24 + v25;
+    const wide S2_mm = v24 - v25;
+    const wide v26 = Z2_3_p * v21;
+    const wide v27 = v18 * v22;
     const wide factor2_p = 1.0 / N3_p;
     const wide factor2_m = 1.0 / N3_m;
-    const wide angle1____ = atan2_wide(S2_pp, v25 + w3_p * (m4 * Z1_3_p));
-    const wide angle1_____ = atan2_wide(S2_pm, v25 + w3_p * (m4 * -Z1_3_p));
-    const wide angle1______ = atan2_wide(S2_mp, w3_m * (m4 * Z1_3_m) - v26);
-    const wide angle1_______ = atan2_wide(S2_mm, w3_m * (m4 * -Z1_3_m) - v26);
+    const wide angle1____ = atan2_wide(S2_pp, v26 + w3_p * (m6 * Z1_3_p));
+    const wide angle1_____ = atan2_wide(S2_pm, v26 + w3_p * (m6 * -Z1_3_p));
+    const wide angle1______ = atan2_wide(S2_mp, w3_m * (m6 * Z1_3_m) - v27);
+    const wide angle1_______ = atan2_wide(S2_mm, w3_m * (m6 * -Z1_3_m) - v27);
 
     /* is the pose one that the arm can take? */
-    const wide v27 = c1 * c234;
-    const wide v28 = Z1_3_p * (m6 + m7 * factor2_p);
-    const wide v29 = Z1_3_m * (m6 + m7 * factor2_m);
-    const wide v30 = v15 + Z2_3_p;
-    const wide v31 = v16 - v17;
-    const wide v32 = s1 * c234;
-    const wide v33 = d1 + v10;
-    const wide v34 = d1 + v11;
-    const double v35 = sqrt(-1.0);
-    const wide v36 = pick_wide((abs_wide(T33 - c234) <= pose_slack) & ((abs_wide(T32 + v3 * v7) <=
-        pose_slack) & ((abs_wide(T31 - v3 * v6) <= pose_slack) & ((abs_wide(T23 - s1 * v3) <=
-        pose_slack) & ((abs_wide(T22 - (v7 * v32 - c1 * v6)) <= pose_slack) & ((abs_wide(T21 + (v6 *
-        v32 + c1 * v7)) <= pose_slack) & ((abs_wide(T13 - c1 * v3) <= pose_slack) & ((abs_wide(T11 -
-        (s1 * v7 - v6 * v27)) <= pose_slack) & (abs_wide(T12 - (s1 * v6 + v7 * v27)) <=
-        pose_slack)))))))), all_wide(0.0), all_wide(v35));
-    const wide_mask v37 = (abs_wide(T14 - c1 * v30) <= pose_slack1) & (abs_wide(T24 - s1 * v30) <=
-        pose_slack1);
-    const wide_mask v38 = (abs_wide(T14 + c1 * v31) <= pose_slack1) & (abs_wide(T24 + s1 * v31) <=
-        pose_slack1);
-    const wide v39 = pick_wide(v37 & (abs_wide(T34 - (a3 * (v28 + w3_p * (m6 * (Z2_3_p *
-        factor2_p))) + (v33 + a2 * (S2_pp * factor2_p)))) <= pose_slack1), all_wide(0.0),
-        all_wide(v35));
-    const wide v40 = pick_wide(v37 & (abs_wide(T34 - (a3 * (v28 + w3_p * (m6 * (-Z2_3_p *
-        factor2_p))) + (v33 + a2 * (S2_pm * factor2_p)))) <= pose_slack1), all_wide(0.0),
-        all_wide(v35));
-    const wide v41 = w3_m * (m6 * (v17 * factor2_m));
-    const wide v42 = pick_wide(v38 & (abs_wide(T34 - (a3 * (v29 - v41) + (v34 + a2 * (S2_mp *
-        factor2_m)))) <= pose_slack1), all_wide(0.0), all_wide(v35));
-    const wide v43 = pick_wide(v38 & (abs_wide(T34 - (a3 * (v29 + v41) + (v34 + a2 * (S2_mm *
-        factor2_m)))) <= pose_slack1), all_wide(0.0), all_wide(v35));
+    const wide v28 = c1 * T33;
+    const wide v29 = Z1_3_p * (m8 + m9 * factor2_p);
+    const wide v30 = Z1_3_m * (m8 + m9 * factor2_m);
+    const wide v31 = v16 + Z2_3_p;
+    const wide v32 = v17 - v18;
+    const wide v33 = s1 * T33;
+    const wide v34 = d1 + v12;
+    const wide v35 = d1 + v13;
+    const double v36 = sqrt(-1.0);
+    const wide v37 = pick_wide(maximum_wide(abs_wide(T12 - (s1 * v7 + factor234 * (v8 * v28))),
+        maximum_wide(abs_wide(T11 - (s1 * v8 - factor234 * (v7 * v28))), maximum_wide(abs_wide(T13 -
+        factor234 * (c1 * Z2_234)), maximum_wide(abs_wide(T21 + (c1 * v8 + factor234 * (v7 * v33))),
+        maximum_wide(abs_wide(T22 - (factor234 * (v8 * v33) - c1 * v7)), maximum_wide(abs_wide(T23 -
+        factor234 * (s1 * Z2_234)), maximum_wide(abs_wide(T31 - factor234 * (Z2_234 * v7)),
+        maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32 + factor234 * (Z2_234 *
+        v8)))))))))) <= pose_slack, all_wide(0.0), all_wide(v36));
+    const wide v38 = abs_wide(T14 - c1 * v31);
+    const wide v39 = abs_wide(T14 + c1 * v32);
+    const wide v40 = abs_wide(T24 - s1 * v31);
+    const wide v41 = abs_wide(T24 + s1 * v32);
+    const wide v42 = pick_wide(maximum_wide(v40, maximum_wide(v38, abs_wide(T34 - (a3 * (v29 + w3_p
+        * (m8 * (Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pp * factor2_p)))))) <= pose_slack1,
+        all_wide(0.0), all_wide(v36));
+    const wide v43 = pick_wide(maximum_wide(v40, maximum_wide(v38, abs_wide(T34 - (a3 * (v29 + w3_p
+        * (m8 * (-Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pm * factor2_p)))))) <= pose_slack1,
+        all_wide(0.0), all_wide(v36));
+    const wide v44 = w3_m * (m8 * (v18 * factor2_m));
+    const wide v45 = pick_wide(maximum_wide(v41, maximum_wide(v39, abs_wide(T34 - (a3 * (v30 - v44)
+        + (v35 + a2 * (S2_mp * factor2_m)))))) <= pose_slack1, all_wide(0.0), all_wide(v36));
+    const wide v46 = pick_wide(maximum_wide(v41, maximum_wide(v39, abs_wide(T34 - (a3 * (v30 + v44)
+        + (v35 + a2 * (S2_mm * factor2_m)))))) <= pose_slack1, all_wide(0.0), all_wide(v36));
 
     /* joint values */
     const wide angle1________ = atan2_wide(T24, T14);
-    const wide v44 = angle1________ - offset1;
-    const wide v45 = angle1________ - h1 * copysign_wide(all_wide(half_turn), T24) - offset1;
-    const wide v46 = angle1____ - offset2;
-    const wide v47 = angle1_____ - offset2;
-    const wide v48 = angle1______ - offset2;
-    const wide v49 = angle1_______ - offset2;
-    const wide v50 = angle1__ - offset3;
-    const wide v51 = offset3 + angle1__;
-    const wide v52 = angle1___ - offset3;
-    const wide v53 = offset3 + angle1___;
-    const wide v54 = angle1 - (angle1__ + angle1____) - offset4;
-    const wide v55 = angle1 - (angle1_____ - angle1__) - offset4;
-    const wide v56 = offset4 + (angle1 + (angle1___ + angle1______));
-    const wide v57 = offset4 + (angle1 + (angle1_______ - angle1___));
-    const wide v58 = v54 - pick_wide(half_turn < v54, all_wide(m8), all_wide(0.0)) + pick_wide(v54
-        <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide v59 = v55 - pick_wide(half_turn < v55, all_wide(m8), all_wide(0.0)) + pick_wide(v55
-        <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide v60 = pick_wide(-v56 <= -half_turn, all_wide(m8), all_wide(0.0)) - (v56 +
-        pick_wide(half_turn < -v56, all_wide(m8), all_wide(0.0)));
-    const wide v61 = pick_wide(-v57 <= -half_turn, all_wide(m8), all_wide(0.0)) - (v57 +
-        pick_wide(half_turn < -v57, all_wide(m8), all_wide(0.0)));
-    const wide v62 = v36 + (v18 + (v44 + pick_wide(v44 <= -half_turn, all_wide(m8),
+    const wide v47 = angle1________ - offset1;
+    const wide v48 = angle1________ - h1 * copysign_wide(all_wide(half_turn), T24) - offset1;
+    const wide v49 = angle1____ - offset2;
+    const wide v50 = angle1_____ - offset2;
+    const wide v51 = angle1______ - offset2;
+    const wide v52 = angle1_______ - offset2;
+    const wide v53 = angle1__ - offset3;
+    const wide v54 = offset3 + angle1__;
+    const wide v55 = angle1___ - offset3;
+    const wide v56 = offset3 + angle1___;
+    const wide v57 = angle1 - (angle1__ + angle1____) - offset4;
+    const wide v58 = angle1 - (angle1_____ - angle1__) - offset4;
+    const wide v59 = offset4 + (angle1 + (angle1___ + angle1______));
+    const wide v60 = offset4 + (angle1 + (angle1_______ - angle1___));
+    const wide v61 = v57 - pick_wide(half_turn < v57, all_wide(m10), all_wide(0.0)) + pick_wide(v57
+        <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide v62 = v58 - pick_wide(half_turn < v58, all_wide(m10), all_wide(0.0)) + pick_wide(v58
+        <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide v63 = pick_wide(-v59 <= -half_turn, all_wide(m10), all_wide(0.0)) - (v59 +
+        pick_wide(half_turn < -v59, all_wide(m10), all_wide(0.0)));
+    const wide v64 = pick_wide(-v60 <= -half_turn, all_wide(m10), all_wide(0.0)) - (v60 +
+        pick_wide(half_turn < -v60, all_wide(m10), all_wide(0.0)));
+    const wide v65 = v37 + (v19 + (v47 + pick_wide(v47 <= -half_turn, all_wide(m10),
         all_wide(0.0))));
-    const wide v63 = v36 + (v19 + (v45 + pick_wide(v45 <= -half_turn, all_wide(m8),
+    const wide v66 = v37 + (v20 + (v48 + pick_wide(v48 <= -half_turn, all_wide(m10),
         all_wide(0.0))));
-    const wide q1_pp = v39 + v62;
-    const wide q1_pm = v40 + v62;
-    const wide q1_mp = v42 + v63;
-    const wide q1_mm = v43 + v63;
-    const wide q2_pp = v39 + (v36 + (v46 + pick_wide(v46 <= -half_turn, all_wide(m8),
+    const wide q1_pp = v42 + v65;
+    const wide q1_pm = v43 + v65;
+    const wide q1_mp = v45 + v66;
+    const wide q1_mm = v46 + v66;
+    const wide q2_pp = v42 + (v37 + (v49 + pick_wide(v49 <= -half_turn, all_wide(m10),
         all_wide(0.0))));
-    const wide q2_pm = v40 + (v36 + (v47 + pick_wide(v47 <= -half_turn, all_wide(m8),
+    const wide q2_pm = v43 + (v37 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m10),
         all_wide(0.0))));
-    const wide q2_mp = v42 + (v36 + (v48 + pick_wide(v48 <= -half_turn, all_wide(m8),
+    const wide q2_mp = v45 + (v37 + (v51 + pick_wide(v51 <= -half_turn, all_wide(m10),
         all_wide(0.0))));
-    const wide q2_mm = v43 + (v36 + (v49 + pick_wide(v49 <= -half_turn, all_wide(m8),
+    const wide q2_mm = v46 + (v37 + (v52 + pick_wide(v52 <= -half_turn, all_wide(m10),
         all_wide(0.0))));
-    const wide q3_pp = v39 + (v36 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m8),
+    const wide q3_pp = v42 + (v37 + (v53 + pick_wide(v53 <= -half_turn, all_wide(m10),
         all_wide(0.0))));
-    const wide q3_pm = v40 + (v36 + (pick_wide(-v51 <= -half_turn, all_wide(m8), all_wide(0.0)) -
-        v51));
-    const wide q3_mp = v42 + (v36 + (v52 + pick_wide(v52 <= -half_turn, all_wide(m8),
+    const wide q3_pm = v43 + (v37 + (pick_wide(-v54 <= -half_turn, all_wide(m10), all_wide(0.0)) -
+        v54));
+    const wide q3_mp = v45 + (v37 + (v55 + pick_wide(v55 <= -half_turn, all_wide(m10),
         all_wide(0.0))));
-    const wide q3_mm = v43 + (v36 + (pick_wide(-v53 <= -half_turn, all_wide(m8), all_wide(0.0)) -
-        v53));
-    const wide q4_pp = v39 + (v36 + (v58 - pick_wide(half_turn < v58, all_wide(m8),
+    const wide q3_mm = v46 + (v37 + (pick_wide(-v56 <= -half_turn, all_wide(m10), all_wide(0.0)) -
+        v56));
+    const wide q4_pp = v42 + (v37 + (v61 - pick_wide(half_turn < v61, all_wide(m10),
         all_wide(0.0))));
-    const wide q4_pm = v40 + (v36 + (v59 - pick_wide(half_turn < v59, all_wide(m8),
+    const wide q4_pm = v43 + (v37 + (v62 - pick_wide(half_turn < v62, all_wide(m10),
         all_wide(0.0))));
-    const wide q4_mp = v42 + (v36 + (v60 - pick_wide(half_turn < v60, all_wide(m8),
+    const wide q4_mp = v45 + (v37 + (v63 - pick_wide(half_turn < v63, all_wide(m10),
         all_wide(0.0))));
-    const wide q4_mm = v43 + (v36 + (v61 - pick_wide(half_turn < v61, all_wide(m8),
+    const wide q4_mm = v46 + (v37 + (v64 - pick_wide(half_turn < v64, all_wide(m10),
         all_wide(0.0))));
-    const wide v64 = v36 + (angle1_ + v18);
-    const wide v65 = v36 + (v19 + (angle1_ - copysign_wide(all_wide(half_turn), -Z2_5) * h1));
-    const wide q5_pp = v39 + v64;
-    const wide q5_pm = v40 + v64;
-    const wide q5_mp = v42 + v65;
-    const wide q5_mm = v43 + v65;
-    const wide_mask doubt1 = (v2 <= m2) | ((v1 <= m1) | ((N3_m <= free_limit_squared2) |
+    const wide v67 = v37 + (angle1_ + v19);
+    const wide v68 = v37 + (v20 + (angle1_ - copysign_wide(all_wide(half_turn), -Z2_5) * h1));
+    const wide q5_pp = v42 + v67;
+    const wide q5_pm = v43 + v67;
+    const wide q5_mp = v45 + v68;
+    const wide q5_mm = v46 + v68;
+    const wide_mask doubt1 = (v4 <= m2) | ((v1 <= m1) | ((N3_m <= free_limit_squared2) |
         ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((N3_p <= free_limit_squared2) | ((v4 <= m2) |
+        (N3_m < longest3_apart)) == 0)) | ((N3_p <= free_limit_squared2) | ((v5 <= m2) |
         (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p
         < longest3_apart)) == 0)))))));
 
@@ -724,36 +730,35 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* theta1 */
     const double v1 = T14 * T14 + T24 * T24;
     const double w1 = sqrt(v1);
-    const double factor1 = 1.0 / w1;
+    const double v2 = 1.0 / v1;
+    const double factor1 = w1 * v2;
     const double c1 = T14 * factor1;
     const double s1 = T24 * factor1;
 
     /* theta234 */
-    const double Z2_234 = c1 * T13 + s1 * T23;
-    const double v2 = T33 * T33 + Z2_234 * Z2_234;
-    const double factor234 = 1.0 / sqrt(v2);
-    const double c234 = T33 * factor234;
-    const double v3 = Z2_234 * factor234;
+    const double v3 = T14 * T13 + T24 * T23;
+    const double Z2_234 = w1 * (v2 * v3);
+    const double v4 = T33 * T33 + Z2_234 * Z2_234;
+    const double factor234 = sqrt(v4) * (1.0 / v4);
 
     /* theta5 */
-    const double Z1_5 = s1 * T12 - c1 * T22;
-    const double Z2_5 = s1 * T11 - c1 * T21;
-    const double v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
-    const double v5 = 1.0 / sqrt(v4);
-    const double v6 = Z1_5 * v5;
-    const double v7 = Z2_5 * v5;
-    const double v8 = copysign(half_turn, -Z2_5);
-    const four v9 = m3 * (e1 - 1.0);
+    const double Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22));
+    const double Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21));
+    const double v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
+    const double v6 = sqrt(v5) * (1.0 / v5);
+    const double v7 = Z1_5 * v6;
+    const double v8 = Z2_5 * v6;
+    const double v9 = copysign(half_turn, -Z2_5);
+    const four v10 = m3 * (e1 - 1.0);
 
     /* theta3 */
-    const double v10 = d5 * c234;
-    const double v11 = a4 * v3;
-    const four v12 = v10 - e1 * v11;
+    const double v11 = d5 * T33;
+    const four v12 = v2 * (e1 * v3);
     const double v13 = T34 - d1;
-    const four Z1_3 = v13 - v12;
-    const double v14 = d5 * v3;
-    const double v15 = a4 * c234;
-    const four v16 = v15 + e1 * v14;
+    const four v14 = factor234 * (v11 - w1 * (m4 * v12));
+    const four Z1_3 = v13 - v14;
+    const double v15 = a4 * T33;
+    const four v16 = factor234 * (v15 + w1 * (m5 * v12));
     const four Z2_3 = e1 * w1 - v16;
     const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
@@ -761,36 +766,39 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
 
     /* theta2 */
     const four v18 = e2 * Z2_3;
-    const four v19 = m4 * N3 - m5;
+    const four v19 = m6 * N3 - m7;
     const four v20 = Z1_3 * v19;
-    const four S2 = v20 - w3 * (m4 * v18);
+    const four S2 = v20 - w3 * (m6 * v18);
     const four v21 = Z2_3 * v19;
     const four factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const double v22 = c1 * c234;
-    const four v23 = Z1_3 * (m6 + m7 * factor2);
+    const double v22 = c1 * T33;
+    const four v23 = Z1_3 * (m8 + m9 * factor2);
     const four v24 = v16 + Z2_3;
-    const double v25 = s1 * c234;
-    const four v26 = d1 + v12;
+    const double v25 = s1 * T33;
+    const four v26 = d1 + v14;
     const double v27 = sqrt(-1.0);
-    const double v28 = ((fabs(T33 - c234) <= pose_slack) & ((fabs(T32 + v3 * v7) <= pose_slack) &
-        ((fabs(T31 - v3 * v6) <= pose_slack) & ((fabs(T23 - s1 * v3) <= pose_slack) & ((fabs(T22 -
-        (v7 * v25 - c1 * v6)) <= pose_slack) & ((fabs(T21 + (v6 * v25 + c1 * v7)) <= pose_slack) &
-        ((fabs(T13 - c1 * v3) <= pose_slack) & ((fabs(T11 - (s1 * v7 - v6 * v22)) <= pose_slack) &
-        (fabs(T12 - (s1 * v6 + v7 * v22)) <= pose_slack))))))))) ? 0.0 : v27;
-    const four_mask v29 = (abs_four(T14 - e1 * (c1 * v24)) <= pose_slack1) & (abs_four(T24 - e1 *
-        (s1 * v24)) <= pose_slack1);
-    const four v30 = pick_four(v29 & (abs_four(T34 - (a3 * (v23 + w3 * (m6 * (v18 * factor2))) +
-        (v26 + a2 * (S2 * factor2)))) <= pose_slack1), all_four(0.0), all_four(v27));
+    const double v28 = (maximum_double(fabs(T12 - (s1 * v7 + factor234 * (v8 * v22))),
+        maximum_double(fabs(T11 - (s1 * v8 - factor234 * (v7 * v22))), maximum_double(fabs(T13 -
+        factor234 * (c1 * Z2_234)), maximum_double(fabs(T21 + (c1 * v8 + factor234 * (v7 * v25))),
+        maximum_double(fabs(T22 - (factor234 * (v8 * v25) - c1 * v7)), maximum_double(fabs(T23 -
+        factor234 * (s1 * Z2_234)), maximum_double(fabs(T31 - factor234 * (Z2_234 * v7)),
+        maximum_double(fabs(T33 - T33 * factor234), fabs(T32 + factor234 * (Z2_234 * v8)))))))))) <=
+        pose_slack) ? 0.0 : v27;
+    const four v29 = abs_four(T14 - e1 * (c1 * v24));
+    const four v30 = abs_four(T24 - e1 * (s1 * v24));
+    const four v31 = pick_four(maximum_four(v30, maximum_four(v29, abs_four(T34 - (a3 * (v23 + w3 *
+        (m8 * (v18 * factor2))) + (v26 + a2 * (S2 * factor2)))))) <= pose_slack1, all_four(0.0),
+        all_four(v27));
 
     /* joint values */
-    const double v31 = copysign(half_turn, T24);
+    const double v32 = copysign(half_turn, T24);
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
-    const int doubt1 = (v2 <= m2) | ((v4 <= m2) | (v1 <= m1));
+    const int doubt1 = (v4 <= m2) | ((v5 <= m2) | (v1 <= m1));
 
-    const four angle1___ = atan2_four(S2, v21 + w3 * (m4 * (e2 * Z1_3)));
+    const four angle1___ = atan2_four(S2, v21 + w3 * (m6 * (e2 * Z1_3)));
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
         all_four(-Z2_234), 0, 5, 2, 3), all_four(-Z2_5), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T33), 0, 5, 2, 3),
@@ -800,22 +808,24 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
     const four packed3 = atan2_four((four){ T24, T24, T24, T24 }, (four){ T14, T14, T14, T14 });
     const four angle1____ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v32 = angle1____ + v9 * v31 - offset1;
-    const four v33 = angle1___ - offset2;
-    const four v34 = e2 * angle1__;
-    const four v35 = v34 - offset3;
-    const four v36 = e1 * angle1;
-    const four v37 = v36 - (angle1___ + v34) - offset4;
-    const four v38 = v37 - pick_four(half_turn < v37, all_four(m8), all_four(0.0)) + pick_four(v37
-        <= -half_turn, all_four(m8), all_four(0.0));
-    const four v39 = v28 + (v17 + (v32 + pick_four(v32 <= -half_turn, all_four(m8),
+    const four v33 = angle1____ + v10 * v32 - offset1;
+    const four v34 = angle1___ - offset2;
+    const four v35 = e2 * angle1__;
+    const four v36 = v35 - offset3;
+    const four v37 = e1 * angle1;
+    const four v38 = v37 - (angle1___ + v35) - offset4;
+    const four v39 = v38 - pick_four(half_turn < v38, all_four(m10), all_four(0.0)) + pick_four(v38
+        <= -half_turn, all_four(m10), all_four(0.0));
+    const four v40 = v28 + (v17 + (v33 + pick_four(v33 <= -half_turn, all_four(m10),
         all_four(0.0))));
-    const four q1 = v30 + v39;
-    const four q2 = v30 + (v28 + (v33 + pick_four(v33 <= -half_turn, all_four(m8), all_four(0.0))));
-    const four q3 = v30 + (v28 + (v35 + pick_four(v35 <= -half_turn, all_four(m8), all_four(0.0))));
-    const four q4 = v30 + (v28 + (v38 - pick_four(half_turn < v38, all_four(m8), all_four(0.0))));
-    const four v40 = v28 + (v17 + (angle1_ + v8 * v9));
-    const four q5 = v30 + v40;
+    const four q1 = v31 + v40;
+    const four q2 = v31 + (v28 + (v34 + pick_four(v34 <= -half_turn, all_four(m10),
+        all_four(0.0))));
+    const four q3 = v31 + (v28 + (v36 + pick_four(v36 <= -half_turn, all_four(m10),
+        all_four(0.0))));
+    const four q4 = v31 + (v28 + (v39 - pick_four(half_turn < v39, all_four(m10), all_four(0.0))));
+    const four v41 = v28 + (v17 + (angle1_ + v9 * v10));
+    const four q5 = v31 + v41;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

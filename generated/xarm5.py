@@ -76,11 +76,13 @@ k2 = 4.918543046385274  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.1677971055248615e-24  # free_limit1^2 [m^2]
 m2 = 9.999999999999998e-49  # free_limit_squared^2
-m4 = 1.727195576168653  # a coefficient of S2
-m5 = 0.06824295773100271  # a coefficient of S2
-m6 = 1.4238523749857612  # a coefficient of c23
-m7 = 0.05625761134525573  # a coefficient of c23
-m8 = 6.283185307179586  # 2 * half_turn
+m4 = 0.076  # a coefficient of v6
+m5 = 0.097  # a coefficient of v8
+m6 = 1.727195576168653  # a coefficient of S2
+m7 = 0.06824295773100271  # a coefficient of S2
+m8 = 1.4238523749857612  # a coefficient of c23
+m9 = 0.05625761134525573  # a coefficient of c23
+m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
@@ -613,154 +615,156 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[3, 4]
     v1 = T14 * T14 + T24 * T24
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
+    v2 = 1.0 / v1
+    factor1 = w1 * v2
     c1 = T14 * factor1
     s1 = T24 * factor1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    Z2_234 = c1 * T13 + s1 * T23
-    v2 = T33 * T33 + Z2_234 * Z2_234
-    factor234 = 1.0 / math.sqrt(v2)
-    c234 = T33 * factor234
-    v3 = Z2_234 * factor234
+    v3 = v2 * (T14 * T13 + T24 * T23)
+    Z2_234 = w1 * v3
+    v4 = T33 * T33 + Z2_234 * Z2_234
+    factor234 = math.sqrt(v4) * (1.0 / v4)
     angle1 = _atan2(-Z2_234, T33)
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
-    Z1_5 = s1 * T12 - c1 * T22
-    Z2_5 = s1 * T11 - c1 * T21
-    v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-    v5 = 1.0 / math.sqrt(v4)
-    v6 = Z1_5 * v5
-    v7 = Z2_5 * v5
+    Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22))
+    Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21))
+    v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+    v6 = math.sqrt(v5) * (1.0 / v5)
+    v7 = Z1_5 * v6
+    v8 = Z2_5 * v6
     angle1_ = _atan2(-Z2_5, -Z1_5)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v8 = d5 * c234
-    v9 = a4 * v3
-    v10 = v8 - v9
-    v11 = v8 + v9
-    v12 = T34 - d1
-    Z1_3_p = v12 - v10
-    Z1_3_m = v12 - v11
-    v13 = d5 * v3
-    v14 = a4 * c234
-    v15 = v13 + v14
-    v16 = v14 - v13
-    Z2_3_p = w1 - v15
-    v17 = w1 + v16
+    v9 = d5 * T33
+    v10 = T34 - d1
+    v11 = w1 * (m4 * v3)
+    v12 = factor234 * (v9 - v11)
+    v13 = factor234 * (v9 + v11)
+    Z1_3_p = v10 - v12
+    Z1_3_m = v10 - v13
+    v14 = a4 * T33
+    v15 = w1 * (m5 * v3)
+    v16 = factor234 * (v14 + v15)
+    v17 = factor234 * (v14 - v15)
+    Z2_3_p = w1 - v16
+    v18 = w1 + v17
     N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
-    N3_m = Z1_3_m * Z1_3_m + v17 * v17
+    N3_m = Z1_3_m * Z1_3_m + v18 * v18
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v18 = w3_p - w3_p
-    v19 = w3_m - w3_m
+    v19 = w3_p - w3_p
+    v20 = w3_m - w3_m
     angle1__ = _atan2(w3_p, N3_p - k1)
     angle1___ = _atan2(w3_m, N3_m - k1)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v20 = m4 * N3_p - m5
-    v21 = m4 * N3_m - m5
-    v22 = Z1_3_p * v20
-    v23 = Z1_3_m * v21
-    S2_pp = v22 - w3_p * (m4 * Z2_3_p)
-    S2_pm = v22 - w3_p * (m4 * -Z2_3_p)
-    v24 = w3_m * (m4 * v17)
-    S2_mp = v23 + v24
-    S2_mm = v23 - v24
-    v25 = Z2_3_p * v20
-    v26 = v17 * v21
+    v21 = m6 * N3_p - m7
+    v22 = m6 * N3_m - m7
+    v23 = Z1_3_p * v21
+    v24 = Z1_3_m * v22
+    S2_pp = v23 - w3_p * (m6 * Z2_3_p)
+    S2_pm = v23 - w3_p * (m6 * -Z2_3_p)
+    v25 = w3_m * (m6 * v18)
+    S2_mp = v24 + v25
+    S2_mm = v24 - v25
+    v26 = Z2_3_p * v21
+    v27 = v18 * v22
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
-    angle1____ = _atan2(S2_pp, v25 + w3_p * (m4 * Z1_3_p))
-    angle1_____ = _atan2(S2_pm, v25 + w3_p * (m4 * -Z1_3_p))
-    angle1______ = _atan2(S2_mp, w3_m * (m4 * Z1_3_m) - v26)
-    angle1_______ = _atan2(S2_mm, w3_m * (m4 * -Z1_3_m) - v26)
+    angle1____ = _atan2(S2_pp, v26 + w3_p * (m6 * Z1_3_p))
+    angle1_____ = _atan2(S2_pm, v26 + w3_p * (m6 * -Z1_3_p))
+    angle1______ = _atan2(S2_mp, w3_m * (m6 * Z1_3_m) - v27)
+    angle1_______ = _atan2(S2_mm, w3_m * (m6 * -Z1_3_m) - v27)
 
     # is the pose one that the arm can take?
-    v27 = c1 * c234
-    v28 = Z1_3_p * (m6 + m7 * factor2_p)
-    v29 = Z1_3_m * (m6 + m7 * factor2_m)
-    v30 = v15 + Z2_3_p
-    v31 = v16 - v17
-    v32 = s1 * c234
-    v33 = d1 + v10
-    v34 = d1 + v11
-    v35 = math.sqrt(-1.0)
-    v36 = (
-        0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32 + v3 * v7) <= pose_slack and (abs(T31 -
-        v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22 - (v7 * v32 - c1 *
-        v6)) <= pose_slack and (abs(T21 + (v6 * v32 + c1 * v7)) <= pose_slack and (abs(T13 - c1 *
-        v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 * v27)) <= pose_slack and abs(T12 - (s1 * v6
-        + v7 * v27)) <= pose_slack)))))))) else v35
+    v28 = c1 * T33
+    v29 = Z1_3_p * (m8 + m9 * factor2_p)
+    v30 = Z1_3_m * (m8 + m9 * factor2_m)
+    v31 = v16 + Z2_3_p
+    v32 = v17 - v18
+    v33 = s1 * T33
+    v34 = d1 + v12
+    v35 = d1 + v13
+    v36 = math.sqrt(-1.0)
+    v37 = (
+        0.0 if max(abs(T12 - (s1 * v7 + factor234 * (v8 * v28))), max(abs(T11 - (s1 * v8 - factor234
+        * (v7 * v28))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 + (c1 * v8 + factor234
+        * (v7 * v33))), max(abs(T22 - (factor234 * (v8 * v33) - c1 * v7)), max(abs(T23 - factor234 *
+        (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 * v7)), max(abs(T33 - T33 * factor234),
+        abs(T32 + factor234 * (Z2_234 * v8)))))))))) <= pose_slack else v36
     )
-    v37 = abs(T14 - c1 * v30) <= pose_slack1 and abs(T24 - s1 * v30) <= pose_slack1
-    v38 = abs(T14 + c1 * v31) <= pose_slack1 and abs(T24 + s1 * v31) <= pose_slack1
-    v39 = (
-        0.0 if (v37 and abs(T34 - (a3 * (v28 + w3_p * (m6 * (Z2_3_p * factor2_p))) + (v33 + a2 *
-        (S2_pp * factor2_p)))) <= pose_slack1) else v35
-    )
-    v40 = (
-        0.0 if (v37 and abs(T34 - (a3 * (v28 + w3_p * (m6 * (-Z2_3_p * factor2_p))) + (v33 + a2 *
-        (S2_pm * factor2_p)))) <= pose_slack1) else v35
-    )
-    v41 = w3_m * (m6 * (v17 * factor2_m))
+    v38 = abs(T14 - c1 * v31)
+    v39 = abs(T14 + c1 * v32)
+    v40 = abs(T24 - s1 * v31)
+    v41 = abs(T24 + s1 * v32)
     v42 = (
-        0.0 if (v38 and abs(T34 - (a3 * (v29 - v41) + (v34 + a2 * (S2_mp * factor2_m)))) <=
-        pose_slack1) else v35
+        0.0 if max(v40, max(v38, abs(T34 - (a3 * (v29 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v34 +
+        a2 * (S2_pp * factor2_p)))))) <= pose_slack1 else v36
     )
     v43 = (
-        0.0 if (v38 and abs(T34 - (a3 * (v29 + v41) + (v34 + a2 * (S2_mm * factor2_m)))) <=
-        pose_slack1) else v35
+        0.0 if max(v40, max(v38, abs(T34 - (a3 * (v29 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v34
+        + a2 * (S2_pm * factor2_p)))))) <= pose_slack1 else v36
+    )
+    v44 = w3_m * (m8 * (v18 * factor2_m))
+    v45 = (
+        0.0 if max(v41, max(v39, abs(T34 - (a3 * (v30 - v44) + (v35 + a2 * (S2_mp * factor2_m))))))
+        <= pose_slack1 else v36
+    )
+    v46 = (
+        0.0 if max(v41, max(v39, abs(T34 - (a3 * (v30 + v44) + (v35 + a2 * (S2_mm * factor2_m))))))
+        <= pose_slack1 else v36
     )
 
     # joint values
     angle1________ = _atan2(T24, T14)
-    v44 = angle1________ - offset1
-    v45 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
-    v46 = angle1____ - offset2
-    v47 = angle1_____ - offset2
-    v48 = angle1______ - offset2
-    v49 = angle1_______ - offset2
-    v50 = angle1__ - offset3
-    v51 = offset3 + angle1__
-    v52 = angle1___ - offset3
-    v53 = offset3 + angle1___
-    v54 = angle1 - (angle1__ + angle1____) - offset4
-    v55 = angle1 - (angle1_____ - angle1__) - offset4
-    v56 = offset4 + (angle1 + (angle1___ + angle1______))
-    v57 = offset4 + (angle1 + (angle1_______ - angle1___))
-    v58 = v54 - (m8 if half_turn < v54 else 0.0) + (m8 if v54 <= -half_turn else 0.0)
-    v59 = v55 - (m8 if half_turn < v55 else 0.0) + (m8 if v55 <= -half_turn else 0.0)
-    v60 = (m8 if -v56 <= -half_turn else 0.0) - (v56 + (m8 if half_turn < -v56 else 0.0))
-    v61 = (m8 if -v57 <= -half_turn else 0.0) - (v57 + (m8 if half_turn < -v57 else 0.0))
-    v62 = v36 + (v18 + (v44 + (m8 if v44 <= -half_turn else 0.0)))
-    v63 = v36 + (v19 + (v45 + (m8 if v45 <= -half_turn else 0.0)))
-    q1_pp = v39 + v62
-    q1_pm = v40 + v62
-    q1_mp = v42 + v63
-    q1_mm = v43 + v63
-    q2_pp = v39 + (v36 + (v46 + (m8 if v46 <= -half_turn else 0.0)))
-    q2_pm = v40 + (v36 + (v47 + (m8 if v47 <= -half_turn else 0.0)))
-    q2_mp = v42 + (v36 + (v48 + (m8 if v48 <= -half_turn else 0.0)))
-    q2_mm = v43 + (v36 + (v49 + (m8 if v49 <= -half_turn else 0.0)))
-    q3_pp = v39 + (v36 + (v50 + (m8 if v50 <= -half_turn else 0.0)))
-    q3_pm = v40 + (v36 + ((m8 if -v51 <= -half_turn else 0.0) - v51))
-    q3_mp = v42 + (v36 + (v52 + (m8 if v52 <= -half_turn else 0.0)))
-    q3_mm = v43 + (v36 + ((m8 if -v53 <= -half_turn else 0.0) - v53))
-    q4_pp = v39 + (v36 + (v58 - (m8 if half_turn < v58 else 0.0)))
-    q4_pm = v40 + (v36 + (v59 - (m8 if half_turn < v59 else 0.0)))
-    q4_mp = v42 + (v36 + (v60 - (m8 if half_turn < v60 else 0.0)))
-    q4_mm = v43 + (v36 + (v61 - (m8 if half_turn < v61 else 0.0)))
-    v64 = v36 + (angle1_ + v18)
-    v65 = v36 + (v19 + (angle1_ - math.copysign(half_turn, -Z2_5) * h1))
-    q5_pp = v39 + v64
-    q5_pm = v40 + v64
-    q5_mp = v42 + v65
-    q5_mm = v43 + v65
+    v47 = angle1________ - offset1
+    v48 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
+    v49 = angle1____ - offset2
+    v50 = angle1_____ - offset2
+    v51 = angle1______ - offset2
+    v52 = angle1_______ - offset2
+    v53 = angle1__ - offset3
+    v54 = offset3 + angle1__
+    v55 = angle1___ - offset3
+    v56 = offset3 + angle1___
+    v57 = angle1 - (angle1__ + angle1____) - offset4
+    v58 = angle1 - (angle1_____ - angle1__) - offset4
+    v59 = offset4 + (angle1 + (angle1___ + angle1______))
+    v60 = offset4 + (angle1 + (angle1_______ - angle1___))
+    v61 = v57 - (m10 if half_turn < v57 else 0.0) + (m10 if v57 <= -half_turn else 0.0)
+    v62 = v58 - (m10 if half_turn < v58 else 0.0) + (m10 if v58 <= -half_turn else 0.0)
+    v63 = (m10 if -v59 <= -half_turn else 0.0) - (v59 + (m10 if half_turn < -v59 else 0.0))
+    v64 = (m10 if -v60 <= -half_turn else 0.0) - (v60 + (m10 if half_turn < -v60 else 0.0))
+    v65 = v37 + (v19 + (v47 + (m10 if v47 <= -half_turn else 0.0)))
+    v66 = v37 + (v20 + (v48 + (m10 if v48 <= -half_turn else 0.0)))
+    q1_pp = v42 + v65
+    q1_pm = v43 + v65
+    q1_mp = v45 + v66
+    q1_mm = v46 + v66
+    q2_pp = v42 + (v37 + (v49 + (m10 if v49 <= -half_turn else 0.0)))
+    q2_pm = v43 + (v37 + (v50 + (m10 if v50 <= -half_turn else 0.0)))
+    q2_mp = v45 + (v37 + (v51 + (m10 if v51 <= -half_turn else 0.0)))
+    q2_mm = v46 + (v37 + (v52 + (m10 if v52 <= -half_turn else 0.0)))
+    q3_pp = v42 + (v37 + (v53 + (m10 if v53 <= -half_turn else 0.0)))
+    q3_pm = v43 + (v37 + ((m10 if -v54 <= -half_turn else 0.0) - v54))
+    q3_mp = v45 + (v37 + (v55 + (m10 if v55 <= -half_turn else 0.0)))
+    q3_mm = v46 + (v37 + ((m10 if -v56 <= -half_turn else 0.0) - v56))
+    q4_pp = v42 + (v37 + (v61 - (m10 if half_turn < v61 else 0.0)))
+    q4_pm = v43 + (v37 + (v62 - (m10 if half_turn < v62 else 0.0)))
+    q4_mp = v45 + (v37 + (v63 - (m10 if half_turn < v63 else 0.0)))
+    q4_mm = v46 + (v37 + (v64 - (m10 if half_turn < v64 else 0.0)))
+    v67 = v37 + (angle1_ + v19)
+    v68 = v37 + (v20 + (angle1_ - math.copysign(half_turn, -Z2_5) * h1))
+    q5_pp = v42 + v67
+    q5_pm = v43 + v67
+    q5_mp = v45 + v68
+    q5_mm = v46 + v68
     doubt1 = (
-        v2 <= m2 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m
+        v4 <= m2 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m
         <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-        free_limit_squared2 or (v4 <= m2 or shortest3_reach <= N3_p and N3_p <= longest3_reach and
+        free_limit_squared2 or (v5 <= m2 or shortest3_reach <= N3_p and N3_p <= longest3_reach and
         not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
     )
     # a joint is free, or branches meet
@@ -972,103 +976,105 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             v1 = T14 * T14 + T24 * T24
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
+            v2 = 1.0 / v1
+            factor1 = w1 * v2
             c1 = T14 * factor1
             s1 = T24 * factor1
-            Z2_234 = c1 * T13 + s1 * T23
-            v2 = T33 * T33 + Z2_234 * Z2_234
-            factor234 = 1.0 / math.sqrt(v2)
-            c234 = T33 * factor234
-            v3 = Z2_234 * factor234
-            Z1_5 = s1 * T12 - c1 * T22
-            Z2_5 = s1 * T11 - c1 * T21
-            v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-            v5 = 1.0 / math.sqrt(v4)
-            v6 = Z1_5 * v5
-            v7 = Z2_5 * v5
-            v8 = d5 * c234
-            v9 = a4 * v3
-            v10 = v8 - v9
-            v11 = v8 + v9
-            v12 = T34 - d1
-            Z1_3_p = v12 - v10
-            Z1_3_m = v12 - v11
-            v13 = d5 * v3
-            v14 = a4 * c234
-            v15 = v13 + v14
-            v16 = v14 - v13
-            Z2_3_p = w1 - v15
-            v17 = w1 + v16
+            v3 = v2 * (T14 * T13 + T24 * T23)
+            Z2_234 = w1 * v3
+            v4 = T33 * T33 + Z2_234 * Z2_234
+            factor234 = math.sqrt(v4) * (1.0 / v4)
+            Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22))
+            Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21))
+            v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+            v6 = math.sqrt(v5) * (1.0 / v5)
+            v7 = Z1_5 * v6
+            v8 = Z2_5 * v6
+            v9 = d5 * T33
+            v10 = T34 - d1
+            v11 = w1 * (m4 * v3)
+            v12 = factor234 * (v9 - v11)
+            v13 = factor234 * (v9 + v11)
+            Z1_3_p = v10 - v12
+            Z1_3_m = v10 - v13
+            v14 = a4 * T33
+            v15 = w1 * (m5 * v3)
+            v16 = factor234 * (v14 + v15)
+            v17 = factor234 * (v14 - v15)
+            Z2_3_p = w1 - v16
+            v18 = w1 + v17
             N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
-            N3_m = Z1_3_m * Z1_3_m + v17 * v17
+            N3_m = Z1_3_m * Z1_3_m + v18 * v18
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v18 = w3_p - w3_p
-            v19 = w3_m - w3_m
-            v20 = m4 * N3_p - m5
-            v21 = m4 * N3_m - m5
-            v22 = Z1_3_p * v20
-            v23 = Z1_3_m * v21
-            S2_pp = v22 - w3_p * (m4 * Z2_3_p)
-            S2_pm = v22 - w3_p * (m4 * -Z2_3_p)
-            v24 = w3_m * (m4 * v17)
-            S2_mp = v23 + v24
-            S2_mm = v23 - v24
-            v25 = Z2_3_p * v20
-            v26 = v17 * v21
+            v19 = w3_p - w3_p
+            v20 = w3_m - w3_m
+            v21 = m6 * N3_p - m7
+            v22 = m6 * N3_m - m7
+            v23 = Z1_3_p * v21
+            v24 = Z1_3_m * v22
+            S2_pp = v23 - w3_p * (m6 * Z2_3_p)
+            S2_pm = v23 - w3_p * (m6 * -Z2_3_p)
+            v25 = w3_m * (m6 * v18)
+            S2_mp = v24 + v25
+            S2_mm = v24 - v25
+            v26 = Z2_3_p * v21
+            v27 = v18 * v22
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v27 = c1 * c234
-            v28 = Z1_3_p * (m6 + m7 * factor2_p)
-            v29 = Z1_3_m * (m6 + m7 * factor2_m)
-            v30 = v15 + Z2_3_p
-            v31 = v16 - v17
-            v32 = s1 * c234
-            v33 = d1 + v10
-            v34 = d1 + v11
-            v35 = math.sqrt(-1.0)
-            v36 = (
-                0.0 if (abs(T33 - c234) <= pose_slack and (abs(T32 + v3 * v7) <= pose_slack and
-                (abs(T31 - v3 * v6) <= pose_slack and (abs(T23 - s1 * v3) <= pose_slack and (abs(T22
-                - (v7 * v32 - c1 * v6)) <= pose_slack and (abs(T21 + (v6 * v32 + c1 * v7)) <=
-                pose_slack and (abs(T13 - c1 * v3) <= pose_slack and (abs(T11 - (s1 * v7 - v6 *
-                v27)) <= pose_slack and abs(T12 - (s1 * v6 + v7 * v27)) <= pose_slack)))))))) else
-                v35
+            v28 = c1 * T33
+            v29 = Z1_3_p * (m8 + m9 * factor2_p)
+            v30 = Z1_3_m * (m8 + m9 * factor2_m)
+            v31 = v16 + Z2_3_p
+            v32 = v17 - v18
+            v33 = s1 * T33
+            v34 = d1 + v12
+            v35 = d1 + v13
+            v36 = math.sqrt(-1.0)
+            v37 = (
+                0.0 if max(abs(T12 - (s1 * v7 + factor234 * (v8 * v28))), max(abs(T11 - (s1 * v8 -
+                factor234 * (v7 * v28))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 +
+                (c1 * v8 + factor234 * (v7 * v33))), max(abs(T22 - (factor234 * (v8 * v33) - c1 *
+                v7)), max(abs(T23 - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 *
+                v7)), max(abs(T33 - T33 * factor234), abs(T32 + factor234 * (Z2_234 * v8))))))))))
+                <= pose_slack else v36
             )
-            v37 = abs(T14 - c1 * v30) <= pose_slack1 and abs(T24 - s1 * v30) <= pose_slack1
-            v38 = abs(T14 + c1 * v31) <= pose_slack1 and abs(T24 + s1 * v31) <= pose_slack1
-            v39 = (
-                0.0 if (v37 and abs(T34 - (a3 * (v28 + w3_p * (m6 * (Z2_3_p * factor2_p))) + (v33 +
-                a2 * (S2_pp * factor2_p)))) <= pose_slack1) else v35
-            )
-            v40 = (
-                0.0 if (v37 and abs(T34 - (a3 * (v28 + w3_p * (m6 * (-Z2_3_p * factor2_p))) + (v33 +
-                a2 * (S2_pm * factor2_p)))) <= pose_slack1) else v35
-            )
-            v41 = w3_m * (m6 * (v17 * factor2_m))
+            v38 = abs(T14 - c1 * v31)
+            v39 = abs(T14 + c1 * v32)
+            v40 = abs(T24 - s1 * v31)
+            v41 = abs(T24 + s1 * v32)
             v42 = (
-                0.0 if (v38 and abs(T34 - (a3 * (v29 - v41) + (v34 + a2 * (S2_mp * factor2_m)))) <=
-                pose_slack1) else v35
+                0.0 if max(v40, max(v38, abs(T34 - (a3 * (v29 + w3_p * (m8 * (Z2_3_p * factor2_p)))
+                + (v34 + a2 * (S2_pp * factor2_p)))))) <= pose_slack1 else v36
             )
             v43 = (
-                0.0 if (v38 and abs(T34 - (a3 * (v29 + v41) + (v34 + a2 * (S2_mm * factor2_m)))) <=
-                pose_slack1) else v35
+                0.0 if max(v40, max(v38, abs(T34 - (a3 * (v29 + w3_p * (m8 * (-Z2_3_p * factor2_p)))
+                + (v34 + a2 * (S2_pm * factor2_p)))))) <= pose_slack1 else v36
+            )
+            v44 = w3_m * (m8 * (v18 * factor2_m))
+            v45 = (
+                0.0 if max(v41, max(v39, abs(T34 - (a3 * (v30 - v44) + (v35 + a2 * (S2_mp *
+                factor2_m)))))) <= pose_slack1 else v36
+            )
+            v46 = (
+                0.0 if max(v41, max(v39, abs(T34 - (a3 * (v30 + v44) + (v35 + a2 * (S2_mm *
+                factor2_m)))))) <= pose_slack1 else v36
             )
             doubt1 = (
-                v2 <= m2 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m
+                v4 <= m2 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m
                 and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart) or (N3_p <= free_limit_squared2 or (v4 <= m2 or shortest3_reach <=
+                longest3_apart) or (N3_p <= free_limit_squared2 or (v5 <= m2 or shortest3_reach <=
                 N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )
             work[544 + k] = Z2_5
-            work[576 + k] = v18
-            work[608 + k] = v19
-            work[640 + k] = v36
-            work[672 + k] = v39
-            work[704 + k] = v40
-            work[736 + k] = v42
-            work[768 + k] = v43
+            work[576 + k] = v19
+            work[608 + k] = v20
+            work[640 + k] = v37
+            work[672 + k] = v42
+            work[704 + k] = v43
+            work[736 + k] = v45
+            work[768 + k] = v46
             work[800 + k] = doubt1
             work[832 + k] = -Z2_234
             work[864 + k] = -Z2_5
@@ -1083,23 +1089,23 @@ def _in_tiles(T, q, status):
             work[1152 + k] = -Z1_5
             work[1184 + k] = N3_p - k1
             work[1216 + k] = N3_m - k1
-            work[1248 + k] = v25 + w3_p * (m4 * Z1_3_p)
-            work[1280 + k] = v25 + w3_p * (m4 * -Z1_3_p)
-            work[1312 + k] = w3_m * (m4 * Z1_3_m) - v26
-            work[1344 + k] = w3_m * (m4 * -Z1_3_m) - v26
+            work[1248 + k] = v26 + w3_p * (m6 * Z1_3_p)
+            work[1280 + k] = v26 + w3_p * (m6 * -Z1_3_p)
+            work[1312 + k] = w3_m * (m6 * Z1_3_m) - v27
+            work[1344 + k] = w3_m * (m6 * -Z1_3_m) - v27
             work[1376 + k] = T14
         for k in range(832, 1120):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
             T24 = work[224 + k]
             Z2_5 = work[544 + k]
-            v18 = work[576 + k]
-            v19 = work[608 + k]
-            v36 = work[640 + k]
-            v39 = work[672 + k]
-            v40 = work[704 + k]
-            v42 = work[736 + k]
-            v43 = work[768 + k]
+            v19 = work[576 + k]
+            v20 = work[608 + k]
+            v37 = work[640 + k]
+            v42 = work[672 + k]
+            v43 = work[704 + k]
+            v45 = work[736 + k]
+            v46 = work[768 + k]
             doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
             angle1_ = work[864 + k]
@@ -1110,48 +1116,48 @@ def _in_tiles(T, q, status):
             angle1______ = work[1024 + k]
             angle1_______ = work[1056 + k]
             angle1________ = work[1088 + k]
-            v44 = angle1________ - offset1
-            v45 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
-            v46 = angle1____ - offset2
-            v47 = angle1_____ - offset2
-            v48 = angle1______ - offset2
-            v49 = angle1_______ - offset2
-            v50 = angle1__ - offset3
-            v51 = offset3 + angle1__
-            v52 = angle1___ - offset3
-            v53 = offset3 + angle1___
-            v54 = angle1 - (angle1__ + angle1____) - offset4
-            v55 = angle1 - (angle1_____ - angle1__) - offset4
-            v56 = offset4 + (angle1 + (angle1___ + angle1______))
-            v57 = offset4 + (angle1 + (angle1_______ - angle1___))
-            v58 = v54 - (m8 if half_turn < v54 else 0.0) + (m8 if v54 <= -half_turn else 0.0)
-            v59 = v55 - (m8 if half_turn < v55 else 0.0) + (m8 if v55 <= -half_turn else 0.0)
-            v60 = (m8 if -v56 <= -half_turn else 0.0) - (v56 + (m8 if half_turn < -v56 else 0.0))
-            v61 = (m8 if -v57 <= -half_turn else 0.0) - (v57 + (m8 if half_turn < -v57 else 0.0))
-            v62 = v36 + (v18 + (v44 + (m8 if v44 <= -half_turn else 0.0)))
-            v63 = v36 + (v19 + (v45 + (m8 if v45 <= -half_turn else 0.0)))
-            q1_pp = v39 + v62
-            q1_pm = v40 + v62
-            q1_mp = v42 + v63
-            q1_mm = v43 + v63
-            q2_pp = v39 + (v36 + (v46 + (m8 if v46 <= -half_turn else 0.0)))
-            q2_pm = v40 + (v36 + (v47 + (m8 if v47 <= -half_turn else 0.0)))
-            q2_mp = v42 + (v36 + (v48 + (m8 if v48 <= -half_turn else 0.0)))
-            q2_mm = v43 + (v36 + (v49 + (m8 if v49 <= -half_turn else 0.0)))
-            q3_pp = v39 + (v36 + (v50 + (m8 if v50 <= -half_turn else 0.0)))
-            q3_pm = v40 + (v36 + ((m8 if -v51 <= -half_turn else 0.0) - v51))
-            q3_mp = v42 + (v36 + (v52 + (m8 if v52 <= -half_turn else 0.0)))
-            q3_mm = v43 + (v36 + ((m8 if -v53 <= -half_turn else 0.0) - v53))
-            q4_pp = v39 + (v36 + (v58 - (m8 if half_turn < v58 else 0.0)))
-            q4_pm = v40 + (v36 + (v59 - (m8 if half_turn < v59 else 0.0)))
-            q4_mp = v42 + (v36 + (v60 - (m8 if half_turn < v60 else 0.0)))
-            q4_mm = v43 + (v36 + (v61 - (m8 if half_turn < v61 else 0.0)))
-            v64 = v36 + (angle1_ + v18)
-            v65 = v36 + (v19 + (angle1_ - math.copysign(half_turn, -Z2_5) * h1))
-            q5_pp = v39 + v64
-            q5_pm = v40 + v64
-            q5_mp = v42 + v65
-            q5_mm = v43 + v65
+            v47 = angle1________ - offset1
+            v48 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
+            v49 = angle1____ - offset2
+            v50 = angle1_____ - offset2
+            v51 = angle1______ - offset2
+            v52 = angle1_______ - offset2
+            v53 = angle1__ - offset3
+            v54 = offset3 + angle1__
+            v55 = angle1___ - offset3
+            v56 = offset3 + angle1___
+            v57 = angle1 - (angle1__ + angle1____) - offset4
+            v58 = angle1 - (angle1_____ - angle1__) - offset4
+            v59 = offset4 + (angle1 + (angle1___ + angle1______))
+            v60 = offset4 + (angle1 + (angle1_______ - angle1___))
+            v61 = v57 - (m10 if half_turn < v57 else 0.0) + (m10 if v57 <= -half_turn else 0.0)
+            v62 = v58 - (m10 if half_turn < v58 else 0.0) + (m10 if v58 <= -half_turn else 0.0)
+            v63 = (m10 if -v59 <= -half_turn else 0.0) - (v59 + (m10 if half_turn < -v59 else 0.0))
+            v64 = (m10 if -v60 <= -half_turn else 0.0) - (v60 + (m10 if half_turn < -v60 else 0.0))
+            v65 = v37 + (v19 + (v47 + (m10 if v47 <= -half_turn else 0.0)))
+            v66 = v37 + (v20 + (v48 + (m10 if v48 <= -half_turn else 0.0)))
+            q1_pp = v42 + v65
+            q1_pm = v43 + v65
+            q1_mp = v45 + v66
+            q1_mm = v46 + v66
+            q2_pp = v42 + (v37 + (v49 + (m10 if v49 <= -half_turn else 0.0)))
+            q2_pm = v43 + (v37 + (v50 + (m10 if v50 <= -half_turn else 0.0)))
+            q2_mp = v45 + (v37 + (v51 + (m10 if v51 <= -half_turn else 0.0)))
+            q2_mm = v46 + (v37 + (v52 + (m10 if v52 <= -half_turn else 0.0)))
+            q3_pp = v42 + (v37 + (v53 + (m10 if v53 <= -half_turn else 0.0)))
+            q3_pm = v43 + (v37 + ((m10 if -v54 <= -half_turn else 0.0) - v54))
+            q3_mp = v45 + (v37 + (v55 + (m10 if v55 <= -half_turn else 0.0)))
+            q3_mm = v46 + (v37 + ((m10 if -v56 <= -half_turn else 0.0) - v56))
+            q4_pp = v42 + (v37 + (v61 - (m10 if half_turn < v61 else 0.0)))
+            q4_pm = v43 + (v37 + (v62 - (m10 if half_turn < v62 else 0.0)))
+            q4_mp = v45 + (v37 + (v63 - (m10 if half_turn < v63 else 0.0)))
+            q4_mm = v46 + (v37 + (v64 - (m10 if half_turn < v64 else 0.0)))
+            v67 = v37 + (angle1_ + v19)
+            v68 = v37 + (v20 + (angle1_ - math.copysign(half_turn, -Z2_5) * h1))
+            q5_pp = v42 + v67
+            q5_pm = v43 + v67
+            q5_mp = v45 + v68
+            q5_mm = v46 + v68
             _1408 = q1_pp
             work[1408 + k] = _1408
             _1440 = q2_pp

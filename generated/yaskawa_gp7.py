@@ -531,9 +531,7 @@ def _regular(pose, q, status):
     Y1 = d6 * T23 - T24
     v1 = wx * wx + Y1 * Y1
     w1 = math.sqrt(v1)
-    factor1 = 1.0 / w1
-    v2 = wx * factor1
-    s1 = Y1 * factor1
+    v2 = 1.0 / v1
     angle1 = _atan2(Y1, -wx)
     q1__m = angle1 - math.copysign(half_turn, Y1) * h1
 
@@ -588,12 +586,12 @@ def _regular(pose, q, status):
     v27 = w3_m * (factor2_m * (v23 + m5 * v4))
     s2m3_mp = v25 + v27
     s2m3_mm = v25 - v27
-    v28 = T23 * s1 - T13 * v2
+    v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
     X4_pp = T33 * s2m3_pp - c2m3_pp * v28
     X4_pm = T33 * s2m3_pm - c2m3_pm * v28
     X4_mp = T33 * s2m3_mp + c2m3_mp * v28
     X4_mm = T33 * s2m3_mm + c2m3_mm * v28
-    v29 = T23 * v2 + T13 * s1
+    v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
     v30 = v29 * v29
     v31 = v30 + X4_pp * X4_pp
     v32 = v30 + X4_pm * X4_pm
@@ -611,10 +609,10 @@ def _regular(pose, q, status):
     q4_mmm = angle1______ - v36
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v37 = s1 * T12 + v2 * T22
-    v38 = s1 * T22 - v2 * T12
-    v39 = s1 * T11 + v2 * T21
-    v40 = s1 * T21 - v2 * T11
+    v37 = w1 * (v2 * (wx * T22 + Y1 * T12))
+    v38 = w1 * (v2 * (Y1 * T22 - wx * T12))
+    v39 = w1 * (v2 * (wx * T21 + Y1 * T11))
+    v40 = w1 * (v2 * (Y1 * T21 - wx * T11))
 
     # joint values
     v41 = w3_p * (m3 * v3)
@@ -959,9 +957,7 @@ def _in_tiles(T, q, status):
             Y1 = d6 * T23 - T24
             v1 = wx * wx + Y1 * Y1
             w1 = math.sqrt(v1)
-            factor1 = 1.0 / w1
-            v2 = wx * factor1
-            s1 = Y1 * factor1
+            v2 = 1.0 / v1
             Z1_3 = T34 - d6 * T33 - d1
             v3 = a1 + w1
             v4 = a1 - w1
@@ -1002,12 +998,12 @@ def _in_tiles(T, q, status):
             v27 = w3_m * (factor2_m * (v23 + m5 * v4))
             s2m3_mp = v25 + v27
             s2m3_mm = v25 - v27
-            v28 = T23 * s1 - T13 * v2
+            v28 = w1 * (v2 * (T23 * Y1 - T13 * wx))
             X4_pp = T33 * s2m3_pp - c2m3_pp * v28
             X4_pm = T33 * s2m3_pm - c2m3_pm * v28
             X4_mp = T33 * s2m3_mp + c2m3_mp * v28
             X4_mm = T33 * s2m3_mm + c2m3_mm * v28
-            v29 = T23 * v2 + T13 * s1
+            v29 = w1 * (v2 * (T13 * Y1 + wx * T23))
             v30 = v29 * v29
             v31 = v30 + X4_pp * X4_pp
             v32 = v30 + X4_pm * X4_pm
@@ -1015,10 +1011,10 @@ def _in_tiles(T, q, status):
             v34 = v30 + X4_mm * X4_mm
             v35 = h1 * math.copysign(half_turn, -v29)
             v36 = h1 * math.copysign(half_turn, v29)
-            v37 = s1 * T12 + v2 * T22
-            v38 = s1 * T22 - v2 * T12
-            v39 = s1 * T11 + v2 * T21
-            v40 = s1 * T21 - v2 * T11
+            v37 = w1 * (v2 * (wx * T22 + Y1 * T12))
+            v38 = w1 * (v2 * (Y1 * T22 - wx * T12))
+            v39 = w1 * (v2 * (wx * T21 + Y1 * T11))
+            v40 = w1 * (v2 * (Y1 * T21 - wx * T11))
             v41 = w3_p * (m3 * v3)
             v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
             v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)

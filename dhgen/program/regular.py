@@ -10,6 +10,7 @@ pose a divisor may be zero; what IEEE arithmetic makes of it does not count.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial, reduce
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -166,11 +167,19 @@ class _Regular:
                     self._builder.hint(value.node, name)
                 if self._assumed.get(name) is False and statement.truth:
                     self._doubts.append(value.node)
-            case Guard(failure=Failure.MERGED):
-                self._meet(statement)
-            case Guard(condition, failure=failure, margin=margin):
-                self._end(self._truth(condition), failure, margin)
-                self._reached = statement
+            case Guard():
+                self._guard(statement)
+
+    def _guard(self, guard: Guard) -> None:
+        match guard.failure:
+            case Failure.MERGED:
+                self._meet(guard)
+            case Failure.INCONSISTENT:
+                for truth in self._consistent(guard.condition):
+                    self._end(truth, guard.failure, None)
+            case Failure.REACH:
+                self._end(self._truth(guard.condition), guard.failure, guard.margin)
+                self._reached = guard
 
     def _foreseen(self, name: str, expression: Expression) -> bool:
         """Whether a truth value follows from what is assumed of others; then it is assumed too."""
@@ -187,6 +196,28 @@ class _Regular:
         if self._reached is not None:
             met = self._builder.apply("and", self._truth(self._reached.condition), met)
         self._doubts.append(met)
+
+    def _consistent(self, condition: Expression) -> list[Node]:
+        """What must hold for the arm to take the pose, unless it does by an identity.
+
+        Of values with the same limit only the largest is compared.
+        """
+        arithmetic = self._arithmetic
+        misses: dict[Node, list[Node]] = {}
+        truths: list[Node] = []
+        for part in _conjuncts(condition):
+            match part:
+                case Apply("at_most", (Apply("abs", (miss,)), limit)):
+                    value = self._value(miss)
+                    if not arithmetic.vanishes(value):
+                        size = arithmetic.plain(arithmetic.apply("abs", [value]))
+                        misses.setdefault(arithmetic.plain(self._value(limit)), []).append(size)
+                case _:
+                    truths.append(self._truth(part))
+        for limit_node, sizes in misses.items():
+            largest = reduce(partial(self._builder.apply, "maximum"), sizes)
+            truths.append(self._builder.apply("at_most", largest, limit_node))
+        return truths
 
     def _end(self, condition: Node, failure: Failure, margin: Expression | None) -> None:
         """What is NaN where a branch ends here and else zero, and what may be NaN with it."""
@@ -268,6 +299,15 @@ class _Regular:
                 return None if None in decided else not ending
             case _:
                 return None
+
+
+def _conjuncts(condition: Expression) -> list[Expression]:
+    """What has to hold together."""
+    match condition:
+        case Apply("and", parts):
+            return [each for part in parts for each in _conjuncts(part)]
+        case _:
+            return [condition]
 
 
 def _compared(program: Program) -> frozenset[str]:

@@ -58,6 +58,11 @@ class Rewriting:
         """A value as it was before it was written anew."""
         return self._expansion.original(node)
 
+    def vanishes(self, node: Node) -> bool:
+        """Whether a value is zero by an identity."""
+        polynomial = self._expansion.polynomial(node)
+        return polynomial is not None and not polynomial.terms
+
     def length(self, square: Node) -> Node | None:
         """The root of a sum of two squares that is itself the square of a sum of squares."""
         entries = self._builder.entries

@@ -69,7 +69,7 @@ class SignedArithmetic:
                     node = builder.mul(first, second)
                 return Signed(node, x.signs ^ y.signs, x.factors | y.factors)
             case "div", (x, y):
-                node = builder.div(x.node, self._scaled(y.node, y.factors))
+                node = self._quotient(x.node, self._scaled(y.node, y.factors))
                 return Signed(node, x.signs ^ y.signs, x.factors)
             case (("add" | "sub"), (x, y)):
                 a, b, common = self.shared(x, y)
@@ -90,6 +90,10 @@ class SignedArithmetic:
         """The value of this name, in a form in which it is known sooner."""
         return replace(value, node=self._rewriting.sooner(value.node, wanted))
 
+    def vanishes(self, value: Signed) -> bool:
+        """Whether a value is zero by an identity."""
+        return self._rewriting.vanishes(value.node)
+
     def plain(self, value: Signed) -> Node:
         """The value itself."""
         scaled = self._scaled(value.node, value.factors)
@@ -101,6 +105,14 @@ class SignedArithmetic:
         first = self.plain(Signed(x.node, x.signs - signs, x.factors - factors))
         second = self.plain(Signed(y.node, y.signs - signs, y.factors - factors))
         return first, second, Signed(self._builder.integer(1), signs, factors)
+
+    def _quotient(self, x: Node, y: Node) -> Node:
+        """x / y; the inverse of a root need not wait for it: it is the root over its square."""
+        builder = self._builder
+        entry = builder.entries[y]
+        if entry.operator == "sqrt" and builder.entries[x].value is not None:
+            return builder.mul(y, builder.div(x, entry.operands[0]))
+        return builder.div(x, y)
 
     def _scaled(self, node: Node, factors: frozenset[Node]) -> Node:
         """A value times factors."""

@@ -114,7 +114,7 @@ class LaneText:
 
     def _function(self, operator: str, *, lanes: bool) -> str:
         if not lanes:
-            return LIBRARY.function(operator)
+            return "maximum_double" if operator == "maximum" else LIBRARY.function(operator)
         return f"{'pick' if operator == 'select' else operator}_{self._vector}"
 
     def _all(self, part: Text) -> Text:

@@ -79,3 +79,16 @@ def test_squares_of_a_root_are_not_multiplied_out() -> None:
     b = arm.builder
     far = b.square(b.add(b.pose(3, 4), b.mul(arm.sign, arm.root)))
     assert Rewriting(b).sooner(far, "far") == far
+
+
+def test_what_is_zero_by_an_identity_is_found() -> None:
+    """The arm reaches for where it has been sent: x - (L1 c1 + L2 c12) with c1 = c / reach."""
+    arm = TwoLinks()
+    b = arm.builder
+    inverse = b.div(b.integer(1), arm.reach)
+    c1, s1 = b.mul(arm.c, inverse), b.mul(arm.s, inverse)
+    first, second = b.constant("L1", 0.4, "a link"), b.constant("L2", 0.3, "a link")
+    c12 = b.sub(b.mul(arm.cosine, c1), b.mul(arm.sine, s1))
+    miss = b.sub(arm.x, b.add(b.mul(first, c1), b.mul(second, c12)))
+    assert Rewriting(b).vanishes(miss)
+    assert not Rewriting(b).vanishes(b.sub(arm.y, b.add(b.mul(first, c1), b.mul(second, c12))))
