@@ -9,6 +9,335 @@
 #include <math.h>
 
 static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
+#ifndef FRANKA_PANDA_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DFRANKA_PANDA_SCALAR. With -DFRANKA_PANDA_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(FRANKA_PANDA_SCALAR) && !defined(FRANKA_PANDA_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four cos_four(four x)
+{
+    for (int k = 0; k < 4; k++)
+        x[k] = cos(x[k]);
+    return x;
+}
+
+HELPER four sin_four(four x)
+{
+    for (int k = 0; k < 4; k++)
+        x[k] = sin(x[k]);
+    return x;
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER four atan2_four(four y, four x)
+{
+    const four ax = abs_four(x), ay = abs_four(y);
+    const four_mask steep = ay > ax, left = x < 0.0;
+    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
+    const four_mask turned = least > most * 0.41421356237309515;
+    const four rest = pick_four(turned, least - most, least);
+    const four up = pick_four(steep ^ left, -rest, rest);
+    const four down = pick_four(turned, least + most, most);
+    const four part = all_four(0.7853981633974483), none = all_four(0.0);
+    const four eighth = pick_four(turned, part, none);
+    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
+    const four known = pick_four(left, 3.141592653589793 - near, near);
+    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const four p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_four((known + r) + r * u * p, y);
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide cos_wide(wide x)
+{
+    for (int k = 0; k < LANES; k++)
+        x[k] = cos(x[k]);
+    return x;
+}
+
+HELPER wide sin_wide(wide x)
+{
+    for (int k = 0; k < LANES; k++)
+        x[k] = sin(x[k]);
+    return x;
+}
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
+#define cos_wide cos
+#define sin_wide sin
+#ifdef FRANKA_PANDA_LIBM
+#define atan2_wide atan2
+#else
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+HELPER wide atan2_wide(wide y, wide x)
+{
+    const wide ax = abs_wide(x), ay = abs_wide(y);
+    const wide_mask steep = ay > ax, left = x < 0.0;
+    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
+    const wide_mask turned = least > most * 0.41421356237309515;
+    const wide rest = pick_wide(turned, least - most, least);
+    const wide up = pick_wide(steep ^ left, -rest, rest);
+    const wide down = pick_wide(turned, least + most, most);
+    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
+    const wide eighth = pick_wide(turned, part, none);
+    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
+    const wide known = pick_wide(left, 3.141592653589793 - near, near);
+    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
+    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
+    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
+    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
+    const wide p = p0 + (p4 + p8 * u4) * u4;
+    return copysign_wide((known + r) + r * u * p, y);
+}
+#endif
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16], const double free_joints[1])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last + 0.0 * (free_joints[0]);
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & FRANKA_PANDA_UNREACHABLE) \
+        | (~(none) & (outside) & FRANKA_PANDA_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)FRANKA_PANDA_UNREACHABLE \
+        : (outside) ? (int)FRANKA_PANDA_OUT_OF_LIMITS : 0)
+#endif
 static const double d1 = 0.333; /* joint offset 1 [m] */
 static const double d3 = 0.316; /* joint offset 3 [m] */
 static const double a3 = 0.0825; /* link length 4 [m] */
@@ -50,10 +379,16 @@ static const double low6 = -0.017500001; /* lowest value of joint 6 */
 static const double high6 = 3.752500001; /* highest value of joint 6 */
 static const double low7 = -2.897300001; /* lowest value of joint 7 */
 static const double high7 = 2.897300001; /* highest value of joint 7 */
-static const double m2 = 3.765342321601e-48; /* free_limit_squared2^2 [m^4] */
-static const double m3 = 1e-24; /* free_limit^2 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m1 */
+static const double m1 = 1.754896834873102; /* a coefficient of c4 */
+static const double m2 = 3.4805529861209807; /* a coefficient of c4 */
+static const double m3 = 1.2446337324912609; /* a coefficient of v7 */
+static const double m4 = 0.0825; /* a coefficient of v7 */
+static const double m5 = 0.2674017784649193; /* a coefficient of v7 */
+static const double m7 = 0.384; /* a coefficient of Y1_6 */
+static const double m8 = 3.765342321601e-48; /* free_limit_squared2^2 [m^4] */
+static const double m9 = 1e-24; /* free_limit^2 */
+static const double m10 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m6 */
 
 const char *const franka_panda_branches[8] = {
     "noflip4-noflip5-left", "noflip4-noflip5-right", "noflip4-flip5-left", "noflip4-flip5-right",
@@ -264,239 +599,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-#ifdef __GNUC__
-#define HELPER __attribute__((unused)) static inline
-#else
-#define HELPER static inline
-#endif
-
-#ifndef FRANKA_PANDA_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-static const double odd[11] = {
-    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
-    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
-    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
-};
-#endif
-
-/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
- * -DFRANKA_PANDA_SCALAR. With -DFRANKA_PANDA_LIBM the arctangents are those of <math.h>, too. */
-#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
-    !defined(FRANKA_PANDA_SCALAR) && !defined(FRANKA_PANDA_LIBM)
-#include <immintrin.h>
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define LANES 8
-#define sqrt_of_wide _mm512_sqrt_pd
-#else
-#define LANES 4
-#define sqrt_of_wide _mm256_sqrt_pd
-#endif
-#define sqrt_of_four _mm256_sqrt_pd
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
-
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
-
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four pick_four(four_mask m, four yes, four no)
-{
-    return (four)((m & (four_mask)yes) | (~m & (four_mask)no));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    return pick_four((four_mask)all_four(-0.0), y, x);
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four sqrt_four(four x)
-{
-    return sqrt_of_four(x);
-}
-
-HELPER four cos_four(four x)
-{
-    for (int k = 0; k < 4; k++)
-        x[k] = cos(x[k]);
-    return x;
-}
-
-HELPER four sin_four(four x)
-{
-    for (int k = 0; k < 4; k++)
-        x[k] = sin(x[k]);
-    return x;
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const four_mask turned = (ay > lower) & (ax > inner);
-    const four most = pick_four(steep, ay, ax), least = pick_four(steep, ax, ay);
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four(known + (r + r * u * p), y);
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide pick_wide(wide_mask m, wide yes, wide no)
-{
-    return (wide)((m & (wide_mask)yes) | (~m & (wide_mask)no));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    return pick_wide((wide_mask)all_wide(-0.0), y, x);
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide sqrt_wide(wide x)
-{
-    return sqrt_of_wide(x);
-}
-
-HELPER wide cos_wide(wide x)
-{
-    for (int k = 0; k < LANES; k++)
-        x[k] = cos(x[k]);
-    return x;
-}
-
-HELPER wide sin_wide(wide x)
-{
-    for (int k = 0; k < LANES; k++)
-        x[k] = sin(x[k]);
-    return x;
-}
-
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#else
-#define LANES 1
-typedef double wide;
-typedef int wide_mask;
-#define all_wide(x) (x)
-#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
-#define copysign_wide copysign
-#define abs_wide fabs
-#define sqrt_wide sqrt
-#define cos_wide cos
-#define sin_wide sin
-#ifdef FRANKA_PANDA_LIBM
-#define atan2_wide atan2
-#else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide lower = ax * 0.41421356237309515, inner = ay * 0.41421356237309515;
-    const wide_mask turned = (ay > lower) & (ax > inner);
-    const wide most = pick_wide(steep, ay, ax), least = pick_wide(steep, ax, ay);
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide(known + (r + r * u * p), y);
-}
-#endif
-#endif
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
-{
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
-    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
-}
-
-/* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & FRANKA_PANDA_UNREACHABLE) \
-        | (~(none) & (outside) & FRANKA_PANDA_OUT_OF_LIMITS))
-#else
-#define kind_of(none, outside) \
-    ((none) ? (int)FRANKA_PANDA_UNREACHABLE \
-        : (outside) ? (int)FRANKA_PANDA_OUT_OF_LIMITS : 0)
-#endif
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(
@@ -520,14 +622,14 @@ HELPER wide_mask solve_wide(
     const wide D4 = k4 - Z4 * Z4;
     const wide v4 = 2.0 * abs_wide(Z4);
     const wide w4 = sqrt_wide(D4);
-    const wide v5 = k1 * Z4;
-    const wide v6 = k2 * Z4;
-    const wide v7 = k1 * w4;
-    const wide c4_p = k5 * (v6 + v7);
-    const wide c4_m = k5 * (v6 - v7);
-    const wide v8 = k2 * w4;
-    const wide s4_p = k5 * (v8 - v5);
-    const wide v9 = k5 * (v5 + v8);
+    const wide v5 = m2 * Z4;
+    const wide v6 = m1 * w4;
+    const wide c4_p = v5 + v6;
+    const wide c4_m = v5 - v6;
+    const wide v7 = m1 * Z4;
+    const wide v8 = m2 * w4;
+    const wide s4_p = v8 - v7;
+    const wide v9 = v7 + v8;
     const wide angle1 = atan2_wide(w4, Z4);
     const wide q4__p = angle1 - turn1;
     const wide v10 = turn1 + angle1;
@@ -535,77 +637,73 @@ HELPER wide_mask solve_wide(
     /* theta5 */
     const wide v11 = a3 * c4_p + d3 * s4_p - a4;
     const wide v12 = a3 * c4_m - d3 * v9 - a4;
+    const wide v13 = m4 + m5 * Z4;
     const wide Z5 = c7 * w2y + s7 * w2x;
-    const wide N5_p = -v11 * -v11;
-    const wide N5_m = -v12 * -v12;
-    const wide v13 = Z5 * Z5;
-    const wide D5_p = N5_p - v13;
-    const wide D5_m = N5_m - v13;
+    const wide v14 = m3 * w4;
+    const wide v15 = v13 - v14;
+    const wide v16 = v13 + v14;
+    const wide N5_p = v15 * v15;
+    const wide N5_m = v16 * v16;
+    const wide v17 = Z5 * Z5;
+    const wide D5_p = N5_p - v17;
+    const wide D5_m = N5_m - v17;
     const wide_mask free5_p = N5_p <= free_limit_squared2;
     const wide_mask free5_m = N5_m <= free_limit_squared2;
-    const wide v14 = 2.0 * abs_wide(Z5);
-    const wide v15 = merge_slack1 * (merge_slack1 + v14);
+    const wide v18 = 2.0 * abs_wide(Z5);
+    const wide v19 = merge_slack1 * (merge_slack1 + v18);
     const wide w5_p = sqrt_wide(D5_p);
     const wide w5_m = sqrt_wide(D5_m);
-    const wide v16 = w5_p - w5_p;
-    const wide v17 = w5_m - w5_m;
+    const wide v20 = w5_p - w5_p;
+    const wide v21 = w5_m - w5_m;
     const wide inverse5_p = 1.0 / N5_p;
     const wide inverse5_m = 1.0 / N5_m;
-    const wide v18 = -v11 * w5_p;
-    const wide v19 = -v12 * w5_m;
-    const wide v20 = inverse5_p * v18;
-    const wide v21 = inverse5_m * v19;
-    const wide v22 = Z5 * -v11;
-    const wide v23 = Z5 * -v12;
-    const wide s5_p = inverse5_p * v22;
-    const wide s5_m = inverse5_m * v23;
-    const wide angle1_ = atan2_wide(v22, -v18);
-    const wide angle1__ = atan2_wide(v23, -v19);
-    const wide q5_pmp = copysign_wide(all_wide(half_turn), v22) * h1 - angle1_;
-    const wide q5_mmp = copysign_wide(all_wide(half_turn), v23) * h1 - angle1__;
+    const wide v22 = v15 * w5_p;
+    const wide v23 = v16 * w5_m;
+    const wide v24 = inverse5_p * v22;
+    const wide v25 = inverse5_m * v23;
+    const wide v26 = Z5 * v15;
+    const wide v27 = Z5 * v16;
+    const wide s5_p = inverse5_p * v26;
+    const wide s5_m = inverse5_m * v27;
+    const wide angle1_ = atan2_wide(v26, -v22);
+    const wide angle1__ = atan2_wide(v27, -v23);
+    const wide q5_pmp = copysign_wide(all_wide(half_turn), v26) * h1 - angle1_;
+    const wide q5_mmp = copysign_wide(all_wide(half_turn), v27) * h1 - angle1__;
 
     /* theta6 */
-    const wide v24 = v11 * v20;
-    const wide v25 = v12 * v21;
-    const wide Y1_6_p = d5 + (d3 * c4_p - a3 * s4_p);
-    const wide Y1_6_m = d5 + (d3 * c4_m + a3 * v9);
+    const wide v28 = m7 + m3 * Z4;
+    const wide v29 = m5 * w4;
+    const wide Y1_6_p = v28 + v29;
+    const wide Y1_6_m = v28 - v29;
     const wide Z2_6 = a6 + (c7 * w2x - s7 * w2y);
-    const wide v26 = Y1_6_p * Z2_6;
-    const wide v27 = Y1_6_m * Z2_6;
-    const wide v28 = w2z * v24;
-    const wide v29 = w2z * v25;
-    const wide v30 = v26 - v28;
-    const wide v31 = v26 + v28;
-    const wide v32 = v27 - v29;
-    const wide v33 = v27 + v29;
-    const wide v34 = w2z * Y1_6_p;
-    const wide v35 = w2z * Y1_6_m;
-    const wide v36 = v24 * Z2_6;
-    const wide v37 = v25 * Z2_6;
-    const wide C6_pp = v34 + v36;
-    const wide C6_pm = v34 - v36;
-    const wide C6_mp = v35 + v37;
-    const wide C6_mm = v35 - v37;
-    const wide v38 = v30 * v30 + C6_pp * C6_pp;
-    const wide v39 = v31 * v31 + C6_pm * C6_pm;
-    const wide v40 = v32 * v32 + C6_mp * C6_mp;
-    const wide v41 = v33 * v33 + C6_mm * C6_mm;
-    const wide factor6_pp = 1.0 / sqrt_wide(v38);
-    const wide factor6_pm = 1.0 / sqrt_wide(v39);
-    const wide factor6_mp = 1.0 / sqrt_wide(v40);
-    const wide factor6_mm = 1.0 / sqrt_wide(v41);
-    const wide c6_pp = C6_pp * factor6_pp;
-    const wide c6_pm = C6_pm * factor6_pm;
-    const wide c6_mp = C6_mp * factor6_mp;
-    const wide c6_mm = C6_mm * factor6_mm;
-    const wide v42 = v30 * factor6_pp;
-    const wide v43 = v31 * factor6_pm;
-    const wide v44 = v32 * factor6_mp;
-    const wide v45 = v33 * factor6_mm;
-    const wide angle1___ = atan2_wide(-v30, C6_pp);
-    const wide angle1____ = atan2_wide(-v31, C6_pm);
-    const wide angle1_____ = atan2_wide(-v32, C6_mp);
-    const wide angle1______ = atan2_wide(-v33, C6_mm);
+    const wide v30 = Y1_6_p * Z2_6;
+    const wide v31 = Y1_6_m * Z2_6;
+    const wide v32 = w5_p * (inverse5_p * (v11 * (w2z * v15)));
+    const wide v33 = v30 - v32;
+    const wide v34 = v30 + v32;
+    const wide v35 = w5_m * (inverse5_m * (v12 * (w2z * v16)));
+    const wide v36 = v31 - v35;
+    const wide v37 = v31 + v35;
+    const wide v38 = w2z * Y1_6_p;
+    const wide v39 = w2z * Y1_6_m;
+    const wide v40 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6)));
+    const wide C6_pp = v38 + v40;
+    const wide C6_pm = v38 - v40;
+    const wide v41 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6)));
+    const wide C6_mp = v39 + v41;
+    const wide C6_mm = v39 - v41;
+    const wide v42 = v33 * v33 + C6_pp * C6_pp;
+    const wide v43 = v34 * v34 + C6_pm * C6_pm;
+    const wide v44 = v36 * v36 + C6_mp * C6_mp;
+    const wide v45 = v37 * v37 + C6_mm * C6_mm;
+    const wide factor6_pp = sqrt_wide(v42) * (1.0 / v42);
+    const wide factor6_pm = sqrt_wide(v43) * (1.0 / v43);
+    const wide factor6_mp = sqrt_wide(v44) * (1.0 / v44);
+    const wide factor6_mm = sqrt_wide(v45) * (1.0 / v45);
+    const wide angle1___ = atan2_wide(-v33, C6_pp);
+    const wide angle1____ = atan2_wide(-v34, C6_pm);
+    const wide angle1_____ = atan2_wide(-v36, C6_mp);
+    const wide angle1______ = atan2_wide(-v37, C6_mm);
 
     /* theta1 */
     const wide v46 = c7 * T11 - s7 * T12;
@@ -616,206 +714,210 @@ HELPER wide_mask solve_wide(
     const wide v51 = c7 * T12 + s7 * T11;
     const wide v52 = s5_p * (s4_p * v51);
     const wide v53 = s5_m * (v9 * v51);
-    const wide v54 = v20 * (s4_p * v46);
-    const wide v55 = v21 * (v9 * v46);
-    const wide v56 = v20 * (T13 * s4_p);
-    const wide v57 = v21 * (T13 * v9);
-    const wide X1_pp = v52 - (c6_pp * (v47 + v54) + v42 * (v49 - v56));
-    const wide X1_pm = v52 - (c6_pm * (v47 - v54) + v43 * (v49 + v56));
-    const wide v58 = v53 + (c6_mp * (v48 - v55) + v44 * (v50 + v57));
-    const wide v59 = v53 + (c6_mm * (v48 + v55) + v45 * (v50 - v57));
-    const wide v60 = c7 * T21 - s7 * T22;
-    const wide v61 = T23 * c4_p;
-    const wide v62 = T23 * c4_m;
-    const wide v63 = c4_p * v60;
-    const wide v64 = c4_m * v60;
-    const wide v65 = c7 * T22 + s7 * T21;
-    const wide v66 = s5_p * (s4_p * v65);
-    const wide v67 = s5_m * (v9 * v65);
-    const wide v68 = v20 * (s4_p * v60);
-    const wide v69 = v21 * (v9 * v60);
-    const wide v70 = v20 * (T23 * s4_p);
-    const wide v71 = v21 * (T23 * v9);
-    const wide v72 = v66 - (c6_pp * (v61 + v68) + v42 * (v63 - v70));
-    const wide v73 = v66 - (c6_pm * (v61 - v68) + v43 * (v63 + v70));
-    const wide v74 = v67 + (c6_mp * (v62 - v69) + v44 * (v64 + v71));
-    const wide v75 = v67 + (c6_mm * (v62 + v69) + v45 * (v64 - v71));
-    const wide v76 = X1_pp * X1_pp + v72 * v72;
-    const wide v77 = X1_pm * X1_pm + v73 * v73;
+    const wide v54 = v24 * (s4_p * v46);
+    const wide v55 = v25 * (v9 * v46);
+    const wide v56 = v24 * (T13 * s4_p);
+    const wide v57 = v25 * (T13 * v9);
+    const wide X1_pp = v52 + factor6_pp * (-v33 * (v49 - v56) - C6_pp * (v47 + v54));
+    const wide X1_pm = v52 - factor6_pm * (v34 * (v49 + v56) + C6_pm * (v47 - v54));
+    const wide X1_mp = factor6_mp * (-v36 * (v50 + v57) - C6_mp * (v48 - v55)) - v53;
+    const wide v58 = v53 + factor6_mm * (v37 * (v50 - v57) + C6_mm * (v48 + v55));
+    const wide v59 = c7 * T21 - s7 * T22;
+    const wide v60 = T23 * c4_p;
+    const wide v61 = T23 * c4_m;
+    const wide v62 = c4_p * v59;
+    const wide v63 = c4_m * v59;
+    const wide v64 = c7 * T22 + s7 * T21;
+    const wide v65 = s5_p * (s4_p * v64);
+    const wide v66 = s5_m * (v9 * v64);
+    const wide v67 = v24 * (s4_p * v59);
+    const wide v68 = v25 * (v9 * v59);
+    const wide v69 = v24 * (T23 * s4_p);
+    const wide v70 = v25 * (T23 * v9);
+    const wide v71 = v65 + factor6_pp * (-v33 * (v62 - v69) - C6_pp * (v60 + v67));
+    const wide v72 = v65 - factor6_pm * (v34 * (v62 + v69) + C6_pm * (v60 - v67));
+    const wide v73 = factor6_mp * (-v36 * (v63 + v70) - C6_mp * (v61 - v68)) - v66;
+    const wide v74 = v66 + factor6_mm * (v37 * (v63 - v70) + C6_mm * (v61 + v68));
+    const wide v75 = X1_pp * X1_pp + v71 * v71;
+    const wide v76 = X1_pm * X1_pm + v72 * v72;
+    const wide v77 = X1_mp * X1_mp + v73 * v73;
     const wide v78 = v58 * v58 + v74 * v74;
-    const wide v79 = v59 * v59 + v75 * v75;
-    const wide angle1_______ = atan2_wide(-v72, -X1_pp);
-    const wide angle1________ = atan2_wide(-v73, -X1_pm);
-    const wide angle1_________ = atan2_wide(v74, v58);
-    const wide angle1__________ = atan2_wide(v75, v59);
-    const wide q1_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), -v72);
-    const wide q1_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), -v73);
-    const wide q1_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v74);
-    const wide q1_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v75);
+    const wide angle1_______ = atan2_wide(-v71, -X1_pp);
+    const wide angle1________ = atan2_wide(-v72, -X1_pm);
+    const wide angle1_________ = atan2_wide(-v73, -X1_mp);
+    const wide angle1__________ = atan2_wide(v74, v58);
+    const wide q1_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), -v71);
+    const wide q1_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), -v72);
+    const wide q1_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), -v73);
+    const wide q1_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v74);
 
     /* theta3 */
-    const wide v80 = a4 * v60;
-    const wide v81 = d5 * T23;
-    const wide v82 = a4 * T23;
-    const wide v83 = d5 * v60;
-    const wide v84 = a4 * v65;
-    const wide v85 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
-    const wide v86 = s5_p * v84 - v85;
-    const wide v87 = s5_m * v84 - v85;
-    const wide v88 = v20 * v80;
-    const wide v89 = v21 * v80;
-    const wide v90 = v20 * v82;
-    const wide v91 = v21 * v82;
-    const wide v92 = a4 * v46;
-    const wide v93 = d5 * T13;
-    const wide v94 = a4 * T13;
-    const wide v95 = d5 * v46;
-    const wide v96 = a4 * v51;
-    const wide v97 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
-    const wide v98 = s5_p * v96 - v97;
-    const wide v99 = s5_m * v96 - v97;
-    const wide v100 = v20 * v92;
-    const wide v101 = v21 * v92;
-    const wide v102 = v20 * v94;
-    const wide v103 = v21 * v94;
-    const wide v104 = s5_p * v60;
-    const wide v105 = s5_m * v60;
-    const wide v106 = T23 * s5_p;
-    const wide v107 = T23 * s5_m;
-    const wide v108 = v20 * v65;
-    const wide v109 = v21 * v65;
-    const wide v110 = s5_p * v46;
-    const wide v111 = s5_m * v46;
-    const wide v112 = T13 * s5_p;
-    const wide v113 = T13 * s5_m;
-    const wide v114 = v20 * v51;
-    const wide v115 = v21 * v51;
-    const wide s3_pp = (-v72 * (v98 + (c6_pp * (v93 - v100) + v42 * (v95 + v102))) - -X1_pp * (v86 +
-        (c6_pp * (v81 - v88) + v42 * (v83 + v90)))) / -a3;
-    const wide s3_pm = (-v73 * (v98 + (c6_pm * (v93 + v100) + v43 * (v95 - v102))) - -X1_pm * (v86 +
-        (c6_pm * (v81 + v88) + v43 * (v83 - v90)))) / -a3;
-    const wide s3_mp = (v74 * (v99 + (c6_mp * (v93 - v101) + v44 * (v95 + v103))) - v58 * (v87 +
-        (c6_mp * (v81 - v89) + v44 * (v83 + v91)))) / -a3;
-    const wide s3_mm = (v75 * (v99 + (c6_mm * (v93 + v101) + v45 * (v95 - v103))) - v59 * (v87 +
-        (c6_mm * (v81 + v89) + v45 * (v83 - v91)))) / -a3;
-    const wide v116 = a3 * (-X1_pp * (v108 + (c6_pp * v104 - v42 * v106)) - -v72 * (v114 + (c6_pp *
-        v110 - v42 * v112))) / -a3;
-    const wide v117 = a3 * (-X1_pm * (c6_pm * v104 - v43 * v106 - v108) - -v73 * (c6_pm * v110 - v43
-        * v112 - v114)) / -a3;
-    const wide v118 = a3 * (v58 * (v109 + (c6_mp * v105 - v44 * v107)) - v74 * (v115 + (c6_mp * v111
-        - v44 * v113))) / -a3;
-    const wide v119 = a3 * (v59 * (c6_mm * v105 - v45 * v107 - v109) - v75 * (c6_mm * v111 - v45 *
-        v113 - v115)) / -a3;
-    const wide angle1___________ = atan2_wide(s3_pp, -v116);
-    const wide angle1____________ = atan2_wide(s3_pm, -v117);
-    const wide angle1_____________ = atan2_wide(s3_mp, -v118);
-    const wide angle1______________ = atan2_wide(s3_mm, -v119);
+    const wide v79 = a4 * v59;
+    const wide v80 = d5 * T23;
+    const wide v81 = a4 * T23;
+    const wide v82 = d5 * v59;
+    const wide v83 = a4 * v64;
+    const wide v84 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
+    const wide v85 = s5_p * v83 - v84;
+    const wide v86 = s5_m * v83 - v84;
+    const wide v87 = v24 * v79;
+    const wide v88 = v25 * v79;
+    const wide v89 = v24 * v81;
+    const wide v90 = v25 * v81;
+    const wide v91 = a4 * v46;
+    const wide v92 = d5 * T13;
+    const wide v93 = a4 * T13;
+    const wide v94 = d5 * v46;
+    const wide v95 = a4 * v51;
+    const wide v96 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
+    const wide v97 = s5_p * v95 - v96;
+    const wide v98 = s5_m * v95 - v96;
+    const wide v99 = v24 * v91;
+    const wide v100 = v25 * v91;
+    const wide v101 = v24 * v93;
+    const wide v102 = v25 * v93;
+    const wide v103 = s5_p * v59;
+    const wide v104 = s5_m * v59;
+    const wide v105 = T23 * s5_p;
+    const wide v106 = T23 * s5_m;
+    const wide v107 = v24 * v64;
+    const wide v108 = v25 * v64;
+    const wide v109 = s5_p * v46;
+    const wide v110 = s5_m * v46;
+    const wide v111 = T13 * s5_p;
+    const wide v112 = T13 * s5_m;
+    const wide v113 = v24 * v51;
+    const wide v114 = v25 * v51;
+    const wide s3_pp = (X1_pp * (v85 + factor6_pp * (C6_pp * (v80 - v87) - -v33 * (v82 + v89))) -
+        v71 * (v97 + factor6_pp * (C6_pp * (v92 - v99) - -v33 * (v94 + v101)))) / -a3;
+    const wide s3_pm = (X1_pm * (v85 + factor6_pm * (C6_pm * (v80 + v87) + v34 * (v82 - v89))) - v72
+        * (v97 + factor6_pm * (C6_pm * (v92 + v99) + v34 * (v94 - v101)))) / -a3;
+    const wide s3_mp = (X1_mp * (v86 + factor6_mp * (C6_mp * (v80 - v88) - -v36 * (v82 + v90))) -
+        v73 * (v98 + factor6_mp * (C6_mp * (v92 - v100) - -v36 * (v94 + v102)))) / -a3;
+    const wide s3_mm = (v74 * (v98 + factor6_mm * (C6_mm * (v92 + v100) + v37 * (v94 - v102))) - v58
+        * (v86 + factor6_mm * (C6_mm * (v80 + v88) + v37 * (v82 - v90)))) / -a3;
+    const wide v115 = a3 * (v71 * (v113 + factor6_pp * (C6_pp * v109 + -v33 * v111)) - X1_pp * (v107
+        + factor6_pp * (C6_pp * v103 + -v33 * v105))) / -a3;
+    const wide v116 = a3 * (v72 * (factor6_pm * (C6_pm * v109 - v34 * v111) - v113) - X1_pm *
+        (factor6_pm * (C6_pm * v103 - v34 * v105) - v107)) / -a3;
+    const wide v117 = a3 * (v73 * (v114 + factor6_mp * (C6_mp * v110 + -v36 * v112)) - X1_mp * (v108
+        + factor6_mp * (C6_mp * v104 + -v36 * v106))) / -a3;
+    const wide v118 = a3 * (v58 * (factor6_mm * (C6_mm * v104 - v37 * v106) - v108) - v74 *
+        (factor6_mm * (C6_mm * v110 - v37 * v112) - v114)) / -a3;
+    const wide angle1___________ = atan2_wide(s3_pp, -v115);
+    const wide angle1____________ = atan2_wide(s3_pm, -v116);
+    const wide angle1_____________ = atan2_wide(s3_mp, -v117);
+    const wide angle1______________ = atan2_wide(s3_mm, -v118);
     const wide q3_ppm = angle1___________ - h1 * copysign_wide(all_wide(half_turn), s3_pp);
     const wide q3_pmm = angle1____________ - h1 * copysign_wide(all_wide(half_turn), s3_pm);
     const wide q3_mpm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), s3_mp);
     const wide q3_mmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), s3_mm);
 
     /* theta2 */
-    const wide v120 = c7 * T31 - s7 * T32;
-    const wide v121 = s4_p * v120;
-    const wide v122 = v9 * v120;
-    const wide v123 = T33 * c4_p;
-    const wide v124 = T33 * c4_m;
-    const wide v125 = T33 * s4_p;
-    const wide v126 = T33 * v9;
-    const wide v127 = c4_p * v120;
-    const wide v128 = c4_m * v120;
-    const wide v129 = c7 * T32 + s7 * T31;
-    const wide v130 = s5_p * (s4_p * v129);
-    const wide v131 = s5_m * (v9 * v129);
-    const wide v132 = v20 * v121;
-    const wide v133 = v21 * v122;
-    const wide v134 = v20 * v125;
-    const wide v135 = v21 * v126;
-    const wide v136 = s5_p * (c4_p * v129);
-    const wide v137 = s5_m * (c4_m * v129);
-    const wide v138 = v20 * v127;
-    const wide v139 = v21 * v128;
-    const wide v140 = v20 * v123;
-    const wide v141 = v21 * v124;
-    const wide v142 = s5_p * v120;
-    const wide v143 = s5_m * v120;
-    const wide v144 = T33 * s5_p;
-    const wide v145 = T33 * s5_m;
-    const wide v146 = v20 * v129;
-    const wide v147 = v21 * v129;
-    const wide angle1_______________ = atan2_wide(1.0 / sqrt_wide(v76) * (v116 * (v136 + (c6_pp *
-        (v125 - v138) + v42 * (v121 + v140))) + s3_pp * (v146 + (c6_pp * v142 - v42 * v144))), v130
-        - (c6_pp * (v123 + v132) + v42 * (v127 - v134)));
-    const wide angle1________________ = atan2_wide(1.0 / sqrt_wide(v77) * (v117 * (v136 + (c6_pm *
-        (v125 + v138) + v43 * (v121 - v140))) + s3_pm * (c6_pm * v142 - v43 * v144 - v146)), v130 -
-        (c6_pm * (v123 - v132) + v43 * (v127 + v134)));
-    const wide angle1_________________ = atan2_wide(1.0 / sqrt_wide(v78) * (v118 * (v137 + (v44 *
-        (v141 - v122) - c6_mp * (v126 + v139))) + s3_mp * (v147 + (c6_mp * v143 - v44 * v145))),
-        -(v131 + (c6_mp * (v124 - v133) + v44 * (v128 + v135))));
-    const wide angle1__________________ = atan2_wide(1.0 / sqrt_wide(v79) * (v119 * (v137 + (c6_mm *
-        (v139 - v126) - v45 * (v122 + v141))) + s3_mm * (c6_mm * v143 - v45 * v145 - v147)), -(v131
-        + (c6_mm * (v124 + v133) + v45 * (v128 - v135))));
+    const wide v119 = c7 * T31 - s7 * T32;
+    const wide v120 = s4_p * v119;
+    const wide v121 = v9 * v119;
+    const wide v122 = T33 * c4_p;
+    const wide v123 = T33 * c4_m;
+    const wide v124 = T33 * s4_p;
+    const wide v125 = T33 * v9;
+    const wide v126 = c4_p * v119;
+    const wide v127 = c4_m * v119;
+    const wide v128 = c7 * T32 + s7 * T31;
+    const wide v129 = s5_p * (s4_p * v128);
+    const wide v130 = s5_m * (v9 * v128);
+    const wide v131 = v24 * v120;
+    const wide v132 = v25 * v121;
+    const wide v133 = v24 * v124;
+    const wide v134 = v25 * v125;
+    const wide v135 = s5_p * (c4_p * v128);
+    const wide v136 = s5_m * (c4_m * v128);
+    const wide v137 = v24 * v126;
+    const wide v138 = v25 * v127;
+    const wide v139 = v24 * v122;
+    const wide v140 = v25 * v123;
+    const wide v141 = s5_p * v119;
+    const wide v142 = s5_m * v119;
+    const wide v143 = T33 * s5_p;
+    const wide v144 = T33 * s5_m;
+    const wide v145 = v24 * v128;
+    const wide v146 = v25 * v128;
+    const wide angle1_______________ = atan2_wide(sqrt_wide(v75) * (1.0 / v75) * (v115 * (v135 +
+        factor6_pp * (C6_pp * (v124 - v137) - -v33 * (v120 + v139))) + s3_pp * (v145 + factor6_pp *
+        (C6_pp * v141 + -v33 * v143))), v129 + factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 +
+        v131)));
+    const wide angle1________________ = atan2_wide(sqrt_wide(v76) * (1.0 / v76) * (v116 * (v135 +
+        factor6_pm * (C6_pm * (v124 + v137) + v34 * (v120 - v139))) + s3_pm * (factor6_pm * (C6_pm *
+        v141 - v34 * v143) - v145)), v129 - factor6_pm * (v34 * (v126 + v133) + C6_pm * (v122 -
+        v131)));
+    const wide angle1_________________ = atan2_wide(sqrt_wide(v77) * (1.0 / v77) * (v117 * (v136 -
+        factor6_mp * (C6_mp * (v125 + v138) + -v36 * (v140 - v121))) + s3_mp * (v146 + factor6_mp *
+        (C6_mp * v142 + -v36 * v144))), factor6_mp * (-v36 * (v127 + v134) - C6_mp * (v123 - v132))
+        - v130);
+    const wide angle1__________________ = atan2_wide(sqrt_wide(v78) * (1.0 / v78) * (v118 * (v136 +
+        factor6_mm * (C6_mm * (v138 - v125) - v37 * (v121 + v140))) + s3_mm * (factor6_mm * (C6_mm *
+        v142 - v37 * v144) - v146)), -(v130 + factor6_mm * (v37 * (v127 - v134) + C6_mm * (v123 +
+        v132))));
 
     /* joint values */
-    const wide v148 = q4__p + pick_wide(q4__p <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide v149 = pick_wide(-v10 <= -half_turn, all_wide(m4), all_wide(0.0)) - v10;
+    const wide v147 = q4__p + pick_wide(q4__p <= -half_turn, all_wide(m10), all_wide(0.0));
+    const wide v148 = pick_wide(-v10 <= -half_turn, all_wide(m10), all_wide(0.0)) - v10;
+    const wide_mask v149 = (v147 < low4) | (high4 < v147);
     const wide_mask v150 = (v148 < low4) | (high4 < v148);
-    const wide_mask v151 = (v149 < low4) | (high4 < v149);
-    const wide_mask v152 = (angle1_ < low5) | (high5 < angle1_);
-    const wide_mask v153 = (q5_pmp < low5) | (high5 < q5_pmp);
-    const wide_mask v154 = (angle1__ < low5) | (high5 < angle1__);
-    const wide_mask v155 = (q5_mmp < low5) | (high5 < q5_mmp);
-    const wide v156 = angle1___ + pick_wide(angle1___ < low6, all_wide(whole_turn), all_wide(0.0));
-    const wide v157 = angle1____ + pick_wide(angle1____ < low6, all_wide(whole_turn),
+    const wide_mask v151 = (angle1_ < low5) | (high5 < angle1_);
+    const wide_mask v152 = (q5_pmp < low5) | (high5 < q5_pmp);
+    const wide_mask v153 = (angle1__ < low5) | (high5 < angle1__);
+    const wide_mask v154 = (q5_mmp < low5) | (high5 < q5_mmp);
+    const wide v155 = angle1___ + pick_wide(angle1___ < low6, all_wide(whole_turn), all_wide(0.0));
+    const wide v156 = angle1____ + pick_wide(angle1____ < low6, all_wide(whole_turn),
         all_wide(0.0));
-    const wide v158 = angle1_____ + pick_wide(angle1_____ < low6, all_wide(whole_turn),
+    const wide v157 = angle1_____ + pick_wide(angle1_____ < low6, all_wide(whole_turn),
         all_wide(0.0));
-    const wide v159 = angle1______ + pick_wide(angle1______ < low6, all_wide(whole_turn),
+    const wide v158 = angle1______ + pick_wide(angle1______ < low6, all_wide(whole_turn),
         all_wide(0.0));
+    const wide_mask v159 = (v155 < low6) | (high6 < v155);
     const wide_mask v160 = (v156 < low6) | (high6 < v156);
     const wide_mask v161 = (v157 < low6) | (high6 < v157);
     const wide_mask v162 = (v158 < low6) | (high6 < v158);
-    const wide_mask v163 = (v159 < low6) | (high6 < v159);
-    const wide q6_ppp = pick_wide(v160, angle1___, v156);
-    const wide q6_pmp = pick_wide(v161, angle1____, v157);
-    const wide q6_mpp = pick_wide(v162, angle1_____, v158);
-    const wide q6_mmp = pick_wide(v163, angle1______, v159);
-    const wide_mask v164 = (free_joints[0] < low7) | (high7 < free_joints[0]);
-    const wide q4_ppp = v16 + v148;
-    const wide q4_mpp = v17 + v149;
-    const wide v165 = free_joints[0] + (w4 - w4);
-    const wide q7_ppp = v16 + v165;
-    const wide q7_mpp = v17 + v165;
-    const wide_mask outside_ppp = v164 | (v160 | (v152 | (v150 | (((angle1___________ < low3) |
+    const wide q6_ppp = pick_wide(v159, angle1___, v155);
+    const wide q6_pmp = pick_wide(v160, angle1____, v156);
+    const wide q6_mpp = pick_wide(v161, angle1_____, v157);
+    const wide q6_mmp = pick_wide(v162, angle1______, v158);
+    const wide_mask v163 = (free_joints[0] < low7) | (high7 < free_joints[0]);
+    const wide q4_ppp = v20 + v147;
+    const wide q4_mpp = v21 + v148;
+    const wide v164 = free_joints[0] + (w4 - w4);
+    const wide q7_ppp = v20 + v164;
+    const wide q7_mpp = v21 + v164;
+    const wide_mask outside_ppp = v163 | (v159 | (v151 | (v149 | (((angle1___________ < low3) |
         (high3 < angle1___________)) | (((angle1_______ < low1) | (high1 < angle1_______)) |
         ((angle1_______________ < low2) | (high2 < angle1_______________)))))));
-    const wide_mask outside_ppm = v164 | (v160 | (v152 | (v150 | (((q3_ppm < low3) | (high3 <
+    const wide_mask outside_ppm = v163 | (v159 | (v151 | (v149 | (((q3_ppm < low3) | (high3 <
         q3_ppm)) | (((q1_ppm < low1) | (high1 < q1_ppm)) | ((-angle1_______________ < low2) | (high2
         < -angle1_______________)))))));
-    const wide_mask outside_pmp = v164 | (v161 | (v153 | (v150 | (((angle1____________ < low3) |
+    const wide_mask outside_pmp = v163 | (v160 | (v152 | (v149 | (((angle1____________ < low3) |
         (high3 < angle1____________)) | (((angle1________ < low1) | (high1 < angle1________)) |
         ((angle1________________ < low2) | (high2 < angle1________________)))))));
-    const wide_mask outside_pmm = v164 | (v161 | (v153 | (v150 | (((q3_pmm < low3) | (high3 <
+    const wide_mask outside_pmm = v163 | (v160 | (v152 | (v149 | (((q3_pmm < low3) | (high3 <
         q3_pmm)) | (((q1_pmm < low1) | (high1 < q1_pmm)) | ((-angle1________________ < low2) |
         (high2 < -angle1________________)))))));
-    const wide_mask outside_mpp = v164 | (v162 | (v154 | (v151 | (((angle1_____________ < low3) |
+    const wide_mask outside_mpp = v163 | (v161 | (v153 | (v150 | (((angle1_____________ < low3) |
         (high3 < angle1_____________)) | (((angle1_________ < low1) | (high1 < angle1_________)) |
         ((angle1_________________ < low2) | (high2 < angle1_________________)))))));
-    const wide_mask outside_mpm = v164 | (v162 | (v154 | (v151 | (((q3_mpm < low3) | (high3 <
+    const wide_mask outside_mpm = v163 | (v161 | (v153 | (v150 | (((q3_mpm < low3) | (high3 <
         q3_mpm)) | (((q1_mpm < low1) | (high1 < q1_mpm)) | ((-angle1_________________ < low2) |
         (high2 < -angle1_________________)))))));
-    const wide_mask outside_mmp = v164 | (v163 | (v155 | (v151 | (((angle1______________ < low3) |
+    const wide_mask outside_mmp = v163 | (v162 | (v154 | (v150 | (((angle1______________ < low3) |
         (high3 < angle1______________)) | (((angle1__________ < low1) | (high1 < angle1__________))
         | ((angle1__________________ < low2) | (high2 < angle1__________________)))))));
-    const wide_mask outside_mmm = v164 | (v163 | (v155 | (v151 | (((q3_mmm < low3) | (high3 <
+    const wide_mask outside_mmm = v163 | (v162 | (v154 | (v150 | (((q3_mmm < low3) | (high3 <
         q3_mmm)) | (((q1_mmm < low1) | (high1 < q1_mmm)) | ((-angle1__________________ < low2) |
         (high2 < -angle1__________________)))))));
-    const wide_mask doubt = ((v41 <= m2) | (v79 <= m3)) | (((v40 <= m2) | (v78 <= m3)) | (((v39 <=
-        m2) | (v77 <= m3)) | (((v38 <= m2) | (v76 <= m3)) | ((free5_m | ((-(reach_slack1 *
-        (reach_slack1 + v14)) <= D5_m) & (free5_m | ((v15 < D5_m) == 0)))) | (((-(reach_slack2 *
-        (reach_slack2 + v4)) <= D4) & ((merge_slack2 * (merge_slack2 + v4) < D4) == 0)) | (free5_p |
-        ((-(reach_slack1 * (reach_slack1 + v14)) <= D5_p) & (free5_p | ((v15 < D5_p) == 0)))))))));
+    const wide_mask doubt1 = (v78 <= m9) | ((v45 <= m8) | ((v77 <= m9) | ((v44 <= m8) | ((v76 <= m9)
+        | ((v43 <= m8) | ((v75 <= m9) | ((v42 <= m8) | (((-(reach_slack1 * (reach_slack1 + v18)) <=
+        D5_m) & (free5_m | ((v19 < D5_m) == 0))) | (free5_m | (((-(reach_slack1 * (reach_slack1 +
+        v18)) <= D5_p) & (free5_p | ((v19 < D5_p) == 0))) | (((-(reach_slack2 * (reach_slack2 + v4))
+        <= D4) & ((merge_slack2 * (merge_slack2 + v4) < D4) == 0)) | free5_p)))))))))));
 
     q[0] = angle1_______;
     q[1] = angle1_______________;
@@ -882,74 +984,11 @@ HELPER wide_mask solve_wide(
     q[55] = q7_mpp;
     kind[7] = kind_of(q[49] != q[49], outside_mmm);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
-    return (exact == 0) | (doubt);
+    return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
-HELPER double irregularity_double(const double T[16], const double free_joints[1])
-{
-    const double x0 = T[0], x1 = T[1], x2 = T[2];
-    const double y0 = T[4], y1 = T[5], y2 = T[6];
-    const double z0 = T[8], z1 = T[9], z2 = T[10];
-    const double xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const double yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const double xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const double zx = x1 * y2 - x2 * y1 - z0;
-    const double zy = x2 * y0 - x0 * y2 - z1;
-    const double zz = x0 * y1 - x1 * y0 - z2;
-    const double w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
-}
-
-static const double m1 = 0.5; /* 1 / 2 */
+static const double m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(
@@ -977,17 +1016,17 @@ HELPER int solve_regular(
     const double w4 = sqrt(D4);
     const int doubt1 = (-(reach_slack2 * (reach_slack2 + v4)) <= D4) & ((merge_slack2 *
         (merge_slack2 + v4) < D4) == 0);
-    const double v5 = k1 * Z4;
-    const double v6 = k2 * Z4;
-    const double v7 = k1 * w4;
-    const four c4 = k5 * (v6 + e1 * v7);
-    const double v8 = k2 * w4;
-    const four s4 = k5 * (e1 * v8 - v5);
+    const double v5 = m2 * Z4;
+    const four c4 = v5 + w4 * (m1 * e1);
+    const double v6 = m1 * Z4;
+    const four s4 = w4 * (m2 * e1) - v6;
 
     /* theta5 */
-    const four v9 = a3 * c4 + d3 * s4 - a4;
+    const four v7 = a3 * c4 + d3 * s4 - a4;
+    const double v8 = m4 + m5 * Z4;
     const double Z5 = c7 * w2y + s7 * w2x;
-    const four N5 = -v9 * -v9;
+    const four v9 = v8 - w4 * (m3 * e1);
+    const four N5 = v9 * v9;
     const double v10 = Z5 * Z5;
     const four D5 = N5 - v10;
     const four_mask free5 = N5 <= free_limit_squared2;
@@ -996,186 +1035,146 @@ HELPER int solve_regular(
     const four w5 = sqrt_four(D5);
     const four v13 = w5 - w5;
     const four inverse5 = 1.0 / N5;
-    const four v14 = -v9 * w5;
+    const four v14 = v9 * w5;
     const four v15 = inverse5 * v14;
-    const four v16 = Z5 * -v9;
+    const four v16 = Z5 * v9;
     const four s5 = inverse5 * v16;
     const four v17 = copysign_four(all_four(half_turn), v16);
-    const four v18 = m1 * (1.0 - e2);
+    const four v18 = m6 * (1.0 - e2);
 
     /* theta6 */
-    const four v19 = v9 * v15;
-    const four Y1_6 = d5 + (d3 * c4 - a3 * s4);
+    const double v19 = m7 + m3 * Z4;
+    const four Y1_6 = v19 + w4 * (m5 * e1);
     const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
     const four v20 = Y1_6 * Z2_6;
-    const four v21 = w2z * v19;
-    const four v22 = v20 - e2 * v21;
+    const four v21 = e2 * w2z;
+    const four v22 = v20 - w5 * (inverse5 * (v7 * (v9 * v21)));
     const four v23 = w2z * Y1_6;
-    const four v24 = v19 * Z2_6;
-    const four C6 = v23 + e2 * v24;
+    const four v24 = e2 * Z2_6;
+    const four C6 = v23 + w5 * (inverse5 * (v7 * (v9 * v24)));
     const four v25 = v22 * v22 + C6 * C6;
-    const four factor6 = 1.0 / sqrt_four(v25);
-    const four c6 = C6 * factor6;
-    const four v26 = v22 * factor6;
+    const four factor6 = sqrt_four(v25) * (1.0 / v25);
 
     /* theta1 */
-    const double v27 = c7 * T11 - s7 * T12;
-    const four v28 = T13 * c4;
-    const four v29 = c4 * v27;
-    const double v30 = c7 * T12 + s7 * T11;
-    const four v31 = s5 * (s4 * v30);
-    const four v32 = v15 * (s4 * v27);
-    const four v33 = v15 * (T13 * s4);
-    const four X1 = v31 - (c6 * (v28 + e2 * v32) + v26 * (v29 - e2 * v33));
-    const double v34 = c7 * T21 - s7 * T22;
-    const four v35 = T23 * c4;
-    const four v36 = c4 * v34;
-    const double v37 = c7 * T22 + s7 * T21;
-    const four v38 = s5 * (s4 * v37);
-    const four v39 = v15 * (s4 * v34);
-    const four v40 = v15 * (T23 * s4);
-    const four v41 = v38 - (c6 * (v35 + e2 * v39) + v26 * (v36 - e2 * v40));
-    const four v42 = X1 * X1 + v41 * v41;
+    const double v26 = c7 * T11 - s7 * T12;
+    const four v27 = T13 * c4;
+    const four v28 = c4 * v26;
+    const double v29 = c7 * T12 + s7 * T11;
+    const four v30 = s5 * (s4 * v29);
+    const four v31 = v15 * (s4 * v26);
+    const four v32 = v15 * (T13 * s4);
+    const four X1 = v30 + factor6 * (-v22 * (v28 - e2 * v32) - C6 * (v27 + e2 * v31));
+    const double v33 = c7 * T21 - s7 * T22;
+    const four v34 = T23 * c4;
+    const four v35 = c4 * v33;
+    const double v36 = c7 * T22 + s7 * T21;
+    const four v37 = s5 * (s4 * v36);
+    const four v38 = v15 * (s4 * v33);
+    const four v39 = v15 * (T23 * s4);
+    const four v40 = v37 + factor6 * (-v22 * (v35 - e2 * v39) - C6 * (v34 + e2 * v38));
+    const four v41 = X1 * X1 + v40 * v40;
 
     /* theta3 */
-    const double v43 = a4 * v34;
-    const double v44 = d5 * T23;
-    const double v45 = a4 * T23;
-    const double v46 = d5 * v34;
-    const double v47 = a4 * v37;
-    const double v48 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
-    const four v49 = s5 * v47 - v48;
-    const four v50 = v15 * v43;
-    const four v51 = v15 * v45;
-    const double v52 = a4 * v27;
-    const double v53 = d5 * T13;
-    const double v54 = a4 * T13;
-    const double v55 = d5 * v27;
-    const double v56 = a4 * v30;
-    const double v57 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
-    const four v58 = s5 * v56 - v57;
-    const four v59 = v15 * v52;
-    const four v60 = v15 * v54;
-    const four v61 = s5 * v34;
-    const four v62 = T23 * s5;
-    const four v63 = v15 * v37;
-    const four v64 = s5 * v27;
-    const four v65 = T13 * s5;
-    const four v66 = v15 * v30;
-    const four s3 = (-v41 * (v58 + (c6 * (v53 - e2 * v59) + v26 * (v55 + e2 * v60))) - -X1 * (v49 +
-        (c6 * (v44 - e2 * v50) + v26 * (v46 + e2 * v51)))) / -a3;
-    const four v67 = a3 * (-X1 * (c6 * v61 - v26 * v62 + e2 * v63) - -v41 * (c6 * v64 - v26 * v65 +
-        e2 * v66)) / -a3;
+    const double v42 = a4 * v33;
+    const double v43 = d5 * T23;
+    const double v44 = a4 * T23;
+    const double v45 = d5 * v33;
+    const double v46 = a4 * v36;
+    const double v47 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
+    const four v48 = s5 * v46 - v47;
+    const four v49 = v15 * v42;
+    const four v50 = v15 * v44;
+    const double v51 = a4 * v26;
+    const double v52 = d5 * T13;
+    const double v53 = a4 * T13;
+    const double v54 = d5 * v26;
+    const double v55 = a4 * v29;
+    const double v56 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
+    const four v57 = s5 * v55 - v56;
+    const four v58 = v15 * v51;
+    const four v59 = v15 * v53;
+    const four v60 = s5 * v33;
+    const four v61 = T23 * s5;
+    const four v62 = v15 * v36;
+    const four v63 = s5 * v26;
+    const four v64 = T13 * s5;
+    const four v65 = v15 * v29;
+    const four s3 = (X1 * (v48 + factor6 * (C6 * (v43 - e2 * v49) - -v22 * (v45 + e2 * v50))) - v40
+        * (v57 + factor6 * (C6 * (v52 - e2 * v58) - -v22 * (v54 + e2 * v59)))) / -a3;
+    const four v66 = a3 * (v40 * (e2 * v65 + factor6 * (C6 * v63 + -v22 * v64)) - X1 * (factor6 *
+        (C6 * v60 + -v22 * v61) + e2 * v62)) / -a3;
 
     /* theta2 */
-    const double v68 = c7 * T31 - s7 * T32;
-    const four v69 = s4 * v68;
-    const four v70 = T33 * c4;
-    const four v71 = T33 * s4;
-    const four v72 = c4 * v68;
-    const double v73 = c7 * T32 + s7 * T31;
-    const four v74 = s5 * (s4 * v73);
-    const four v75 = v15 * v69;
-    const four v76 = v15 * v71;
-    const four v77 = s5 * (c4 * v73);
-    const four v78 = v15 * v72;
-    const four v79 = v15 * v70;
-    const four v80 = s5 * v68;
-    const four v81 = T33 * s5;
-    const four v82 = v15 * v73;
+    const double v67 = c7 * T31 - s7 * T32;
+    const four v68 = s4 * v67;
+    const four v69 = T33 * c4;
+    const four v70 = T33 * s4;
+    const four v71 = c4 * v67;
+    const double v72 = c7 * T32 + s7 * T31;
+    const four v73 = s5 * (s4 * v72);
+    const four v74 = v15 * v68;
+    const four v75 = v15 * v70;
+    const four v76 = s5 * (c4 * v72);
+    const four v77 = v15 * v71;
+    const four v78 = v15 * v69;
+    const four v79 = s5 * v67;
+    const four v80 = T33 * s5;
+    const four v81 = v15 * v72;
 
     /* joint values */
-    const int v88 = (free_joints[0] < low7) | (high7 < free_joints[0]);
-    const double v89 = free_joints[0] + (w4 - w4);
-    const four q7_p = v13 + v89;
-    const four_mask v90 = (all_four(doubt1 ? 1.0 : 0.0) > 0.0) | (free5 | ((-(reach_slack1 *
-        (reach_slack1 + v11)) <= D5) & (free5 | ((v12 < D5) == 0))));
-    const four_mask doubt = ((v25 <= m2) | (v42 <= m3)) | v90;
+    const int v87 = (free_joints[0] < low7) | (high7 < free_joints[0]);
+    const double v88 = free_joints[0] + (w4 - w4);
+    const four q7_p = v13 + v88;
+    const four_mask doubt2 = free5 | ((-(reach_slack1 * (reach_slack1 + v11)) <= D5) & (free5 |
+        ((v12 < D5) == 0)));
+    const four_mask doubt3 = (v25 <= m8) | (v41 <= m9);
 
     const four angle1__ = atan2_four(-v22, C6);
-    const four angle1___ = atan2_four(-v41, -X1);
-    const four angle1____ = atan2_four(s3, -v67);
-    const four angle1_____ = atan2_four(1.0 / sqrt_four(v42) * (v67 * (v77 + (c6 * (v71 - e2 * v78)
-        + v26 * (v69 + e2 * v79))) + s3 * (c6 * v80 - v26 * v81 + e2 * v82)), v74 - (c6 * (v70 + e2
-        * v75) + v26 * (v72 - e2 * v76)));
+    const four angle1___ = atan2_four(-v40, -X1);
+    const four angle1____ = atan2_four(s3, -v66);
+    const four angle1_____ = atan2_four(sqrt_four(v41) * (1.0 / v41) * (v66 * (v76 + factor6 * (C6 *
+        (v70 - e2 * v77) - -v22 * (v68 + e2 * v78))) + s3 * (e2 * v81 + factor6 * (C6 * v79 + -v22 *
+        v80))), v73 + factor6 * (-v22 * (v71 - e2 * v75) - C6 * (v69 + e2 * v74)));
     const four packed5 = atan2_four(__builtin_shufflevector(v16, all_four(w4), 0, 5, 2, 3),
         __builtin_shufflevector(-v14, all_four(Z4), 0, 5, 2, 3));
     const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q4_ = e1 * angle1 - turn1;
     const four q5_p = e2 * angle1_ + v17 * v18;
-    const four q1_m = angle1___ - copysign_four(all_four(half_turn), -v41) * h1;
+    const four q1_m = angle1___ - copysign_four(all_four(half_turn), -v40) * h1;
     const four q3_m = angle1____ - h1 * copysign_four(all_four(half_turn), s3);
-    const four v83 = q4_ + pick_four(q4_ <= -half_turn, all_four(m4), all_four(0.0));
-    const four_mask v84 = (v83 < low4) | (high4 < v83);
-    const four_mask v85 = (q5_p < low5) | (high5 < q5_p);
-    const four v86 = angle1__ + pick_four(angle1__ < low6, all_four(whole_turn), all_four(0.0));
-    const four_mask v87 = (v86 < low6) | (high6 < v86);
-    const four q6_p = pick_four(v87, angle1__, v86);
-    const four q4_p = v13 + v83;
-    const four_mask outside_p = (all_four(v88 ? 1.0 : 0.0) > 0.0) | (v87 | (v85 | (v84 |
-        (((angle1____ < low3) | (high3 < angle1____)) | (((angle1___ < low1) | (high1 < angle1___))
-        | ((angle1_____ < low2) | (high2 < angle1_____)))))));
-    const four_mask outside_m = (all_four(v88 ? 1.0 : 0.0) > 0.0) | (v87 | (v85 | (v84 | (((q3_m <
-        low3) | (high3 < q3_m)) | (((q1_m < low1) | (high1 < q1_m)) | ((-angle1_____ < low2) |
-        (high2 < -angle1_____)))))));
+    const four v82 = q4_ + pick_four(q4_ <= -half_turn, all_four(m10), all_four(0.0));
+    const four_mask v83 = (v82 < low4) | (high4 < v82);
+    const four_mask v84 = (q5_p < low5) | (high5 < q5_p);
+    const four v85 = angle1__ + pick_four(angle1__ < low6, all_four(whole_turn), all_four(0.0));
+    const four_mask v86 = (v85 < low6) | (high6 < v85);
+    const four q6_p = pick_four(v86, angle1__, v85);
+    const four q4_p = v13 + v82;
+    const four_mask outside_p = where_four(v87) | (v86 | (v84 | (v83 | (((angle1____ < low3) |
+        (high3 < angle1____)) | (((angle1___ < low1) | (high1 < angle1___)) | ((angle1_____ < low2)
+        | (high2 < angle1_____)))))));
+    const four_mask outside_m = where_four(v87) | (v86 | (v84 | (v83 | (((q3_m < low3) | (high3 <
+        q3_m)) | (((q1_m < low1) | (high1 < q1_m)) | ((-angle1_____ < low2) | (high2 <
+        -angle1_____)))))));
 
-    if (!(irregularity_double(T, free_joints) <= 1e-24))
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
+        (unsigned)(doubt1))
         return -1;
-    if (bits_four(doubt))
-        return -1;
-    int count = 0;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle1___, angle1_____, angle1____, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], q7_p);
-    const four_mask kind1 = kind_of(angle1___ != angle1___, outside_p);
-    count += __builtin_popcount(bits_four(kind1 == 0) & 15u);
-    status[0] = (unsigned char)kind1[0];
-    status[2] = (unsigned char)kind1[1];
-    status[4] = (unsigned char)kind1[2];
-    status[6] = (unsigned char)kind1[3];
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_m, -angle1_____, q3_m, q4_p);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
     store_1(&q[1][6], &q[3][6], &q[5][6], &q[7][6], q7_p);
-    const four_mask kind2 = kind_of(q1_m != q1_m, outside_m);
-    count += __builtin_popcount(bits_four(kind2 == 0) & 15u);
-    status[1] = (unsigned char)kind2[0];
-    status[3] = (unsigned char)kind2[1];
-    status[5] = (unsigned char)kind2[2];
-    status[7] = (unsigned char)kind2[3];
-    return count;
-}
-
-/* Rows to columns. */
-HELPER void transpose(wide x[LANES])
-{
-    wide y[LANES];
-#if LANES == 8
-    for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
-#else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
-#endif
+    const unsigned long long none1 = (bits_four(angle1___ != angle1___) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(q1_m != q1_m) * 0x20004000800100ull &
+        0x100010001000100ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * FRANKA_PANDA_UNREACHABLE + (outside1 & ~none1) *
+        FRANKA_PANDA_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
 }
 
 /* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */

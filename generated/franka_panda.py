@@ -93,10 +93,16 @@ low6 = -0.017500001  # lowest value of joint 6
 high6 = 3.752500001  # highest value of joint 6
 low7 = -2.897300001  # lowest value of joint 7
 high7 = 2.897300001  # highest value of joint 7
-m2 = 3.765342321601e-48  # free_limit_squared2^2 [m^4]
-m3 = 1e-24  # free_limit^2
-m4 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m1
+m1 = 1.754896834873102  # a coefficient of c4
+m2 = 3.4805529861209807  # a coefficient of c4
+m3 = 1.2446337324912609  # a coefficient of v7
+m4 = 0.0825  # a coefficient of v7
+m5 = 0.2674017784649193  # a coefficient of v7
+m7 = 0.384  # a coefficient of Y1_6
+m8 = 3.765342321601e-48  # free_limit_squared2^2 [m^4]
+m9 = 1e-24  # free_limit^2
+m10 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -633,14 +639,14 @@ def _regular(pose, q_free, q, status):
     D4 = k4 - Z4 * Z4
     v4 = 2.0 * abs(Z4)
     w4 = math.sqrt(D4)
-    v5 = k1 * Z4
-    v6 = k2 * Z4
-    v7 = k1 * w4
-    c4_p = k5 * (v6 + v7)
-    c4_m = k5 * (v6 - v7)
-    v8 = k2 * w4
-    s4_p = k5 * (v8 - v5)
-    v9 = k5 * (v5 + v8)
+    v5 = m2 * Z4
+    v6 = m1 * w4
+    c4_p = v5 + v6
+    c4_m = v5 - v6
+    v7 = m1 * Z4
+    v8 = m2 * w4
+    s4_p = v8 - v7
+    v9 = v7 + v8
     angle1 = _atan2(w4, Z4)
     q4__p = angle1 - turn1
     v10 = turn1 + angle1
@@ -648,77 +654,73 @@ def _regular(pose, q_free, q, status):
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
     v11 = a3 * c4_p + d3 * s4_p - a4
     v12 = a3 * c4_m - d3 * v9 - a4
+    v13 = m4 + m5 * Z4
     Z5 = c7 * w2y + s7 * w2x
-    N5_p = -v11 * -v11
-    N5_m = -v12 * -v12
-    v13 = Z5 * Z5
-    D5_p = N5_p - v13
-    D5_m = N5_m - v13
+    v14 = m3 * w4
+    v15 = v13 - v14
+    v16 = v13 + v14
+    N5_p = v15 * v15
+    N5_m = v16 * v16
+    v17 = Z5 * Z5
+    D5_p = N5_p - v17
+    D5_m = N5_m - v17
     free5_p = N5_p <= free_limit_squared2
     free5_m = N5_m <= free_limit_squared2
-    v14 = 2.0 * abs(Z5)
-    v15 = merge_slack1 * (merge_slack1 + v14)
+    v18 = 2.0 * abs(Z5)
+    v19 = merge_slack1 * (merge_slack1 + v18)
     w5_p = math.sqrt(D5_p)
     w5_m = math.sqrt(D5_m)
-    v16 = w5_p - w5_p
-    v17 = w5_m - w5_m
+    v20 = w5_p - w5_p
+    v21 = w5_m - w5_m
     inverse5_p = 1.0 / N5_p
     inverse5_m = 1.0 / N5_m
-    v18 = -v11 * w5_p
-    v19 = -v12 * w5_m
-    v20 = inverse5_p * v18
-    v21 = inverse5_m * v19
-    v22 = Z5 * -v11
-    v23 = Z5 * -v12
-    s5_p = inverse5_p * v22
-    s5_m = inverse5_m * v23
-    angle1_ = _atan2(v22, -v18)
-    angle1__ = _atan2(v23, -v19)
-    q5_pmp = math.copysign(half_turn, v22) * h1 - angle1_
-    q5_mmp = math.copysign(half_turn, v23) * h1 - angle1__
+    v22 = v15 * w5_p
+    v23 = v16 * w5_m
+    v24 = inverse5_p * v22
+    v25 = inverse5_m * v23
+    v26 = Z5 * v15
+    v27 = Z5 * v16
+    s5_p = inverse5_p * v26
+    s5_m = inverse5_m * v27
+    angle1_ = _atan2(v26, -v22)
+    angle1__ = _atan2(v27, -v23)
+    q5_pmp = math.copysign(half_turn, v26) * h1 - angle1_
+    q5_mmp = math.copysign(half_turn, v27) * h1 - angle1__
 
     # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
-    v24 = v11 * v20
-    v25 = v12 * v21
-    Y1_6_p = d5 + (d3 * c4_p - a3 * s4_p)
-    Y1_6_m = d5 + (d3 * c4_m + a3 * v9)
+    v28 = m7 + m3 * Z4
+    v29 = m5 * w4
+    Y1_6_p = v28 + v29
+    Y1_6_m = v28 - v29
     Z2_6 = a6 + (c7 * w2x - s7 * w2y)
-    v26 = Y1_6_p * Z2_6
-    v27 = Y1_6_m * Z2_6
-    v28 = w2z * v24
-    v29 = w2z * v25
-    v30 = v26 - v28
-    v31 = v26 + v28
-    v32 = v27 - v29
-    v33 = v27 + v29
-    v34 = w2z * Y1_6_p
-    v35 = w2z * Y1_6_m
-    v36 = v24 * Z2_6
-    v37 = v25 * Z2_6
-    C6_pp = v34 + v36
-    C6_pm = v34 - v36
-    C6_mp = v35 + v37
-    C6_mm = v35 - v37
-    v38 = v30 * v30 + C6_pp * C6_pp
-    v39 = v31 * v31 + C6_pm * C6_pm
-    v40 = v32 * v32 + C6_mp * C6_mp
-    v41 = v33 * v33 + C6_mm * C6_mm
-    factor6_pp = 1.0 / math.sqrt(v38)
-    factor6_pm = 1.0 / math.sqrt(v39)
-    factor6_mp = 1.0 / math.sqrt(v40)
-    factor6_mm = 1.0 / math.sqrt(v41)
-    c6_pp = C6_pp * factor6_pp
-    c6_pm = C6_pm * factor6_pm
-    c6_mp = C6_mp * factor6_mp
-    c6_mm = C6_mm * factor6_mm
-    v42 = v30 * factor6_pp
-    v43 = v31 * factor6_pm
-    v44 = v32 * factor6_mp
-    v45 = v33 * factor6_mm
-    angle1___ = _atan2(-v30, C6_pp)
-    angle1____ = _atan2(-v31, C6_pm)
-    angle1_____ = _atan2(-v32, C6_mp)
-    angle1______ = _atan2(-v33, C6_mm)
+    v30 = Y1_6_p * Z2_6
+    v31 = Y1_6_m * Z2_6
+    v32 = w5_p * (inverse5_p * (v11 * (w2z * v15)))
+    v33 = v30 - v32
+    v34 = v30 + v32
+    v35 = w5_m * (inverse5_m * (v12 * (w2z * v16)))
+    v36 = v31 - v35
+    v37 = v31 + v35
+    v38 = w2z * Y1_6_p
+    v39 = w2z * Y1_6_m
+    v40 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6)))
+    C6_pp = v38 + v40
+    C6_pm = v38 - v40
+    v41 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6)))
+    C6_mp = v39 + v41
+    C6_mm = v39 - v41
+    v42 = v33 * v33 + C6_pp * C6_pp
+    v43 = v34 * v34 + C6_pm * C6_pm
+    v44 = v36 * v36 + C6_mp * C6_mp
+    v45 = v37 * v37 + C6_mm * C6_mm
+    factor6_pp = math.sqrt(v42) * (1.0 / v42)
+    factor6_pm = math.sqrt(v43) * (1.0 / v43)
+    factor6_mp = math.sqrt(v44) * (1.0 / v44)
+    factor6_mm = math.sqrt(v45) * (1.0 / v45)
+    angle1___ = _atan2(-v33, C6_pp)
+    angle1____ = _atan2(-v34, C6_pm)
+    angle1_____ = _atan2(-v36, C6_mp)
+    angle1______ = _atan2(-v37, C6_mm)
 
     # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
     v46 = c7 * T11 - s7 * T12
@@ -729,244 +731,244 @@ def _regular(pose, q_free, q, status):
     v51 = c7 * T12 + s7 * T11
     v52 = s5_p * (s4_p * v51)
     v53 = s5_m * (v9 * v51)
-    v54 = v20 * (s4_p * v46)
-    v55 = v21 * (v9 * v46)
-    v56 = v20 * (T13 * s4_p)
-    v57 = v21 * (T13 * v9)
-    X1_pp = v52 - (c6_pp * (v47 + v54) + v42 * (v49 - v56))
-    X1_pm = v52 - (c6_pm * (v47 - v54) + v43 * (v49 + v56))
-    v58 = v53 + (c6_mp * (v48 - v55) + v44 * (v50 + v57))
-    v59 = v53 + (c6_mm * (v48 + v55) + v45 * (v50 - v57))
-    v60 = c7 * T21 - s7 * T22
-    v61 = T23 * c4_p
-    v62 = T23 * c4_m
-    v63 = c4_p * v60
-    v64 = c4_m * v60
-    v65 = c7 * T22 + s7 * T21
-    v66 = s5_p * (s4_p * v65)
-    v67 = s5_m * (v9 * v65)
-    v68 = v20 * (s4_p * v60)
-    v69 = v21 * (v9 * v60)
-    v70 = v20 * (T23 * s4_p)
-    v71 = v21 * (T23 * v9)
-    v72 = v66 - (c6_pp * (v61 + v68) + v42 * (v63 - v70))
-    v73 = v66 - (c6_pm * (v61 - v68) + v43 * (v63 + v70))
-    v74 = v67 + (c6_mp * (v62 - v69) + v44 * (v64 + v71))
-    v75 = v67 + (c6_mm * (v62 + v69) + v45 * (v64 - v71))
-    v76 = X1_pp * X1_pp + v72 * v72
-    v77 = X1_pm * X1_pm + v73 * v73
+    v54 = v24 * (s4_p * v46)
+    v55 = v25 * (v9 * v46)
+    v56 = v24 * (T13 * s4_p)
+    v57 = v25 * (T13 * v9)
+    X1_pp = v52 + factor6_pp * (-v33 * (v49 - v56) - C6_pp * (v47 + v54))
+    X1_pm = v52 - factor6_pm * (v34 * (v49 + v56) + C6_pm * (v47 - v54))
+    X1_mp = factor6_mp * (-v36 * (v50 + v57) - C6_mp * (v48 - v55)) - v53
+    v58 = v53 + factor6_mm * (v37 * (v50 - v57) + C6_mm * (v48 + v55))
+    v59 = c7 * T21 - s7 * T22
+    v60 = T23 * c4_p
+    v61 = T23 * c4_m
+    v62 = c4_p * v59
+    v63 = c4_m * v59
+    v64 = c7 * T22 + s7 * T21
+    v65 = s5_p * (s4_p * v64)
+    v66 = s5_m * (v9 * v64)
+    v67 = v24 * (s4_p * v59)
+    v68 = v25 * (v9 * v59)
+    v69 = v24 * (T23 * s4_p)
+    v70 = v25 * (T23 * v9)
+    v71 = v65 + factor6_pp * (-v33 * (v62 - v69) - C6_pp * (v60 + v67))
+    v72 = v65 - factor6_pm * (v34 * (v62 + v69) + C6_pm * (v60 - v67))
+    v73 = factor6_mp * (-v36 * (v63 + v70) - C6_mp * (v61 - v68)) - v66
+    v74 = v66 + factor6_mm * (v37 * (v63 - v70) + C6_mm * (v61 + v68))
+    v75 = X1_pp * X1_pp + v71 * v71
+    v76 = X1_pm * X1_pm + v72 * v72
+    v77 = X1_mp * X1_mp + v73 * v73
     v78 = v58 * v58 + v74 * v74
-    v79 = v59 * v59 + v75 * v75
-    angle1_______ = _atan2(-v72, -X1_pp)
-    angle1________ = _atan2(-v73, -X1_pm)
-    angle1_________ = _atan2(v74, v58)
-    angle1__________ = _atan2(v75, v59)
-    q1_ppm = angle1_______ - h1 * math.copysign(half_turn, -v72)
-    q1_pmm = angle1________ - h1 * math.copysign(half_turn, -v73)
-    q1_mpm = angle1_________ - h1 * math.copysign(half_turn, v74)
-    q1_mmm = angle1__________ - h1 * math.copysign(half_turn, v75)
+    angle1_______ = _atan2(-v71, -X1_pp)
+    angle1________ = _atan2(-v72, -X1_pm)
+    angle1_________ = _atan2(-v73, -X1_mp)
+    angle1__________ = _atan2(v74, v58)
+    q1_ppm = angle1_______ - h1 * math.copysign(half_turn, -v71)
+    q1_pmm = angle1________ - h1 * math.copysign(half_turn, -v72)
+    q1_mpm = angle1_________ - h1 * math.copysign(half_turn, -v73)
+    q1_mmm = angle1__________ - h1 * math.copysign(half_turn, v74)
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    v80 = a4 * v60
-    v81 = d5 * T23
-    v82 = a4 * T23
-    v83 = d5 * v60
-    v84 = a4 * v65
-    v85 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
-    v86 = s5_p * v84 - v85
-    v87 = s5_m * v84 - v85
-    v88 = v20 * v80
-    v89 = v21 * v80
-    v90 = v20 * v82
-    v91 = v21 * v82
-    v92 = a4 * v46
-    v93 = d5 * T13
-    v94 = a4 * T13
-    v95 = d5 * v46
-    v96 = a4 * v51
-    v97 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
-    v98 = s5_p * v96 - v97
-    v99 = s5_m * v96 - v97
-    v100 = v20 * v92
-    v101 = v21 * v92
-    v102 = v20 * v94
-    v103 = v21 * v94
-    v104 = s5_p * v60
-    v105 = s5_m * v60
-    v106 = T23 * s5_p
-    v107 = T23 * s5_m
-    v108 = v20 * v65
-    v109 = v21 * v65
-    v110 = s5_p * v46
-    v111 = s5_m * v46
-    v112 = T13 * s5_p
-    v113 = T13 * s5_m
-    v114 = v20 * v51
-    v115 = v21 * v51
+    v79 = a4 * v59
+    v80 = d5 * T23
+    v81 = a4 * T23
+    v82 = d5 * v59
+    v83 = a4 * v64
+    v84 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
+    v85 = s5_p * v83 - v84
+    v86 = s5_m * v83 - v84
+    v87 = v24 * v79
+    v88 = v25 * v79
+    v89 = v24 * v81
+    v90 = v25 * v81
+    v91 = a4 * v46
+    v92 = d5 * T13
+    v93 = a4 * T13
+    v94 = d5 * v46
+    v95 = a4 * v51
+    v96 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
+    v97 = s5_p * v95 - v96
+    v98 = s5_m * v95 - v96
+    v99 = v24 * v91
+    v100 = v25 * v91
+    v101 = v24 * v93
+    v102 = v25 * v93
+    v103 = s5_p * v59
+    v104 = s5_m * v59
+    v105 = T23 * s5_p
+    v106 = T23 * s5_m
+    v107 = v24 * v64
+    v108 = v25 * v64
+    v109 = s5_p * v46
+    v110 = s5_m * v46
+    v111 = T13 * s5_p
+    v112 = T13 * s5_m
+    v113 = v24 * v51
+    v114 = v25 * v51
     s3_pp = (
-        (-v72 * (v98 + (c6_pp * (v93 - v100) + v42 * (v95 + v102))) - -X1_pp * (v86 + (c6_pp * (v81
-        - v88) + v42 * (v83 + v90)))) / -a3
+        (X1_pp * (v85 + factor6_pp * (C6_pp * (v80 - v87) - -v33 * (v82 + v89))) - v71 * (v97 +
+        factor6_pp * (C6_pp * (v92 - v99) - -v33 * (v94 + v101)))) / -a3
     )
     s3_pm = (
-        (-v73 * (v98 + (c6_pm * (v93 + v100) + v43 * (v95 - v102))) - -X1_pm * (v86 + (c6_pm * (v81
-        + v88) + v43 * (v83 - v90)))) / -a3
+        (X1_pm * (v85 + factor6_pm * (C6_pm * (v80 + v87) + v34 * (v82 - v89))) - v72 * (v97 +
+        factor6_pm * (C6_pm * (v92 + v99) + v34 * (v94 - v101)))) / -a3
     )
     s3_mp = (
-        (v74 * (v99 + (c6_mp * (v93 - v101) + v44 * (v95 + v103))) - v58 * (v87 + (c6_mp * (v81 -
-        v89) + v44 * (v83 + v91)))) / -a3
+        (X1_mp * (v86 + factor6_mp * (C6_mp * (v80 - v88) - -v36 * (v82 + v90))) - v73 * (v98 +
+        factor6_mp * (C6_mp * (v92 - v100) - -v36 * (v94 + v102)))) / -a3
     )
     s3_mm = (
-        (v75 * (v99 + (c6_mm * (v93 + v101) + v45 * (v95 - v103))) - v59 * (v87 + (c6_mm * (v81 +
-        v89) + v45 * (v83 - v91)))) / -a3
+        (v74 * (v98 + factor6_mm * (C6_mm * (v92 + v100) + v37 * (v94 - v102))) - v58 * (v86 +
+        factor6_mm * (C6_mm * (v80 + v88) + v37 * (v82 - v90)))) / -a3
+    )
+    v115 = (
+        a3 * (v71 * (v113 + factor6_pp * (C6_pp * v109 + -v33 * v111)) - X1_pp * (v107 + factor6_pp
+        * (C6_pp * v103 + -v33 * v105))) / -a3
     )
     v116 = (
-        a3 * (-X1_pp * (v108 + (c6_pp * v104 - v42 * v106)) - -v72 * (v114 + (c6_pp * v110 - v42 *
-        v112))) / -a3
+        a3 * (v72 * (factor6_pm * (C6_pm * v109 - v34 * v111) - v113) - X1_pm * (factor6_pm * (C6_pm
+        * v103 - v34 * v105) - v107)) / -a3
     )
     v117 = (
-        a3 * (-X1_pm * (c6_pm * v104 - v43 * v106 - v108) - -v73 * (c6_pm * v110 - v43 * v112 -
-        v114)) / -a3
+        a3 * (v73 * (v114 + factor6_mp * (C6_mp * v110 + -v36 * v112)) - X1_mp * (v108 + factor6_mp
+        * (C6_mp * v104 + -v36 * v106))) / -a3
     )
     v118 = (
-        a3 * (v58 * (v109 + (c6_mp * v105 - v44 * v107)) - v74 * (v115 + (c6_mp * v111 - v44 *
-        v113))) / -a3
+        a3 * (v58 * (factor6_mm * (C6_mm * v104 - v37 * v106) - v108) - v74 * (factor6_mm * (C6_mm *
+        v110 - v37 * v112) - v114)) / -a3
     )
-    v119 = (
-        a3 * (v59 * (c6_mm * v105 - v45 * v107 - v109) - v75 * (c6_mm * v111 - v45 * v113 - v115)) /
-        -a3
-    )
-    angle1___________ = _atan2(s3_pp, -v116)
-    angle1____________ = _atan2(s3_pm, -v117)
-    angle1_____________ = _atan2(s3_mp, -v118)
-    angle1______________ = _atan2(s3_mm, -v119)
+    angle1___________ = _atan2(s3_pp, -v115)
+    angle1____________ = _atan2(s3_pm, -v116)
+    angle1_____________ = _atan2(s3_mp, -v117)
+    angle1______________ = _atan2(s3_mm, -v118)
     q3_ppm = angle1___________ - h1 * math.copysign(half_turn, s3_pp)
     q3_pmm = angle1____________ - h1 * math.copysign(half_turn, s3_pm)
     q3_mpm = angle1_____________ - h1 * math.copysign(half_turn, s3_mp)
     q3_mmm = angle1______________ - h1 * math.copysign(half_turn, s3_mm)
 
     # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
-    v120 = c7 * T31 - s7 * T32
-    v121 = s4_p * v120
-    v122 = v9 * v120
-    v123 = T33 * c4_p
-    v124 = T33 * c4_m
-    v125 = T33 * s4_p
-    v126 = T33 * v9
-    v127 = c4_p * v120
-    v128 = c4_m * v120
-    v129 = c7 * T32 + s7 * T31
-    v130 = s5_p * (s4_p * v129)
-    v131 = s5_m * (v9 * v129)
-    v132 = v20 * v121
-    v133 = v21 * v122
-    v134 = v20 * v125
-    v135 = v21 * v126
-    v136 = s5_p * (c4_p * v129)
-    v137 = s5_m * (c4_m * v129)
-    v138 = v20 * v127
-    v139 = v21 * v128
-    v140 = v20 * v123
-    v141 = v21 * v124
-    v142 = s5_p * v120
-    v143 = s5_m * v120
-    v144 = T33 * s5_p
-    v145 = T33 * s5_m
-    v146 = v20 * v129
-    v147 = v21 * v129
+    v119 = c7 * T31 - s7 * T32
+    v120 = s4_p * v119
+    v121 = v9 * v119
+    v122 = T33 * c4_p
+    v123 = T33 * c4_m
+    v124 = T33 * s4_p
+    v125 = T33 * v9
+    v126 = c4_p * v119
+    v127 = c4_m * v119
+    v128 = c7 * T32 + s7 * T31
+    v129 = s5_p * (s4_p * v128)
+    v130 = s5_m * (v9 * v128)
+    v131 = v24 * v120
+    v132 = v25 * v121
+    v133 = v24 * v124
+    v134 = v25 * v125
+    v135 = s5_p * (c4_p * v128)
+    v136 = s5_m * (c4_m * v128)
+    v137 = v24 * v126
+    v138 = v25 * v127
+    v139 = v24 * v122
+    v140 = v25 * v123
+    v141 = s5_p * v119
+    v142 = s5_m * v119
+    v143 = T33 * s5_p
+    v144 = T33 * s5_m
+    v145 = v24 * v128
+    v146 = v25 * v128
     angle1_______________ = (
-        _atan2(1.0 / math.sqrt(v76) * (v116 * (v136 + (c6_pp * (v125 - v138) + v42 * (v121 + v140)))
-        + s3_pp * (v146 + (c6_pp * v142 - v42 * v144))), v130 - (c6_pp * (v123 + v132) + v42 * (v127
-        - v134)))
+        _atan2(math.sqrt(v75) * (1.0 / v75) * (v115 * (v135 + factor6_pp * (C6_pp * (v124 - v137) -
+        -v33 * (v120 + v139))) + s3_pp * (v145 + factor6_pp * (C6_pp * v141 + -v33 * v143))), v129 +
+        factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 + v131)))
     )
     angle1________________ = (
-        _atan2(1.0 / math.sqrt(v77) * (v117 * (v136 + (c6_pm * (v125 + v138) + v43 * (v121 - v140)))
-        + s3_pm * (c6_pm * v142 - v43 * v144 - v146)), v130 - (c6_pm * (v123 - v132) + v43 * (v127 +
-        v134)))
+        _atan2(math.sqrt(v76) * (1.0 / v76) * (v116 * (v135 + factor6_pm * (C6_pm * (v124 + v137) +
+        v34 * (v120 - v139))) + s3_pm * (factor6_pm * (C6_pm * v141 - v34 * v143) - v145)), v129 -
+        factor6_pm * (v34 * (v126 + v133) + C6_pm * (v122 - v131)))
     )
     angle1_________________ = (
-        _atan2(1.0 / math.sqrt(v78) * (v118 * (v137 + (v44 * (v141 - v122) - c6_mp * (v126 + v139)))
-        + s3_mp * (v147 + (c6_mp * v143 - v44 * v145))), -(v131 + (c6_mp * (v124 - v133) + v44 *
-        (v128 + v135))))
+        _atan2(math.sqrt(v77) * (1.0 / v77) * (v117 * (v136 - factor6_mp * (C6_mp * (v125 + v138) +
+        -v36 * (v140 - v121))) + s3_mp * (v146 + factor6_mp * (C6_mp * v142 + -v36 * v144))),
+        factor6_mp * (-v36 * (v127 + v134) - C6_mp * (v123 - v132)) - v130)
     )
     angle1__________________ = (
-        _atan2(1.0 / math.sqrt(v79) * (v119 * (v137 + (c6_mm * (v139 - v126) - v45 * (v122 + v141)))
-        + s3_mm * (c6_mm * v143 - v45 * v145 - v147)), -(v131 + (c6_mm * (v124 + v133) + v45 * (v128
-        - v135))))
+        _atan2(math.sqrt(v78) * (1.0 / v78) * (v118 * (v136 + factor6_mm * (C6_mm * (v138 - v125) -
+        v37 * (v121 + v140))) + s3_mm * (factor6_mm * (C6_mm * v142 - v37 * v144) - v146)), -(v130 +
+        factor6_mm * (v37 * (v127 - v134) + C6_mm * (v123 + v132))))
     )
 
     # joint values
-    v148 = q4__p + (m4 if q4__p <= -half_turn else 0.0)
-    v149 = (m4 if -v10 <= -half_turn else 0.0) - v10
+    v147 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
+    v148 = (m10 if -v10 <= -half_turn else 0.0) - v10
+    v149 = v147 < low4 or high4 < v147
     v150 = v148 < low4 or high4 < v148
-    v151 = v149 < low4 or high4 < v149
-    v152 = angle1_ < low5 or high5 < angle1_
-    v153 = q5_pmp < low5 or high5 < q5_pmp
-    v154 = angle1__ < low5 or high5 < angle1__
-    v155 = q5_mmp < low5 or high5 < q5_mmp
-    v156 = angle1___ + (whole_turn if angle1___ < low6 else 0.0)
-    v157 = angle1____ + (whole_turn if angle1____ < low6 else 0.0)
-    v158 = angle1_____ + (whole_turn if angle1_____ < low6 else 0.0)
-    v159 = angle1______ + (whole_turn if angle1______ < low6 else 0.0)
+    v151 = angle1_ < low5 or high5 < angle1_
+    v152 = q5_pmp < low5 or high5 < q5_pmp
+    v153 = angle1__ < low5 or high5 < angle1__
+    v154 = q5_mmp < low5 or high5 < q5_mmp
+    v155 = angle1___ + (whole_turn if angle1___ < low6 else 0.0)
+    v156 = angle1____ + (whole_turn if angle1____ < low6 else 0.0)
+    v157 = angle1_____ + (whole_turn if angle1_____ < low6 else 0.0)
+    v158 = angle1______ + (whole_turn if angle1______ < low6 else 0.0)
+    v159 = v155 < low6 or high6 < v155
     v160 = v156 < low6 or high6 < v156
     v161 = v157 < low6 or high6 < v157
     v162 = v158 < low6 or high6 < v158
-    v163 = v159 < low6 or high6 < v159
-    q6_ppp = angle1___ if v160 else v156
-    q6_pmp = angle1____ if v161 else v157
-    q6_mpp = angle1_____ if v162 else v158
-    q6_mmp = angle1______ if v163 else v159
-    v164 = q_free[0] < low7 or high7 < q_free[0]
-    q4_ppp = v16 + v148
-    q4_mpp = v17 + v149
-    v165 = q_free[0] + (w4 - w4)
-    q7_ppp = v16 + v165
-    q7_mpp = v17 + v165
+    q6_ppp = angle1___ if v159 else v155
+    q6_pmp = angle1____ if v160 else v156
+    q6_mpp = angle1_____ if v161 else v157
+    q6_mmp = angle1______ if v162 else v158
+    v163 = q_free[0] < low7 or high7 < q_free[0]
+    q4_ppp = v20 + v147
+    q4_mpp = v21 + v148
+    v164 = q_free[0] + (w4 - w4)
+    q7_ppp = v20 + v164
+    q7_mpp = v21 + v164
     outside_ppp = (
-        v164 or (v160 or (v152 or (v150 or (angle1___________ < low3 or high3 < angle1___________ or
+        v163 or (v159 or (v151 or (v149 or (angle1___________ < low3 or high3 < angle1___________ or
         (angle1_______ < low1 or high1 < angle1_______ or (angle1_______________ < low2 or high2 <
         angle1_______________))))))
     )
     outside_ppm = (
-        v164 or (v160 or (v152 or (v150 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm < low1 or
+        v163 or (v159 or (v151 or (v149 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm < low1 or
         high1 < q1_ppm or (-angle1_______________ < low2 or high2 < -angle1_______________))))))
     )
     outside_pmp = (
-        v164 or (v161 or (v153 or (v150 or (angle1____________ < low3 or high3 < angle1____________
+        v163 or (v160 or (v152 or (v149 or (angle1____________ < low3 or high3 < angle1____________
         or (angle1________ < low1 or high1 < angle1________ or (angle1________________ < low2 or
         high2 < angle1________________))))))
     )
     outside_pmm = (
-        v164 or (v161 or (v153 or (v150 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm < low1 or
+        v163 or (v160 or (v152 or (v149 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm < low1 or
         high1 < q1_pmm or (-angle1________________ < low2 or high2 < -angle1________________))))))
     )
     outside_mpp = (
-        v164 or (v162 or (v154 or (v151 or (angle1_____________ < low3 or high3 <
+        v163 or (v161 or (v153 or (v150 or (angle1_____________ < low3 or high3 <
         angle1_____________ or (angle1_________ < low1 or high1 < angle1_________ or
         (angle1_________________ < low2 or high2 < angle1_________________))))))
     )
     outside_mpm = (
-        v164 or (v162 or (v154 or (v151 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm < low1 or
+        v163 or (v161 or (v153 or (v150 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm < low1 or
         high1 < q1_mpm or (-angle1_________________ < low2 or high2 < -angle1_________________))))))
     )
     outside_mmp = (
-        v164 or (v163 or (v155 or (v151 or (angle1______________ < low3 or high3 <
+        v163 or (v162 or (v154 or (v150 or (angle1______________ < low3 or high3 <
         angle1______________ or (angle1__________ < low1 or high1 < angle1__________ or
         (angle1__________________ < low2 or high2 < angle1__________________))))))
     )
     outside_mmm = (
-        v164 or (v163 or (v155 or (v151 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm < low1 or
+        v163 or (v162 or (v154 or (v150 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm < low1 or
         high1 < q1_mmm or (-angle1__________________ < low2 or high2 <
         -angle1__________________))))))
     )
-    doubt = (
-        v41 <= m2 or v79 <= m3 or (v40 <= m2 or v78 <= m3 or (v39 <= m2 or v77 <= m3 or (v38 <= m2
-        or v76 <= m3 or (free5_m or -(reach_slack1 * (reach_slack1 + v14)) <= D5_m and (free5_m or
-        not (v15 < D5_m)) or (-(reach_slack2 * (reach_slack2 + v4)) <= D4 and not (merge_slack2 *
-        (merge_slack2 + v4) < D4) or (free5_p or -(reach_slack1 * (reach_slack1 + v14)) <= D5_p and
-        (free5_p or not (v15 < D5_p))))))))
+    doubt1 = (
+        v78 <= m9 or (v45 <= m8 or (v77 <= m9 or (v44 <= m8 or (v76 <= m9 or (v43 <= m8 or (v75 <=
+        m9 or (v42 <= m8 or (-(reach_slack1 * (reach_slack1 + v18)) <= D5_m and (free5_m or not (v19
+        < D5_m)) or (free5_m or (-(reach_slack1 * (reach_slack1 + v18)) <= D5_p and (free5_p or not
+        (v19 < D5_p)) or (-(reach_slack2 * (reach_slack2 + v4)) <= D4 and not (merge_slack2 *
+        (merge_slack2 + v4) < D4) or free5_p)))))))))))
     )
     # a joint is free, or branches meet
-    if doubt:
+    if doubt1:
         return False
     q[0, 0] = angle1_______
     q[0, 1] = angle1_______________
@@ -1231,21 +1233,21 @@ def _in_tiles(T, q_free, q, status):
             w2x = v1 * T11 + v2 * T21 + v3 * T31
             w2y = v1 * T12 + v2 * T22 + v3 * T32
             w2z = T13 * v1 + T23 * v2 + T33 * v3
-            v81 = d5 * T23
-            v82 = a4 * T23
-            v93 = d5 * T13
-            v94 = a4 * T13
-            v164 = given1 < low7 or high7 < given1
+            v80 = d5 * T23
+            v81 = a4 * T23
+            v92 = d5 * T13
+            v93 = a4 * T13
+            v163 = given1 < low7 or high7 < given1
             work[576 + k] = v1
             work[608 + k] = v2
             work[640 + k] = w2x
             work[672 + k] = w2y
             work[704 + k] = w2z
-            work[736 + k] = v81
-            work[768 + k] = v82
-            work[800 + k] = v93
-            work[832 + k] = v94
-            work[864 + k] = v164
+            work[736 + k] = v80
+            work[768 + k] = v81
+            work[800 + k] = v92
+            work[832 + k] = v93
+            work[864 + k] = v163
             work[896 + k] = given1
             work[928 + k] = given1
         for k in range(896, 928):
@@ -1268,10 +1270,10 @@ def _in_tiles(T, q_free, q, status):
             w2x = work[640 + k]
             w2y = work[672 + k]
             w2z = work[704 + k]
-            v81 = work[736 + k]
-            v82 = work[768 + k]
-            v93 = work[800 + k]
-            v94 = work[832 + k]
+            v80 = work[736 + k]
+            v81 = work[768 + k]
+            v92 = work[800 + k]
+            v93 = work[832 + k]
             s7 = work[896 + k]
             c7 = work[928 + k]
             Z4 = (
@@ -1281,77 +1283,73 @@ def _in_tiles(T, q_free, q, status):
             D4 = k4 - Z4 * Z4
             v4 = 2.0 * abs(Z4)
             w4 = math.sqrt(D4)
-            v5 = k1 * Z4
-            v6 = k2 * Z4
-            v7 = k1 * w4
-            c4_p = k5 * (v6 + v7)
-            c4_m = k5 * (v6 - v7)
-            v8 = k2 * w4
-            s4_p = k5 * (v8 - v5)
-            v9 = k5 * (v5 + v8)
+            v5 = m2 * Z4
+            v6 = m1 * w4
+            c4_p = v5 + v6
+            c4_m = v5 - v6
+            v7 = m1 * Z4
+            v8 = m2 * w4
+            s4_p = v8 - v7
+            v9 = v7 + v8
             v11 = a3 * c4_p + d3 * s4_p - a4
             v12 = a3 * c4_m - d3 * v9 - a4
+            v13 = m4 + m5 * Z4
             Z5 = c7 * w2y + s7 * w2x
-            N5_p = -v11 * -v11
-            N5_m = -v12 * -v12
-            v13 = Z5 * Z5
-            D5_p = N5_p - v13
-            D5_m = N5_m - v13
+            v14 = m3 * w4
+            v15 = v13 - v14
+            v16 = v13 + v14
+            N5_p = v15 * v15
+            N5_m = v16 * v16
+            v17 = Z5 * Z5
+            D5_p = N5_p - v17
+            D5_m = N5_m - v17
             free5_p = N5_p <= free_limit_squared2
             free5_m = N5_m <= free_limit_squared2
-            v14 = 2.0 * abs(Z5)
-            v15 = merge_slack1 * (merge_slack1 + v14)
+            v18 = 2.0 * abs(Z5)
+            v19 = merge_slack1 * (merge_slack1 + v18)
             w5_p = math.sqrt(D5_p)
             w5_m = math.sqrt(D5_m)
-            v16 = w5_p - w5_p
-            v17 = w5_m - w5_m
+            v20 = w5_p - w5_p
+            v21 = w5_m - w5_m
             inverse5_p = 1.0 / N5_p
             inverse5_m = 1.0 / N5_m
-            v18 = -v11 * w5_p
-            v19 = -v12 * w5_m
-            v20 = inverse5_p * v18
-            v21 = inverse5_m * v19
-            v22 = Z5 * -v11
-            v23 = Z5 * -v12
-            s5_p = inverse5_p * v22
-            s5_m = inverse5_m * v23
-            v24 = v11 * v20
-            v25 = v12 * v21
-            Y1_6_p = d5 + (d3 * c4_p - a3 * s4_p)
-            Y1_6_m = d5 + (d3 * c4_m + a3 * v9)
+            v22 = v15 * w5_p
+            v23 = v16 * w5_m
+            v24 = inverse5_p * v22
+            v25 = inverse5_m * v23
+            v26 = Z5 * v15
+            v27 = Z5 * v16
+            s5_p = inverse5_p * v26
+            s5_m = inverse5_m * v27
+            v28 = m7 + m3 * Z4
+            v29 = m5 * w4
+            Y1_6_p = v28 + v29
+            Y1_6_m = v28 - v29
             Z2_6 = a6 + (c7 * w2x - s7 * w2y)
-            v26 = Y1_6_p * Z2_6
-            v27 = Y1_6_m * Z2_6
-            v28 = w2z * v24
-            v29 = w2z * v25
-            v30 = v26 - v28
-            v31 = v26 + v28
-            v32 = v27 - v29
-            v33 = v27 + v29
-            v34 = w2z * Y1_6_p
-            v35 = w2z * Y1_6_m
-            v36 = v24 * Z2_6
-            v37 = v25 * Z2_6
-            C6_pp = v34 + v36
-            C6_pm = v34 - v36
-            C6_mp = v35 + v37
-            C6_mm = v35 - v37
-            v38 = v30 * v30 + C6_pp * C6_pp
-            v39 = v31 * v31 + C6_pm * C6_pm
-            v40 = v32 * v32 + C6_mp * C6_mp
-            v41 = v33 * v33 + C6_mm * C6_mm
-            factor6_pp = 1.0 / math.sqrt(v38)
-            factor6_pm = 1.0 / math.sqrt(v39)
-            factor6_mp = 1.0 / math.sqrt(v40)
-            factor6_mm = 1.0 / math.sqrt(v41)
-            c6_pp = C6_pp * factor6_pp
-            c6_pm = C6_pm * factor6_pm
-            c6_mp = C6_mp * factor6_mp
-            c6_mm = C6_mm * factor6_mm
-            v42 = v30 * factor6_pp
-            v43 = v31 * factor6_pm
-            v44 = v32 * factor6_mp
-            v45 = v33 * factor6_mm
+            v30 = Y1_6_p * Z2_6
+            v31 = Y1_6_m * Z2_6
+            v32 = w5_p * (inverse5_p * (v11 * (w2z * v15)))
+            v33 = v30 - v32
+            v34 = v30 + v32
+            v35 = w5_m * (inverse5_m * (v12 * (w2z * v16)))
+            v36 = v31 - v35
+            v37 = v31 + v35
+            v38 = w2z * Y1_6_p
+            v39 = w2z * Y1_6_m
+            v40 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6)))
+            C6_pp = v38 + v40
+            C6_pm = v38 - v40
+            v41 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6)))
+            C6_mp = v39 + v41
+            C6_mm = v39 - v41
+            v42 = v33 * v33 + C6_pp * C6_pp
+            v43 = v34 * v34 + C6_pm * C6_pm
+            v44 = v36 * v36 + C6_mp * C6_mp
+            v45 = v37 * v37 + C6_mm * C6_mm
+            factor6_pp = math.sqrt(v42) * (1.0 / v42)
+            factor6_pm = math.sqrt(v43) * (1.0 / v43)
+            factor6_mp = math.sqrt(v44) * (1.0 / v44)
+            factor6_mm = math.sqrt(v45) * (1.0 / v45)
             v46 = c7 * T11 - s7 * T12
             v47 = T13 * c4_p
             v48 = T13 * c4_m
@@ -1360,220 +1358,220 @@ def _in_tiles(T, q_free, q, status):
             v51 = c7 * T12 + s7 * T11
             v52 = s5_p * (s4_p * v51)
             v53 = s5_m * (v9 * v51)
-            v54 = v20 * (s4_p * v46)
-            v55 = v21 * (v9 * v46)
-            v56 = v20 * (T13 * s4_p)
-            v57 = v21 * (T13 * v9)
-            X1_pp = v52 - (c6_pp * (v47 + v54) + v42 * (v49 - v56))
-            X1_pm = v52 - (c6_pm * (v47 - v54) + v43 * (v49 + v56))
-            v58 = v53 + (c6_mp * (v48 - v55) + v44 * (v50 + v57))
-            v59 = v53 + (c6_mm * (v48 + v55) + v45 * (v50 - v57))
-            v60 = c7 * T21 - s7 * T22
-            v61 = T23 * c4_p
-            v62 = T23 * c4_m
-            v63 = c4_p * v60
-            v64 = c4_m * v60
-            v65 = c7 * T22 + s7 * T21
-            v66 = s5_p * (s4_p * v65)
-            v67 = s5_m * (v9 * v65)
-            v68 = v20 * (s4_p * v60)
-            v69 = v21 * (v9 * v60)
-            v70 = v20 * (T23 * s4_p)
-            v71 = v21 * (T23 * v9)
-            v72 = v66 - (c6_pp * (v61 + v68) + v42 * (v63 - v70))
-            v73 = v66 - (c6_pm * (v61 - v68) + v43 * (v63 + v70))
-            v74 = v67 + (c6_mp * (v62 - v69) + v44 * (v64 + v71))
-            v75 = v67 + (c6_mm * (v62 + v69) + v45 * (v64 - v71))
-            v76 = X1_pp * X1_pp + v72 * v72
-            v77 = X1_pm * X1_pm + v73 * v73
+            v54 = v24 * (s4_p * v46)
+            v55 = v25 * (v9 * v46)
+            v56 = v24 * (T13 * s4_p)
+            v57 = v25 * (T13 * v9)
+            X1_pp = v52 + factor6_pp * (-v33 * (v49 - v56) - C6_pp * (v47 + v54))
+            X1_pm = v52 - factor6_pm * (v34 * (v49 + v56) + C6_pm * (v47 - v54))
+            X1_mp = factor6_mp * (-v36 * (v50 + v57) - C6_mp * (v48 - v55)) - v53
+            v58 = v53 + factor6_mm * (v37 * (v50 - v57) + C6_mm * (v48 + v55))
+            v59 = c7 * T21 - s7 * T22
+            v60 = T23 * c4_p
+            v61 = T23 * c4_m
+            v62 = c4_p * v59
+            v63 = c4_m * v59
+            v64 = c7 * T22 + s7 * T21
+            v65 = s5_p * (s4_p * v64)
+            v66 = s5_m * (v9 * v64)
+            v67 = v24 * (s4_p * v59)
+            v68 = v25 * (v9 * v59)
+            v69 = v24 * (T23 * s4_p)
+            v70 = v25 * (T23 * v9)
+            v71 = v65 + factor6_pp * (-v33 * (v62 - v69) - C6_pp * (v60 + v67))
+            v72 = v65 - factor6_pm * (v34 * (v62 + v69) + C6_pm * (v60 - v67))
+            v73 = factor6_mp * (-v36 * (v63 + v70) - C6_mp * (v61 - v68)) - v66
+            v74 = v66 + factor6_mm * (v37 * (v63 - v70) + C6_mm * (v61 + v68))
+            v75 = X1_pp * X1_pp + v71 * v71
+            v76 = X1_pm * X1_pm + v72 * v72
+            v77 = X1_mp * X1_mp + v73 * v73
             v78 = v58 * v58 + v74 * v74
-            v79 = v59 * v59 + v75 * v75
-            v80 = a4 * v60
-            v83 = d5 * v60
-            v84 = a4 * v65
-            v85 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
-            v86 = s5_p * v84 - v85
-            v87 = s5_m * v84 - v85
-            v88 = v20 * v80
-            v89 = v21 * v80
-            v90 = v20 * v82
-            v91 = v21 * v82
-            v92 = a4 * v46
-            v95 = d5 * v46
-            v96 = a4 * v51
-            v97 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
-            v98 = s5_p * v96 - v97
-            v99 = s5_m * v96 - v97
-            v100 = v20 * v92
-            v101 = v21 * v92
-            v102 = v20 * v94
-            v103 = v21 * v94
-            v104 = s5_p * v60
-            v105 = s5_m * v60
-            v106 = T23 * s5_p
-            v107 = T23 * s5_m
-            v108 = v20 * v65
-            v109 = v21 * v65
-            v110 = s5_p * v46
-            v111 = s5_m * v46
-            v112 = T13 * s5_p
-            v113 = T13 * s5_m
-            v114 = v20 * v51
-            v115 = v21 * v51
+            v79 = a4 * v59
+            v82 = d5 * v59
+            v83 = a4 * v64
+            v84 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
+            v85 = s5_p * v83 - v84
+            v86 = s5_m * v83 - v84
+            v87 = v24 * v79
+            v88 = v25 * v79
+            v89 = v24 * v81
+            v90 = v25 * v81
+            v91 = a4 * v46
+            v94 = d5 * v46
+            v95 = a4 * v51
+            v96 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
+            v97 = s5_p * v95 - v96
+            v98 = s5_m * v95 - v96
+            v99 = v24 * v91
+            v100 = v25 * v91
+            v101 = v24 * v93
+            v102 = v25 * v93
+            v103 = s5_p * v59
+            v104 = s5_m * v59
+            v105 = T23 * s5_p
+            v106 = T23 * s5_m
+            v107 = v24 * v64
+            v108 = v25 * v64
+            v109 = s5_p * v46
+            v110 = s5_m * v46
+            v111 = T13 * s5_p
+            v112 = T13 * s5_m
+            v113 = v24 * v51
+            v114 = v25 * v51
             s3_pp = (
-                (-v72 * (v98 + (c6_pp * (v93 - v100) + v42 * (v95 + v102))) - -X1_pp * (v86 + (c6_pp
-                * (v81 - v88) + v42 * (v83 + v90)))) / -a3
+                (X1_pp * (v85 + factor6_pp * (C6_pp * (v80 - v87) - -v33 * (v82 + v89))) - v71 *
+                (v97 + factor6_pp * (C6_pp * (v92 - v99) - -v33 * (v94 + v101)))) / -a3
             )
             s3_pm = (
-                (-v73 * (v98 + (c6_pm * (v93 + v100) + v43 * (v95 - v102))) - -X1_pm * (v86 + (c6_pm
-                * (v81 + v88) + v43 * (v83 - v90)))) / -a3
+                (X1_pm * (v85 + factor6_pm * (C6_pm * (v80 + v87) + v34 * (v82 - v89))) - v72 * (v97
+                + factor6_pm * (C6_pm * (v92 + v99) + v34 * (v94 - v101)))) / -a3
             )
             s3_mp = (
-                (v74 * (v99 + (c6_mp * (v93 - v101) + v44 * (v95 + v103))) - v58 * (v87 + (c6_mp *
-                (v81 - v89) + v44 * (v83 + v91)))) / -a3
+                (X1_mp * (v86 + factor6_mp * (C6_mp * (v80 - v88) - -v36 * (v82 + v90))) - v73 *
+                (v98 + factor6_mp * (C6_mp * (v92 - v100) - -v36 * (v94 + v102)))) / -a3
             )
             s3_mm = (
-                (v75 * (v99 + (c6_mm * (v93 + v101) + v45 * (v95 - v103))) - v59 * (v87 + (c6_mm *
-                (v81 + v89) + v45 * (v83 - v91)))) / -a3
+                (v74 * (v98 + factor6_mm * (C6_mm * (v92 + v100) + v37 * (v94 - v102))) - v58 * (v86
+                + factor6_mm * (C6_mm * (v80 + v88) + v37 * (v82 - v90)))) / -a3
+            )
+            v115 = (
+                a3 * (v71 * (v113 + factor6_pp * (C6_pp * v109 + -v33 * v111)) - X1_pp * (v107 +
+                factor6_pp * (C6_pp * v103 + -v33 * v105))) / -a3
             )
             v116 = (
-                a3 * (-X1_pp * (v108 + (c6_pp * v104 - v42 * v106)) - -v72 * (v114 + (c6_pp * v110 -
-                v42 * v112))) / -a3
+                a3 * (v72 * (factor6_pm * (C6_pm * v109 - v34 * v111) - v113) - X1_pm * (factor6_pm
+                * (C6_pm * v103 - v34 * v105) - v107)) / -a3
             )
             v117 = (
-                a3 * (-X1_pm * (c6_pm * v104 - v43 * v106 - v108) - -v73 * (c6_pm * v110 - v43 *
-                v112 - v114)) / -a3
+                a3 * (v73 * (v114 + factor6_mp * (C6_mp * v110 + -v36 * v112)) - X1_mp * (v108 +
+                factor6_mp * (C6_mp * v104 + -v36 * v106))) / -a3
             )
             v118 = (
-                a3 * (v58 * (v109 + (c6_mp * v105 - v44 * v107)) - v74 * (v115 + (c6_mp * v111 - v44
-                * v113))) / -a3
+                a3 * (v58 * (factor6_mm * (C6_mm * v104 - v37 * v106) - v108) - v74 * (factor6_mm *
+                (C6_mm * v110 - v37 * v112) - v114)) / -a3
             )
-            v119 = (
-                a3 * (v59 * (c6_mm * v105 - v45 * v107 - v109) - v75 * (c6_mm * v111 - v45 * v113 -
-                v115)) / -a3
+            v119 = c7 * T31 - s7 * T32
+            v120 = s4_p * v119
+            v121 = v9 * v119
+            v122 = T33 * c4_p
+            v123 = T33 * c4_m
+            v124 = T33 * s4_p
+            v125 = T33 * v9
+            v126 = c4_p * v119
+            v127 = c4_m * v119
+            v128 = c7 * T32 + s7 * T31
+            v129 = s5_p * (s4_p * v128)
+            v130 = s5_m * (v9 * v128)
+            v131 = v24 * v120
+            v132 = v25 * v121
+            v133 = v24 * v124
+            v134 = v25 * v125
+            v135 = s5_p * (c4_p * v128)
+            v136 = s5_m * (c4_m * v128)
+            v137 = v24 * v126
+            v138 = v25 * v127
+            v139 = v24 * v122
+            v140 = v25 * v123
+            v141 = s5_p * v119
+            v142 = s5_m * v119
+            v143 = T33 * s5_p
+            v144 = T33 * s5_m
+            v145 = v24 * v128
+            v146 = v25 * v128
+            v164 = given1 + (w4 - w4)
+            q7_ppp = v20 + v164
+            q7_mpp = v21 + v164
+            doubt1 = (
+                v78 <= m9 or (v45 <= m8 or (v77 <= m9 or (v44 <= m8 or (v76 <= m9 or (v43 <= m8 or
+                (v75 <= m9 or (v42 <= m8 or (-(reach_slack1 * (reach_slack1 + v18)) <= D5_m and
+                (free5_m or not (v19 < D5_m)) or (free5_m or (-(reach_slack1 * (reach_slack1 + v18))
+                <= D5_p and (free5_p or not (v19 < D5_p)) or (-(reach_slack2 * (reach_slack2 + v4))
+                <= D4 and not (merge_slack2 * (merge_slack2 + v4) < D4) or free5_p)))))))))))
             )
-            v120 = c7 * T31 - s7 * T32
-            v121 = s4_p * v120
-            v122 = v9 * v120
-            v123 = T33 * c4_p
-            v124 = T33 * c4_m
-            v125 = T33 * s4_p
-            v126 = T33 * v9
-            v127 = c4_p * v120
-            v128 = c4_m * v120
-            v129 = c7 * T32 + s7 * T31
-            v130 = s5_p * (s4_p * v129)
-            v131 = s5_m * (v9 * v129)
-            v132 = v20 * v121
-            v133 = v21 * v122
-            v134 = v20 * v125
-            v135 = v21 * v126
-            v136 = s5_p * (c4_p * v129)
-            v137 = s5_m * (c4_m * v129)
-            v138 = v20 * v127
-            v139 = v21 * v128
-            v140 = v20 * v123
-            v141 = v21 * v124
-            v142 = s5_p * v120
-            v143 = s5_m * v120
-            v144 = T33 * s5_p
-            v145 = T33 * s5_m
-            v146 = v20 * v129
-            v147 = v21 * v129
-            v165 = given1 + (w4 - w4)
-            q7_ppp = v16 + v165
-            q7_mpp = v17 + v165
-            doubt = (
-                v41 <= m2 or v79 <= m3 or (v40 <= m2 or v78 <= m3 or (v39 <= m2 or v77 <= m3 or (v38
-                <= m2 or v76 <= m3 or (free5_m or -(reach_slack1 * (reach_slack1 + v14)) <= D5_m and
-                (free5_m or not (v15 < D5_m)) or (-(reach_slack2 * (reach_slack2 + v4)) <= D4 and
-                not (merge_slack2 * (merge_slack2 + v4) < D4) or (free5_p or -(reach_slack1 *
-                (reach_slack1 + v14)) <= D5_p and (free5_p or not (v15 < D5_p))))))))
-            )
-            work[960 + k] = v16
-            work[992 + k] = v17
-            work[1024 + k] = v22
-            work[1056 + k] = v23
-            work[1088 + k] = v72
-            work[1120 + k] = v73
-            work[1152 + k] = v74
-            work[1184 + k] = v75
+            work[960 + k] = v20
+            work[992 + k] = v21
+            work[1024 + k] = v26
+            work[1056 + k] = v27
+            work[1088 + k] = v71
+            work[1120 + k] = v72
+            work[1152 + k] = v73
+            work[1184 + k] = v74
             work[1216 + k] = s3_pp
             work[1248 + k] = s3_pm
             work[1280 + k] = s3_mp
             work[1312 + k] = s3_mm
             work[1344 + k] = q7_ppp
             work[1376 + k] = q7_mpp
-            work[1408 + k] = doubt
+            work[1408 + k] = doubt1
             work[1440 + k] = w4
-            work[1472 + k] = v22
-            work[1504 + k] = v23
-            work[1536 + k] = -v30
-            work[1568 + k] = -v31
-            work[1600 + k] = -v32
-            work[1632 + k] = -v33
-            work[1664 + k] = -v72
-            work[1696 + k] = -v73
-            work[1728 + k] = v74
-            work[1760 + k] = v75
+            work[1472 + k] = v26
+            work[1504 + k] = v27
+            work[1536 + k] = -v33
+            work[1568 + k] = -v34
+            work[1600 + k] = -v36
+            work[1632 + k] = -v37
+            work[1664 + k] = -v71
+            work[1696 + k] = -v72
+            work[1728 + k] = -v73
+            work[1760 + k] = v74
             work[1792 + k] = s3_pp
             work[1824 + k] = s3_pm
             work[1856 + k] = s3_mp
             work[1888 + k] = s3_mm
             work[1920 + k] = (
-                1.0 / math.sqrt(v76) * (v116 * (v136 + (c6_pp * (v125 - v138) + v42 * (v121 +
-                v140))) + s3_pp * (v146 + (c6_pp * v142 - v42 * v144)))
+                math.sqrt(v75) * (1.0 / v75) * (v115 * (v135 + factor6_pp * (C6_pp * (v124 - v137) -
+                -v33 * (v120 + v139))) + s3_pp * (v145 + factor6_pp * (C6_pp * v141 + -v33 * v143)))
             )
             work[1952 + k] = (
-                1.0 / math.sqrt(v77) * (v117 * (v136 + (c6_pm * (v125 + v138) + v43 * (v121 -
-                v140))) + s3_pm * (c6_pm * v142 - v43 * v144 - v146))
+                math.sqrt(v76) * (1.0 / v76) * (v116 * (v135 + factor6_pm * (C6_pm * (v124 + v137) +
+                v34 * (v120 - v139))) + s3_pm * (factor6_pm * (C6_pm * v141 - v34 * v143) - v145))
             )
             work[1984 + k] = (
-                1.0 / math.sqrt(v78) * (v118 * (v137 + (v44 * (v141 - v122) - c6_mp * (v126 +
-                v139))) + s3_mp * (v147 + (c6_mp * v143 - v44 * v145)))
+                math.sqrt(v77) * (1.0 / v77) * (v117 * (v136 - factor6_mp * (C6_mp * (v125 + v138) +
+                -v36 * (v140 - v121))) + s3_mp * (v146 + factor6_mp * (C6_mp * v142 + -v36 * v144)))
             )
             work[2016 + k] = (
-                1.0 / math.sqrt(v79) * (v119 * (v137 + (c6_mm * (v139 - v126) - v45 * (v122 +
-                v141))) + s3_mm * (c6_mm * v143 - v45 * v145 - v147))
+                math.sqrt(v78) * (1.0 / v78) * (v118 * (v136 + factor6_mm * (C6_mm * (v138 - v125) -
+                v37 * (v121 + v140))) + s3_mm * (factor6_mm * (C6_mm * v142 - v37 * v144) - v146))
             )
             work[2048 + k] = Z4
-            work[2080 + k] = -v18
-            work[2112 + k] = -v19
+            work[2080 + k] = -v22
+            work[2112 + k] = -v23
             work[2144 + k] = C6_pp
             work[2176 + k] = C6_pm
             work[2208 + k] = C6_mp
             work[2240 + k] = C6_mm
             work[2272 + k] = -X1_pp
             work[2304 + k] = -X1_pm
-            work[2336 + k] = v58
-            work[2368 + k] = v59
-            work[2400 + k] = -v116
-            work[2432 + k] = -v117
-            work[2464 + k] = -v118
-            work[2496 + k] = -v119
-            work[2528 + k] = v130 - (c6_pp * (v123 + v132) + v42 * (v127 - v134))
-            work[2560 + k] = v130 - (c6_pm * (v123 - v132) + v43 * (v127 + v134))
-            work[2592 + k] = -(v131 + (c6_mp * (v124 - v133) + v44 * (v128 + v135)))
-            work[2624 + k] = -(v131 + (c6_mm * (v124 + v133) + v45 * (v128 - v135)))
+            work[2336 + k] = -X1_mp
+            work[2368 + k] = v58
+            work[2400 + k] = -v115
+            work[2432 + k] = -v116
+            work[2464 + k] = -v117
+            work[2496 + k] = -v118
+            work[2528 + k] = v129 + factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 + v131))
+            work[2560 + k] = v129 - factor6_pm * (v34 * (v126 + v133) + C6_pm * (v122 - v131))
+            work[2592 + k] = factor6_mp * (-v36 * (v127 + v134) - C6_mp * (v123 - v132)) - v130
+            work[2624 + k] = -(v130 + factor6_mm * (v37 * (v127 - v134) + C6_mm * (v123 + v132)))
         for k in range(1440, 2048):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v164 = work[864 + k] != 0.0
-            v16 = work[960 + k]
-            v17 = work[992 + k]
-            v22 = work[1024 + k]
-            v23 = work[1056 + k]
-            v72 = work[1088 + k]
-            v73 = work[1120 + k]
-            v74 = work[1152 + k]
-            v75 = work[1184 + k]
+            v163 = work[864 + k] != 0.0
+            v20 = work[960 + k]
+            v21 = work[992 + k]
+            v26 = work[1024 + k]
+            v27 = work[1056 + k]
+            v71 = work[1088 + k]
+            v72 = work[1120 + k]
+            v73 = work[1152 + k]
+            v74 = work[1184 + k]
             s3_pp = work[1216 + k]
             s3_pm = work[1248 + k]
             s3_mp = work[1280 + k]
             s3_mm = work[1312 + k]
             q7_ppp = work[1344 + k]
             q7_mpp = work[1376 + k]
-            doubt = work[1408 + k] != 0.0
+            doubt1 = work[1408 + k] != 0.0
             angle1 = work[1440 + k]
             angle1_ = work[1472 + k]
             angle1__ = work[1504 + k]
@@ -1595,75 +1593,75 @@ def _in_tiles(T, q_free, q, status):
             angle1__________________ = work[2016 + k]
             q4__p = angle1 - turn1
             v10 = turn1 + angle1
-            q5_pmp = math.copysign(half_turn, v22) * h1 - angle1_
-            q5_mmp = math.copysign(half_turn, v23) * h1 - angle1__
-            q1_ppm = angle1_______ - h1 * math.copysign(half_turn, -v72)
-            q1_pmm = angle1________ - h1 * math.copysign(half_turn, -v73)
-            q1_mpm = angle1_________ - h1 * math.copysign(half_turn, v74)
-            q1_mmm = angle1__________ - h1 * math.copysign(half_turn, v75)
+            q5_pmp = math.copysign(half_turn, v26) * h1 - angle1_
+            q5_mmp = math.copysign(half_turn, v27) * h1 - angle1__
+            q1_ppm = angle1_______ - h1 * math.copysign(half_turn, -v71)
+            q1_pmm = angle1________ - h1 * math.copysign(half_turn, -v72)
+            q1_mpm = angle1_________ - h1 * math.copysign(half_turn, -v73)
+            q1_mmm = angle1__________ - h1 * math.copysign(half_turn, v74)
             q3_ppm = angle1___________ - h1 * math.copysign(half_turn, s3_pp)
             q3_pmm = angle1____________ - h1 * math.copysign(half_turn, s3_pm)
             q3_mpm = angle1_____________ - h1 * math.copysign(half_turn, s3_mp)
             q3_mmm = angle1______________ - h1 * math.copysign(half_turn, s3_mm)
-            v148 = q4__p + (m4 if q4__p <= -half_turn else 0.0)
-            v149 = (m4 if -v10 <= -half_turn else 0.0) - v10
+            v147 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
+            v148 = (m10 if -v10 <= -half_turn else 0.0) - v10
+            v149 = v147 < low4 or high4 < v147
             v150 = v148 < low4 or high4 < v148
-            v151 = v149 < low4 or high4 < v149
-            v152 = angle1_ < low5 or high5 < angle1_
-            v153 = q5_pmp < low5 or high5 < q5_pmp
-            v154 = angle1__ < low5 or high5 < angle1__
-            v155 = q5_mmp < low5 or high5 < q5_mmp
-            v156 = angle1___ + (whole_turn if angle1___ < low6 else 0.0)
-            v157 = angle1____ + (whole_turn if angle1____ < low6 else 0.0)
-            v158 = angle1_____ + (whole_turn if angle1_____ < low6 else 0.0)
-            v159 = angle1______ + (whole_turn if angle1______ < low6 else 0.0)
+            v151 = angle1_ < low5 or high5 < angle1_
+            v152 = q5_pmp < low5 or high5 < q5_pmp
+            v153 = angle1__ < low5 or high5 < angle1__
+            v154 = q5_mmp < low5 or high5 < q5_mmp
+            v155 = angle1___ + (whole_turn if angle1___ < low6 else 0.0)
+            v156 = angle1____ + (whole_turn if angle1____ < low6 else 0.0)
+            v157 = angle1_____ + (whole_turn if angle1_____ < low6 else 0.0)
+            v158 = angle1______ + (whole_turn if angle1______ < low6 else 0.0)
+            v159 = v155 < low6 or high6 < v155
             v160 = v156 < low6 or high6 < v156
             v161 = v157 < low6 or high6 < v157
             v162 = v158 < low6 or high6 < v158
-            v163 = v159 < low6 or high6 < v159
-            q6_ppp = angle1___ if v160 else v156
-            q6_pmp = angle1____ if v161 else v157
-            q6_mpp = angle1_____ if v162 else v158
-            q6_mmp = angle1______ if v163 else v159
-            q4_ppp = v16 + v148
-            q4_mpp = v17 + v149
+            q6_ppp = angle1___ if v159 else v155
+            q6_pmp = angle1____ if v160 else v156
+            q6_mpp = angle1_____ if v161 else v157
+            q6_mmp = angle1______ if v162 else v158
+            q4_ppp = v20 + v147
+            q4_mpp = v21 + v148
             outside_ppp = (
-                v164 or (v160 or (v152 or (v150 or (angle1___________ < low3 or high3 <
+                v163 or (v159 or (v151 or (v149 or (angle1___________ < low3 or high3 <
                 angle1___________ or (angle1_______ < low1 or high1 < angle1_______ or
                 (angle1_______________ < low2 or high2 < angle1_______________))))))
             )
             outside_ppm = (
-                v164 or (v160 or (v152 or (v150 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm <
+                v163 or (v159 or (v151 or (v149 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm <
                 low1 or high1 < q1_ppm or (-angle1_______________ < low2 or high2 <
                 -angle1_______________))))))
             )
             outside_pmp = (
-                v164 or (v161 or (v153 or (v150 or (angle1____________ < low3 or high3 <
+                v163 or (v160 or (v152 or (v149 or (angle1____________ < low3 or high3 <
                 angle1____________ or (angle1________ < low1 or high1 < angle1________ or
                 (angle1________________ < low2 or high2 < angle1________________))))))
             )
             outside_pmm = (
-                v164 or (v161 or (v153 or (v150 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm <
+                v163 or (v160 or (v152 or (v149 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm <
                 low1 or high1 < q1_pmm or (-angle1________________ < low2 or high2 <
                 -angle1________________))))))
             )
             outside_mpp = (
-                v164 or (v162 or (v154 or (v151 or (angle1_____________ < low3 or high3 <
+                v163 or (v161 or (v153 or (v150 or (angle1_____________ < low3 or high3 <
                 angle1_____________ or (angle1_________ < low1 or high1 < angle1_________ or
                 (angle1_________________ < low2 or high2 < angle1_________________))))))
             )
             outside_mpm = (
-                v164 or (v162 or (v154 or (v151 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm <
+                v163 or (v161 or (v153 or (v150 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm <
                 low1 or high1 < q1_mpm or (-angle1_________________ < low2 or high2 <
                 -angle1_________________))))))
             )
             outside_mmp = (
-                v164 or (v163 or (v155 or (v151 or (angle1______________ < low3 or high3 <
+                v163 or (v162 or (v154 or (v150 or (angle1______________ < low3 or high3 <
                 angle1______________ or (angle1__________ < low1 or high1 < angle1__________ or
                 (angle1__________________ < low2 or high2 < angle1__________________))))))
             )
             outside_mmm = (
-                v164 or (v163 or (v155 or (v151 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm <
+                v163 or (v162 or (v154 or (v150 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm <
                 low1 or high1 < q1_mmm or (-angle1__________________ < low2 or high2 <
                 -angle1__________________))))))
             )
@@ -1763,7 +1761,7 @@ def _in_tiles(T, q_free, q, status):
             work[4032 + k] = (
                 UNREACHABLE if _3712 != _3712 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[544 + k] = 1.0 if doubt else work[544 + k]
+            work[544 + k] = 1.0 if doubt1 else work[544 + k]
         for k in range(count):
             if work[544 + k] != 0.0:
                 status[first + k, 0] = _LEFT_OVER

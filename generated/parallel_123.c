@@ -10,6 +10,12 @@
 
 static const double turn = 6.283185307179586;
 
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
 static double horner(const double p[5], double t)
 {
     return (((p[4] * t + p[3]) * t + p[2]) * t + p[1]) * t + p[0];
@@ -176,12 +182,6 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void parallel_123_fk(const double q[6], double T[16])
 {
