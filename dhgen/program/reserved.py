@@ -28,7 +28,7 @@ minimum_double
 
 _PYTHON = """
 BRANCHES DOF FREE_JOINT FREE_JOINTS INVALID_POSE JOINT_LIMITS JOINT_TYPES MAX_SOLUTIONS NAME OK
-OUT_OF_LIMITS UNREACHABLE Unreachable math njit np prange
+OUT_OF_LIMITS UNREACHABLE Unreachable alloca_once carray intrinsic math njit np room types
 """
 
 RESERVED = frozenset(f"{_SOLVER} {_C} {_LANES} {_PYTHON}".split())

@@ -1,4 +1,4 @@
-"""Regular poses in Python: one at a time as straight-line code, many in tiles that vectorise.
+"""Regular poses in Python, many at a time, in tiles that vectorise.
 
 A tile holds the values of many poses side by side, one value after another: `work[place + k]` is a
 value of pose k. Loops over k that hold nothing but arithmetic become vector instructions; sines,
@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 from dhgen.program.ir import Apply, Joint, Let, Pose, Variable
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.dialect import expression_text
-from dhgen.targets.layout import INDENT, WIDTH
+from dhgen.targets.layout import INDENT
 from dhgen.targets.python_language import Python
-from dhgen.targets.scalar import straight_lines
+from dhgen.targets.python_single import assigned, single, status_text
 from dhgen.targets.stages import staged
 
 if TYPE_CHECKING:
@@ -33,41 +33,14 @@ TILE = 32  # poses: eight lanes of the widest vectors, four times
 def regular_values(module: SolverModule, flat: Flat) -> dict[str, object]:
     """What the templates name."""
     tiled = tile(flat, len(module.chain.free))
+    one = single(flat)
     return {
-        "lines": one_pose_lines(flat),
+        "lines": one.lines,
+        "room": one.room,
         "tile": tiled,
         "exact": [line.removeprefix(LOOP) for line in _exact(module)],
         "places": _rows(tiled.places),
     }
-
-
-def one_pose_lines(flat: Flat) -> list[str]:
-    """The statements that fill q and status, or return that this pose is none of theirs."""
-    language = Python()
-    lines = straight_lines(flat.program, language, INDENT)
-    while lines and not lines[0]:
-        lines = lines[1:]
-    if flat.doubt is not None:
-        lines += [f"{INDENT}# a joint is free, or branches meet"]
-        leave = language.leave(expression_text(flat.doubt, language), "", 0, [])
-        lines += [INDENT + line for line in leave[:-1]] + [f"{INDENT * 2}return False"]
-    for row, group in enumerate(flat.groups):
-        for joint, value in enumerate(group):
-            lines += _assigned(f"q[{row}, {joint}]", expression_text(value, language), INDENT)
-        beyond = expression_text(flat.outside[row], language) if flat.outside else ""
-        lines += _assigned(f"status[{row}]", _status(f"q[{row}, 0]", beyond), INDENT)
-    return [*lines, f"{INDENT}return True"]
-
-
-def _status(first: str, beyond: str) -> str:
-    """What a row holds, from its first value and whether one is beyond its limits."""
-    held = f"(OUT_OF_LIMITS if {beyond} else OK)" if beyond else "OK"
-    return f"UNREACHABLE if {first} != {first} else {held}"
-
-
-def _assigned(target: str, value: str, indent: str) -> list[str]:
-    line = f"{indent}{target} = {value}"
-    return [line] if len(line) <= WIDTH else Python().broken(line, indent)
 
 
 class _Lanes(Python):
@@ -172,7 +145,7 @@ class _Tiling:
                 lines.append(f"{LOOP}{name} = work[{self._place(name)} + k]{truth}")
         later = set().union(*self._needed[number + 1 :])
         for let in stage.lets:
-            lines += _assigned(let.name, expression_text(let.expression, self._language), LOOP)
+            lines += assigned(let.name, expression_text(let.expression, self._language), LOOP)
         for let in stage.lets:
             if let.name in later:
                 lines.append(f"{LOOP}work[{self._place(let.name)} + k] = {let.name}")
@@ -192,7 +165,7 @@ class _Tiling:
         for column, taken in enumerate([places, *others]):
             for call, place in zip(calls, taken, strict=True):
                 text = expression_text(call.operands[column], self._language)
-                lines += _assigned(f"work[{place} + k]", text, LOOP)
+                lines += assigned(f"work[{place} + k]", text, LOOP)
         arguments = ["work[k]", *(f"work[k + {taken[0] - places[0]}]" for taken in others)]
         value = f"{self._language.function(operator)}({', '.join(arguments)})"
         return Loop(places[0], places[-1] + TILE, (f"{LOOP}work[k] = {value}",))
@@ -204,7 +177,7 @@ class _Tiling:
         for number, value in enumerate(outputs):
             if value not in places:
                 places[value] = place = self._place(f"q {number}")
-                lines += _assigned(f"_{place}", expression_text(value, self._language), LOOP)
+                lines += assigned(f"_{place}", expression_text(value, self._language), LOOP)
                 lines.append(f"{LOOP}work[{place} + k] = _{place}")
         return [places[value] for value in outputs], lines
 
@@ -216,12 +189,12 @@ class _Tiling:
         lines: list[str] = []
         for row, place in enumerate(kinds):
             beyond = expression_text(rest[row], language) if self._flat.limited else ""
-            kind = _status(f"_{places[row * self._flat.joints]}", beyond)
-            lines += _assigned(f"work[{place} + k]", kind, LOOP)
+            kind = status_text(f"_{places[row * self._flat.joints]}", beyond)
+            lines += assigned(f"work[{place} + k]", kind, LOOP)
         if self._flat.doubt is not None:
             text = expression_text(rest[-1], language)
             place = self._place("left over")
-            lines += _assigned(f"work[{place} + k]", f"1.0 if {text} else work[{place} + k]", LOOP)
+            lines += assigned(f"work[{place} + k]", f"1.0 if {text} else work[{place} + k]", LOOP)
         return kinds, lines
 
 
@@ -277,4 +250,4 @@ def _exact(module: SolverModule) -> list[str]:
     finite = [f"work[{place} + k]" for place in given]
     terms += [f"0.0 * ({' + '.join(finite)})"] if finite else []  # NaN where one is not finite
     exact = f"exact = miss <= {module.precision.tolerances.orthonormal!r}"
-    return [*lines, *_assigned("miss", " + ".join(terms) or "0.0", LOOP), exact]
+    return [*lines, *assigned("miss", " + ".join(terms) or "0.0", LOOP), exact]

@@ -132,7 +132,7 @@ def compiled(name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
 @cache
 def plain_python(name: str) -> Callable[[np.ndarray], Answer]:
     """The Python rendition of an arm, not compiled."""
-    scope: dict[str, Any] = {"math": math, "np": np, "njit": lambda **_: lambda function: function}
+    scope: dict[str, Any] = {"math": math, "np": np, "_inner": lambda function: function}
     exec(python_source(kernel(name), name), scope)  # noqa: S102  it is what the tests are about
     return lambda T: _answer(scope[f"{name}_general"], T)
 
