@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "abb_gofa_5"
 METHOD = "general 6R"
@@ -289,7 +313,7 @@ _NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -m
 _NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
 
 
-@_jit
+@_inner
 def _turn_vector(axis, cosine, vector):
     """The rotation vector of an axis times the sine, and the cosine."""
     sine = math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
@@ -303,7 +327,7 @@ def _turn_vector(axis, cosine, vector):
         vector[i] = scale * axis[i]
 
 
-@_jit
+@_inner
 def _look(T, q, u, e, A):
     """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
     for j in range(6):
@@ -332,7 +356,7 @@ def _look(T, q, u, e, A):
     return math.sqrt(square)
 
 
-@_jit
+@_inner
 def _damped_step(A, e, length, step):
     """The damped least squares step A' (A A' + damping)^-1 e."""
     damping = 0.1 * min(length * length, 1.0) + 1e-13
@@ -359,7 +383,7 @@ def _damped_step(A, e, length, step):
             step[j] += A[i, j] * y[i]
 
 
-@_jit
+@_inner
 def _shorten(step):
     """Makes a step no longer than it may be."""
     longest = 2.0
@@ -369,7 +393,7 @@ def _shorten(step):
         step[j] *= 2.0 / longest
 
 
-@_jit
+@_inner
 def _descend(T, q, u):
     """Takes u to where damped least squares lead; returns by how much that misses the pose."""
     e, A = np.empty(6), np.empty((6, 6))
@@ -390,7 +414,7 @@ def _descend(T, q, u):
     return least
 
 
-@_jit
+@_inner
 def _limited_step(A, e, length, wish, u, low, high, step):
     """A step with a wish; joints that it would take beyond a limit are put there, and locked."""
     fixed, locked = np.zeros(6), np.zeros(6, np.uint8)
@@ -418,7 +442,7 @@ def _limited_step(A, e, length, wish, u, low, high, step):
                     A[i, j] = 0.0
 
 
-@_jit
+@_inner
 def _pulled(T, q, u, near, low, high):
     """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
     e, A = np.empty(6), np.empty((6, 6))
@@ -442,14 +466,14 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
-@_jit
+@_inner
 def _start_of(k, near, u):
     """Start number k; number 0 is the seed."""
     for j in range(6):
         u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
 
 
-@_jit
+@_inner
 def _wrap_angles(u):
     """Moves angles by whole turns to (-pi, pi]."""
     for j in range(6):
@@ -457,7 +481,7 @@ def _wrap_angles(u):
             u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
 
 
-@_jit
+@_inner
 def _continuum(T, q, u):
     """Whether u is one of a continuum of solutions: 1 if there are others to both sides.
 
@@ -489,7 +513,7 @@ def _continuum(T, q, u):
     return 1
 
 
-@_jit
+@_inner
 def _is_known(kept, kinds, count, u, singular):
     """Whether a solution is one of those found before."""
     between = np.empty(6)
@@ -505,7 +529,7 @@ def _is_known(kept, kinds, count, u, singular):
     return False
 
 
-@_jit
+@_inner
 def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
     if count == 16 or _is_known(kept, kinds, count, u, False):
@@ -523,7 +547,7 @@ def _keep(T, q, near, kept, kinds, count, u):
     return count + 1
 
 
-@_jit
+@_inner
 def _stands_before(a, b):
     """Whether a row of joint values stands before another."""
     for i in range(6):
@@ -532,7 +556,7 @@ def _stands_before(a, b):
     return False
 
 
-@_jit
+@_inner
 def _sorted_rows(kept, kinds, count, joints, q, found, chosen):
     """Rows by the first joint, then by the second and so on."""
     for k in range(count):
@@ -762,7 +786,7 @@ _ABB_GOFA_5_START = np.array([
 ])
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_compose(A, B):
     """A B for rigid transforms, twelve numbers each."""
     C = np.empty(12)
@@ -773,7 +797,7 @@ def _abb_gofa_5_compose(A, B):
     return C
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_invert(A):
     """The inverse of a rigid transform."""
     B = np.empty(12)
@@ -784,7 +808,7 @@ def _abb_gofa_5_invert(A):
     return B
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_monomials(A):
     """1; R row by row; t; t.t; R't; [t]xR; (t.t - 2 t t') R."""
     m = np.empty(35)
@@ -804,7 +828,7 @@ def _abb_gofa_5_monomials(A):
     return m
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_times(table, m):
     """The sum of the table's rows times the monomials."""
     out = np.zeros(table.shape[1])
@@ -814,7 +838,7 @@ def _abb_gofa_5_times(table, m):
     return out
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_reflect(M, first, rest, column):
     """Reflect the first row and the rows from `rest` on so that `column` stays in the first only."""
     rows, columns = M.shape
@@ -839,7 +863,7 @@ def _abb_gofa_5_reflect(M, first, rest, column):
     return -length
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_equations(form, P):
     """The six equations of a pose: index ((a 6 + r) 3 + i) 3 + j for 1, c1, s1 (a), equation r, the
     powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents."""
@@ -870,7 +894,7 @@ def _abb_gofa_5_equations(form, P):
     return E
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_fold(E, c, s):
     """The determinant at a hidden angle, and the upper triangular factor whose null vectors are
     (x3, 1) x (x2^2, x2, 1). With A2, A1, A0 the blocks of x3^2, x3, 1 the matrix is
@@ -901,7 +925,7 @@ def _abb_gofa_5_fold(E, c, s):
     return determinant * factor[5, 5], factor
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_at(f, x):
     """f, f', f'' at an angle; f holds a_0 ... a_8, b_1 ... b_8."""
     value, slope, bend = f[0], 0.0, 0.0
@@ -916,7 +940,7 @@ def _abb_gofa_5_at(f, x):
     return value, slope, bend
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_fit(samples):
     """The coefficients from 24 samples, the largest sample, and the harmonics beyond the eighth."""
     h = np.zeros(24)
@@ -931,7 +955,7 @@ def _abb_gofa_5_fit(samples):
     return h, scale, beyond / scale if scale > 0.0 else 1.0
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_grid(f):
     """f, f', f'' at the edges of the cells; the first edge stands at the end again."""
     grid = np.zeros((257, 3))
@@ -953,7 +977,7 @@ def _abb_gofa_5_grid(f):
     return grid
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_kind(low, high, h, scale, rounding):
     """0: no root between two angles; 1: nothing but rounding; 2: one extremum at most; 3: none of
     these. The Bernstein coefficients of the quintic through f, f', f'' at both ends and their
@@ -978,7 +1002,7 @@ def _abb_gofa_5_kind(low, high, h, scale, rounding):
     return 2 if min(e0, e1, e2, e3) > bound or max(e0, e1, e2, e3) < -bound else 3
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_between(f, order, low, high, rising):
     """Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs:
     Newton, with bisection where it leaves. `rising` says that it is negative at the lower one."""
@@ -997,7 +1021,7 @@ def _abb_gofa_5_between(f, order, low, high, rising):
     return x
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_few(f, rounding, low, at_low, high, at_high, roots, counts):
     """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double)."""
     middle, at_middle = high, at_high[0]
@@ -1015,7 +1039,7 @@ def _abb_gofa_5_few(f, rounding, low, at_low, high, at_high, roots, counts):
         _abb_gofa_5_add_root(roots, counts, 0, _abb_gofa_5_between(f, 0, low, middle, at_low[0] < 0.0))
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_add_root(roots, counts, twice, x):
     """Add a root; counts[2] says that nothing was given up."""
     if twice:
@@ -1030,7 +1054,7 @@ def _abb_gofa_5_add_root(roots, counts, twice, x):
     counts[twice] += 1
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_find_roots(f, scale, rounding):
     """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]]."""
     roots = np.empty((2, 24))
@@ -1072,7 +1096,7 @@ def _abb_gofa_5_find_roots(f, scale, rounding):
     return roots, counts
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_inverse_iteration(U, x):
     """x = U^-1 U^-T x, to length one; a diagonal next to nothing is kept finite."""
     most = 0.0
@@ -1094,7 +1118,7 @@ def _abb_gofa_5_inverse_iteration(U, x):
         x[i] /= length
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_split(n, shift, out, count):
     """Vectors w of the plane with up w = x down w for some x (least squares): their sums of the two
     null vectors n go to `out`. The shift, by 3 for x3 or by 1 for x2, takes `down` to `up`."""
@@ -1129,7 +1153,7 @@ def _abb_gofa_5_split(n, shift, out, count):
     return count
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_null_vectors(E, c, s, double):
     """Vectors near (x3, 1) x (x2^2, x2, 1): one of a simple root, and of a double one also those at
     which one of the two shifts, x3 or x2, has an eigenvalue."""
@@ -1160,7 +1184,7 @@ def _abb_gofa_5_null_vectors(E, c, s, double):
     return out[:count]
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_turn(T, c, s):
     """T Rz, in place."""
     for i in range(3):
@@ -1169,7 +1193,7 @@ def _abb_gofa_5_turn(T, c, s):
         T[4 * i + 1] = y * c - x * s
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_unit(c, s):
     """A cosine and a sine without their common factor."""
     length = math.sqrt(c * c + s * s)
@@ -1178,7 +1202,7 @@ def _abb_gofa_5_unit(c, s):
     return c / length, s / length
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_middle(K, M, value):
     """c and s of phi5 from invariants of B = Rz K Rz(phi5) M Rz, `value` = l_z, p_z, p.l, p.p / 2 and
     (p x l)_z, by least squares."""
@@ -1218,7 +1242,7 @@ def _abb_gofa_5_middle(K, M, value):
     return _abb_gofa_5_unit(bb * ar - ab * br, aa * br - ab * ar)
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_angles(links, n, c, s):
     """The cosines and sines of phi_2 ... phi_6 from phi_1 and a null vector, in place."""
     up = n[0] * n[0] + n[1] * n[1] + n[2] * n[2]
@@ -1258,7 +1282,7 @@ def _abb_gofa_5_angles(links, n, c, s):
     c[5], s[5] = _abb_gofa_5_unit(cosine, sine)
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_marked(marks):
     """How many marks are set."""
     count = 0
@@ -1267,7 +1291,7 @@ def _abb_gofa_5_marked(marks):
     return count
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_error(P, c, s, J):
     """The square of the loop's error; J takes the Jacobian with the error, translation and rotation
     vector, as seventh column."""
@@ -1299,7 +1323,7 @@ def _abb_gofa_5_error(P, c, s, J):
     return square + 1.0 if S[0, 0] + S[1, 1] + S[2, 2] < 0.0 else square
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_step(J, x):
     """A step of Newton: the least-squares solution of J x = error by reflections. Where a diagonal is
     next to nothing the step stays zero instead of leaping. Returns the smallest diagonal over the
@@ -1319,7 +1343,7 @@ def _abb_gofa_5_step(J, x):
     return least / most if most > 0.0 else 0.0
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_damped_step(J, damping, x):
     """The same damped, for starts far away and for singular solutions: (J' J + d) x = J' error."""
     A = np.empty((6, 7))
@@ -1342,7 +1366,7 @@ def _abb_gofa_5_damped_step(J, damping, x):
         x[i] = max(min(total / A[i, i], 1.0), -1.0)
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_polish(P, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
     J, x = np.empty((6, 7)), np.empty(6)
@@ -1368,7 +1392,7 @@ def _abb_gofa_5_polish(P, c, s, afar):
     return math.sqrt(least)
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_gap(a, b):
     """The largest difference of two joint vectors, modulo turns."""
     most = 0.0
@@ -1378,7 +1402,7 @@ def _abb_gofa_5_gap(a, b):
     return most
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_merge(q, residual, singular, count):
     """Singular solutions are known less well: those that lie together become one."""
     kept = 0
@@ -1396,7 +1420,7 @@ def _abb_gofa_5_merge(q, residual, singular, count):
     return kept
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_offer(P, c, s, afar, doubtful, q, residual, singular, count):
     """Polish a candidate and keep it unless it is known or none: (its place or -1, the count)."""
     missing = _abb_gofa_5_polish(P, c, s, afar)
@@ -1431,7 +1455,7 @@ def _abb_gofa_5_offer(P, c, s, afar, doubtful, q, residual, singular, count):
     return place, count
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_attempt(form, P, q, residual, singular, doubles_met, count):
     """Find what a formulation finds: (whether that is certainly everything, the count).
 
@@ -1502,7 +1526,7 @@ def _abb_gofa_5_attempt(form, P, q, residual, singular, doubles_met, count):
 _ABB_GOFA_5_SOURCES = np.array([0.0, -1.0, 0.8718955527653943, 0.0, 0.216010159468904, 0.9229524995489534, 0.0, -1.0])
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_wrist_at(P, back, c, s):
     """What a sixth angle fixes: frame 5 before its own turn, W from S, the square of its length, and
     the discriminant of the elbow."""
@@ -1517,7 +1541,7 @@ def _abb_gofa_5_wrist_at(P, back, c, s):
     return frame, x, y, z, w, 4.0 * 0.7602018549320725 * w - twice * twice
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_wrist_polynomial(P, back, c, s):
     """The polynomial of q6: of degree 8."""
     frame, x, y, z, w, D = _abb_gofa_5_wrist_at(P, back, c, s)
@@ -1531,7 +1555,7 @@ def _abb_gofa_5_wrist_polynomial(P, back, c, s):
     return (U * U - V * V * D) / (w * w + 1e-300)
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_wrist_angles(P, back, tau, elbow, c, s):
     """The cosines and sines of all joints, from q6 (c[5], s[5]) and the signs of plane and elbow.
 
@@ -1578,7 +1602,7 @@ def _abb_gofa_5_wrist_angles(P, back, tau, elbow, c, s):
     return True
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_attempt_wrist(P, q, residual, singular, doubles_met, count):
     """Find what the closed form finds: (whether that is certainly everything, the count). The
     certificate is that of the formulations, with 1 solution(s) a root."""
@@ -1618,7 +1642,7 @@ def _abb_gofa_5_attempt_wrist(P, q, residual, singular, doubles_met, count):
     return complete and _abb_gofa_5_marked(met) >= expected and regular % 2 == 0, count
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_try(P, q, residual, singular, doubles_met):
     """Find what the methods find, one after the other, until that is certainly everything."""
     for i in range(16):
@@ -1631,7 +1655,7 @@ def _abb_gofa_5_try(P, q, residual, singular, doubles_met):
     return complete, count
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_from_nearby(P, q, residual, singular, count):
     """Solve poses close by, and follow their solutions back: (whether that is all, the count).
 
@@ -1668,7 +1692,7 @@ def _abb_gofa_5_from_nearby(P, q, residual, singular, count):
     return followed and (count - _abb_gofa_5_marked(singular)) % 2 == 0, count
 
 
-@njit(error_model="numpy")
+@_inner
 def _abb_gofa_5_before(a, b):
     """Whether row a comes before row b: by the first angle, angles that agree to rounding by the
     next."""
@@ -1678,7 +1702,7 @@ def _abb_gofa_5_before(a, b):
     return False
 
 
-@njit(error_model="numpy")
+@_inner
 def abb_gofa_5_general(T, q, residual):
     """All solutions of T = C0 Rz(q1) C1 ... Rz(q6) C6, at most 16.
 
@@ -1740,7 +1764,7 @@ _FACING = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZERO = np.array([3.141592653589793, 1.5707963267948966, 0.0, 0.0, 0.0, 0.0])
 
 
-@_jit
+@_inner
 def _all_joints(pose, seed):
     """All solutions, which rows hold one, and where a joint was indeterminate and follows the seed."""
     T = np.zeros((4, 4))
@@ -1775,7 +1799,7 @@ def _all_joints(pose, seed):
     return q, found, chosen
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     # all joints: the general 6R loop
@@ -1803,7 +1827,7 @@ def _solve(pose, seed, q, status):
         status[row] = FREE_JOINT if chosen else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -1848,7 +1872,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -1860,7 +1884,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(16):
@@ -1882,6 +1906,34 @@ def _whole(pose, seed, q, status):
     return count
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (16, 6) or status.shape != (16,):
+        raise ValueError("T, q and status must be (4, 4), (16, 6) and (16,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -1901,20 +1953,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (16, 6) or status.shape != (16,):
-        raise ValueError("T, q and status must be (4, 4), (16, 6) and (16,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -1930,9 +1975,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((16, 6)), np.empty(16, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -1994,10 +2047,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 def ik_batch(T, *, cores=None):
@@ -2025,7 +2076,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

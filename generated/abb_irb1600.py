@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "abb_irb1600"
 METHOD = "closed form"
@@ -129,7 +153,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -305,7 +329,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -429,7 +453,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -474,7 +498,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -486,7 +510,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -508,13 +532,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     wx = T14 - d6 * T13
@@ -525,7 +550,6 @@ def _regular(pose, q, status):
     factor1 = w1 * v2
     v3 = wx * factor1
     s1 = Y1 * factor1
-    angle1 = _atan2(Y1, -wx)
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
@@ -602,31 +626,98 @@ def _regular(pose, q, status):
     v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48
     v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52))
     v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52))
-    angle1_ = _atan2(v55, v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41)
-    angle1__ = _atan2(v56, v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41)
-    angle1___ = _atan2(v57, X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45)))
-    angle1____ = _atan2(v58, X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45)))
+
+    # joint values
+    v59 = w3_p * (m3 * v4)
+    v68 = h1 * math.copysign(half_turn, -v29)
+    v69 = h1 * math.copysign(half_turn, v29)
+    v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
+    v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (v38 <= m7 or (v37 <= m7 or (v36 <= m7 or (v1 <= m1 or v35 <= m7)))))))
+    )
+
+    # angles, side by side
+    room[0] = Y1
+    room[1] = v55
+    room[2] = v56
+    room[3] = v57
+    room[4] = v58
+    room[5] = v59 - v11
+    room[6] = -(v11 + v59)
+    room[7] = w3_m * (m3 * v5) - v12
+    room[8] = w3_m * (m3 * -v5) - v12
+    room[9] = v7
+    room[10] = v8
+    room[11] = -v29
+    room[12] = -v29
+    room[13] = v29
+    room[14] = v29
+    room[15] = math.sqrt(v35)
+    room[16] = math.sqrt(v36)
+    room[17] = math.sqrt(v37)
+    room[18] = math.sqrt(v38)
+    room[24] = -wx
+    room[25] = v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41
+    room[26] = v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41
+    room[27] = X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45))
+    room[28] = X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45))
+    room[29] = -(v15 + w3_p * v13)
+    room[30] = -(v15 + w3_p * v14)
+    room[31] = -(v16 + w3_m * v13)
+    room[32] = -(v16 + w3_m * v14)
+    room[33] = -(k1 * w3_p)
+    room[34] = -(k1 * w3_m)
+    room[35] = -v31
+    room[36] = -v32
+    room[37] = -v33
+    room[38] = -v34
+    room[39] = factor2_p * (v39 - v78)
+    room[40] = factor2_p * (v39 + v78)
+    room[41] = factor2_m * (v40 - v79)
+    room[42] = factor2_m * (v40 + v79)
+    for k in range(19, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = angle1_ - math.copysign(half_turn, v55) * h1
     q6_pmm = angle1__ - math.copysign(half_turn, v56) * h1
     q6_mpm = angle1___ - math.copysign(half_turn, v57) * h1
     q6_mmm = angle1____ - math.copysign(half_turn, v58) * h1
 
     # joint values
-    v59 = w3_p * (m3 * v4)
-    angle1_____ = _atan2(v59 - v11, -(v15 + w3_p * v13))
     v60 = angle1_____ - offset2
-    angle1______ = _atan2(-(v11 + v59), -(v15 + w3_p * v14))
     v61 = angle1______ - offset2
-    angle1_______ = _atan2(w3_m * (m3 * v5) - v12, -(v16 + w3_m * v13))
     v62 = angle1_______ - offset2
-    angle1________ = _atan2(w3_m * (m3 * -v5) - v12, -(v16 + w3_m * v14))
     v63 = angle1________ - offset2
     q2_ppp = v60 - (m8 if half_turn < v60 else 0.0)
     q2_pmp = v61 - (m8 if half_turn < v61 else 0.0)
     q2_mpp = v62 - (m8 if half_turn < v62 else 0.0)
     q2_mmp = v63 - (m8 if half_turn < v63 else 0.0)
-    angle1_________ = _atan2(v7, -(k1 * w3_p))
-    angle1__________ = _atan2(v8, -(k1 * w3_m))
     v64 = angle1_________ - offset3
     v65 = h1 * math.copysign(half_turn, v7) - angle1_________ - offset3
     v66 = angle1__________ - offset3
@@ -635,12 +726,6 @@ def _regular(pose, q, status):
     q3_pmp = v65 + (m8 if v65 <= -half_turn else 0.0)
     q3_mpp = v66 + (m8 if v66 <= -half_turn else 0.0)
     q3_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
-    angle1___________ = _atan2(-v29, -v31)
-    angle1____________ = _atan2(-v29, -v32)
-    angle1_____________ = _atan2(v29, -v33)
-    angle1______________ = _atan2(v29, -v34)
-    v68 = h1 * math.copysign(half_turn, -v29)
-    v69 = h1 * math.copysign(half_turn, v29)
     v70 = angle1___________ - offset4
     v71 = angle1___________ - v68 - offset4
     v72 = angle1____________ - offset4
@@ -657,12 +742,6 @@ def _regular(pose, q, status):
     q4_mpm = v75 + (m8 if v75 <= -half_turn else 0.0)
     q4_mmp = v76 + (m8 if v76 <= -half_turn else 0.0)
     q4_mmm = v77 + (m8 if v77 <= -half_turn else 0.0)
-    v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
-    angle1_______________ = _atan2(math.sqrt(v35), factor2_p * (v39 - v78))
-    angle1________________ = _atan2(math.sqrt(v36), factor2_p * (v39 + v78))
-    v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
-    angle1_________________ = _atan2(math.sqrt(v37), factor2_m * (v40 - v79))
-    angle1__________________ = _atan2(math.sqrt(v38), factor2_m * (v40 + v79))
     v80 = angle1_______________ - offset5
     v81 = offset5 + angle1_______________
     v82 = angle1________________ - offset5
@@ -681,12 +760,7 @@ def _regular(pose, q, status):
     q5_mmm = (m8 if -v87 <= -half_turn else 0.0) - v87
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
-    doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or (v38 <= m7 or (v37 <= m7 or (v36 <= m7 or (v1 <= m1 or v35 <= m7)))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -749,6 +823,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -768,25 +875,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -802,9 +897,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -866,10 +969,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1252,7 +1353,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1271,7 +1372,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "abb_irb4600"
 METHOD = "closed form"
@@ -303,7 +327,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -418,7 +442,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -463,7 +487,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -475,7 +499,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -497,13 +521,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1[2, 4]
     t14 = T14 - d6 * T13
@@ -511,7 +536,6 @@ def _regular(pose, q, status):
     v1 = t14 * t14 + Y1 * Y1
     w1 = math.sqrt(v1)
     v2 = 1.0 / v1
-    angle1 = _atan2(Y1, -t14)
 
     # theta3, type 6: U1[3, 4] and U1[1, 4]
     Z1_3 = T34 - d6 * T33 - d1
@@ -522,12 +546,6 @@ def _regular(pose, q, status):
     N3_m = v5 + v4 * v4
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    angle1_ = _atan2(w3_p, N3_p - k3)
-    angle1__ = _atan2(w3_m, N3_m - k3)
-    q3__pp = angle1_ - turn1
-    v6 = turn1 + angle1_
-    q3__mp = angle1__ - turn1
-    v7 = turn1 + angle1__
 
     # theta2, type 3: U1[1, 4] and U1[3, 4]
     X1_2_p = m3 * N3_p - m4
@@ -541,10 +559,6 @@ def _regular(pose, q, status):
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
     v14 = w3_p * (m3 * v3)
-    angle1___ = _atan2(-(v8 + w3_p * v10), v12 - v14)
-    angle1____ = _atan2(-(v8 + w3_p * v11), v12 + v14)
-    angle1_____ = _atan2(-(v9 + w3_m * v10), v13 - w3_m * (m3 * v4))
-    angle1______ = _atan2(-(v9 + w3_m * v11), v13 - w3_m * (m3 * -v4))
 
     # theta4, type 2: U4[2, 3]
     v15 = m5 * Z1_3
@@ -580,22 +594,8 @@ def _regular(pose, q, status):
     v33 = v31 + X4_pm * X4_pm
     v34 = v31 + X4_mp * X4_mp
     v35 = v31 + X4_mm * X4_mm
-    angle1_______ = _atan2(-v30, -X4_pp)
-    angle1________ = _atan2(-v30, -X4_pm)
-    angle1_________ = _atan2(v30, -X4_mp)
-    angle1__________ = _atan2(v30, -X4_mm)
     v36 = math.copysign(half_turn, -v30) * h1
     v37 = math.copysign(half_turn, v30) * h1
-    q4_ppm = angle1_______ - v36
-    q4_pmm = angle1________ - v36
-    q4_mpm = angle1_________ - v37
-    q4_mmm = angle1__________ - v37
-
-    # theta5, type 3: U4[3, 3] and U4[1, 3]
-    angle1___________ = _atan2(math.sqrt(v32), c23_pp * v29 - T33 * s23_pp)
-    angle1____________ = _atan2(math.sqrt(v33), c23_pm * v29 - T33 * s23_pm)
-    angle1_____________ = _atan2(math.sqrt(v34), -(c23_mp * v29 + T33 * s23_mp))
-    angle1______________ = _atan2(math.sqrt(v35), -(c23_mm * v29 + T33 * s23_mm))
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
     v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
@@ -606,10 +606,91 @@ def _regular(pose, q, status):
     v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41)
     v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40
     v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40
-    angle1_______________ = _atan2(v42, X4_pp * v38 - v30 * (c23_pp * T32 + s23_pp * v39))
-    angle1________________ = _atan2(v43, X4_pm * v38 - v30 * (c23_pm * T32 + s23_pm * v39))
-    angle1_________________ = _atan2(v44, v30 * (c23_mp * T32 - s23_mp * v39) - X4_mp * v38)
-    angle1__________________ = _atan2(v45, v30 * (c23_mm * T32 - s23_mm * v39) - X4_mm * v38)
+
+    # joint values
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (v35 <= m9 or (v34 <= m9 or (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
+    )
+
+    # angles, side by side
+    room[0] = Y1
+    room[1] = w3_p
+    room[2] = w3_m
+    room[3] = -(v8 + w3_p * v10)
+    room[4] = -(v8 + w3_p * v11)
+    room[5] = -(v9 + w3_m * v10)
+    room[6] = -(v9 + w3_m * v11)
+    room[7] = -v30
+    room[8] = -v30
+    room[9] = v30
+    room[10] = v30
+    room[11] = math.sqrt(v32)
+    room[12] = math.sqrt(v33)
+    room[13] = math.sqrt(v34)
+    room[14] = math.sqrt(v35)
+    room[15] = v42
+    room[16] = v43
+    room[17] = v44
+    room[18] = v45
+    room[24] = -t14
+    room[25] = N3_p - k3
+    room[26] = N3_m - k3
+    room[27] = v12 - v14
+    room[28] = v12 + v14
+    room[29] = v13 - w3_m * (m3 * v4)
+    room[30] = v13 - w3_m * (m3 * -v4)
+    room[31] = -X4_pp
+    room[32] = -X4_pm
+    room[33] = -X4_mp
+    room[34] = -X4_mm
+    room[35] = c23_pp * v29 - T33 * s23_pp
+    room[36] = c23_pm * v29 - T33 * s23_pm
+    room[37] = -(c23_mp * v29 + T33 * s23_mp)
+    room[38] = -(c23_mm * v29 + T33 * s23_mm)
+    room[39] = X4_pp * v38 - v30 * (c23_pp * T32 + s23_pp * v39)
+    room[40] = X4_pm * v38 - v30 * (c23_pm * T32 + s23_pm * v39)
+    room[41] = v30 * (c23_mp * T32 - s23_mp * v39) - X4_mp * v38
+    room[42] = v30 * (c23_mm * T32 - s23_mm * v39) - X4_mm * v38
+    for k in range(19, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+
+    # theta3, type 6: U1[3, 4] and U1[1, 4]
+    q3__pp = angle1_ - turn1
+    v6 = turn1 + angle1_
+    q3__mp = angle1__ - turn1
+    v7 = turn1 + angle1__
+
+    # theta4, type 2: U4[2, 3]
+    q4_ppm = angle1_______ - v36
+    q4_pmm = angle1________ - v36
+    q4_mpm = angle1_________ - v37
+    q4_mmm = angle1__________ - v37
+
+    # theta6, type 3: U4[2, 2] and U4[2, 1]
     q6_ppm = angle1_______________ - h1 * math.copysign(half_turn, v42)
     q6_pmm = angle1________________ - h1 * math.copysign(half_turn, v43)
     q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v44)
@@ -646,12 +727,7 @@ def _regular(pose, q, status):
     outside_mpm = v60 or (-angle1_____________ < low5 or high5 < -angle1_____________)
     outside_mmp = v61 or (angle1______________ < low5 or high5 < angle1______________)
     outside_mmm = v61 or (-angle1______________ < low5 or high5 < -angle1______________)
-    doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or (v35 <= m9 or (v34 <= m9 or (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -714,6 +790,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -733,25 +842,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -767,9 +864,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -831,10 +936,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1205,7 +1308,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1224,7 +1327,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

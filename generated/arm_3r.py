@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "arm_3r"
 METHOD = "closed form"
@@ -195,7 +219,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
@@ -260,7 +284,7 @@ def _solve(pose, seed, q, status):
             status[row] = FREE_JOINT if free1 or free2 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -273,7 +297,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -285,7 +309,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
@@ -307,26 +331,24 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
+    room = carray(_room(16), 16)
 
     # theta1, type 2: U1[3, 4]
     v1 = T14 * T14 + T24 * T24
     w1 = math.sqrt(v1)
-    angle1 = _atan2(-T24, -T14)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
     N3 = v1 + Z1_3 * Z1_3
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     v2 = w3 - w3
-    angle1_ = _atan2(-(k1 * (N3 - k2)), k1 * w3)
-    q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle1_
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     v3 = m4 + m3 * N3
@@ -343,19 +365,45 @@ def _regular(pose, q, status):
     v13 = v8 - v9
     v14 = S2_pp * S2_pp
     v15 = v6 * v6
-    angle1__ = _atan2(S2_pp, -v10)
-    angle1___ = _atan2(-v6, -v11)
-    angle1____ = _atan2(-v6, -v12)
-    angle1_____ = _atan2(S2_pp, -v13)
 
     # joint values
-    q1_pp = angle1 + v2
-    q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
     doubt1 = (
         shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
         longest3_apart) or (v1 <= m1 or (v14 + v13 * v13 <= m5 or (v15 + v12 * v12 <= m5 or (v14 +
         v10 * v10 <= m5 or v15 + v11 * v11 <= m5))))
     )
+
+    # angles, side by side
+    room[0] = -T24
+    room[1] = -(k1 * (N3 - k2))
+    room[2] = S2_pp
+    room[3] = -v6
+    room[4] = -v6
+    room[5] = S2_pp
+    room[8] = -T14
+    room[9] = k1 * w3
+    room[10] = -v10
+    room[11] = -v11
+    room[12] = -v12
+    room[13] = -v13
+    for k in range(6, 8):
+        room[k] = room[k + 8] = 1.0
+    for k in range(8):
+        room[k] = _atan2(room[k], room[k + 8])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+
+    # theta3, type 8: U1[2, 4] and U1[1, 4]
+    q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle1_
+
+    # joint values
+    q1_pp = angle1 + v2
+    q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -378,6 +426,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (4, 3) or status.shape != (4,):
+        raise ValueError("T, q and status must be (4, 4), (4, 3) and (4,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(3):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(3), 3))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -397,25 +478,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (4, 3) or status.shape != (4,):
-        raise ValueError("T, q and status must be (4, 4), (4, 3) and (4,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(3), 3)) if q_seed is None else q_seed
     if seed.shape != (3,):
         raise ValueError("q_seed must be (3,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(4):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -431,9 +500,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((4, 3)), np.empty(4, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (3,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -495,10 +572,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(3)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -633,7 +708,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -652,7 +727,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

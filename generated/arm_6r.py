@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "arm_6r"
 METHOD = "closed form"
@@ -280,7 +304,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -390,7 +414,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -435,7 +459,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -447,7 +471,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -469,13 +493,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     wx = T14 - d6 * T13
@@ -483,7 +508,6 @@ def _regular(pose, q, status):
     v1 = wx * wx + Y1 * Y1
     w1 = math.sqrt(v1)
     v2 = 1.0 / v1
-    angle1 = _atan2(Y1, -wx)
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
@@ -494,8 +518,6 @@ def _regular(pose, q, status):
     v5 = k3 * v4
     v6 = k1 * w3
     c3 = k3 * v6
-    angle1_ = _atan2(-v4, v6)
-    q3_pmp = math.copysign(half_turn, -v4) * h1 - angle1_
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
     v7 = d4 * c3
@@ -534,10 +556,6 @@ def _regular(pose, q, status):
     v34 = 1.0 / v30
     v35 = 1.0 / v31
     v36 = 1.0 / v32
-    angle1__ = _atan2(S2_pp, -v23)
-    angle1___ = _atan2(-v15, -v24)
-    angle1____ = _atan2(-v15, -v25)
-    angle1_____ = _atan2(S2_pp, -v26)
 
     # theta4, type 2: U4[3, 3]
     v37 = v5 * v10 - c3 * v18
@@ -563,22 +581,8 @@ def _regular(pose, q, status):
     v46 = v44 + X4_pm * X4_pm
     v47 = v44 + X4_mp * X4_mp
     v48 = v44 + X4_mm * X4_mm
-    angle1______ = _atan2(Y4, -X4_pp)
-    angle1_______ = _atan2(Y4, -X4_pm)
-    angle1________ = _atan2(-Y4, -X4_mp)
-    angle1_________ = _atan2(-Y4, -X4_mm)
     v49 = h1 * math.copysign(half_turn, Y4)
     v50 = h1 * math.copysign(half_turn, -Y4)
-    q4_ppm = angle1______ - v49
-    q4_pmm = angle1_______ - v49
-    q4_mpm = angle1________ - v50
-    q4_mmm = angle1_________ - v50
-
-    # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1__________ = _atan2(-math.sqrt(v45), -(T33 * c23_pp + s23_pp * v43))
-    angle1___________ = _atan2(-math.sqrt(v46), -(T33 * c23_pm + s23_pm * v43))
-    angle1____________ = _atan2(-math.sqrt(v47), T33 * v39 + s23_mp * v43)
-    angle1_____________ = _atan2(-math.sqrt(v48), -(T33 * c23_mm + v42 * v43))
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v51 = w1 * (v2 * (wx * T22 + Y1 * T12))
@@ -589,10 +593,84 @@ def _regular(pose, q, status):
     v56 = -X4_pm * v53 - Y4 * (c23_pm * v54 - s23_pm * T31)
     v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53
     v58 = Y4 * (v42 * T31 - c23_mm * v54) - -X4_mm * v53
-    angle1______________ = _atan2(v55, -X4_pp * v51 - Y4 * (c23_pp * v52 - s23_pp * T32))
-    angle1_______________ = _atan2(v56, -X4_pm * v51 - Y4 * (c23_pm * v52 - s23_pm * T32))
-    angle1________________ = _atan2(v57, Y4 * (v39 * v52 - s23_mp * T32) - -X4_mp * v51)
-    angle1_________________ = _atan2(v58, Y4 * (v42 * T32 - c23_mm * v52) - -X4_mm * v51)
+
+    # joint values
+    doubt1 = (
+        v48 <= m6 or (v32 <= m5 or (v47 <= m6 or (v31 <= m5 or (v46 <= m6 or (v30 <= m5 or (v45 <=
+        m6 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
+        N3 and N3 < longest3_apart) or v28 <= m5)))))))
+    )
+
+    # angles, side by side
+    room[0] = Y1
+    room[1] = -v4
+    room[2] = S2_pp
+    room[3] = -v15
+    room[4] = -v15
+    room[5] = S2_pp
+    room[6] = Y4
+    room[7] = Y4
+    room[8] = -Y4
+    room[9] = -Y4
+    room[10] = -math.sqrt(v45)
+    room[11] = -math.sqrt(v46)
+    room[12] = -math.sqrt(v47)
+    room[13] = -math.sqrt(v48)
+    room[14] = v55
+    room[15] = v56
+    room[16] = v57
+    room[17] = v58
+    room[24] = -wx
+    room[25] = v6
+    room[26] = -v23
+    room[27] = -v24
+    room[28] = -v25
+    room[29] = -v26
+    room[30] = -X4_pp
+    room[31] = -X4_pm
+    room[32] = -X4_mp
+    room[33] = -X4_mm
+    room[34] = -(T33 * c23_pp + s23_pp * v43)
+    room[35] = -(T33 * c23_pm + s23_pm * v43)
+    room[36] = T33 * v39 + s23_mp * v43
+    room[37] = -(T33 * c23_mm + v42 * v43)
+    room[38] = -X4_pp * v51 - Y4 * (c23_pp * v52 - s23_pp * T32)
+    room[39] = -X4_pm * v51 - Y4 * (c23_pm * v52 - s23_pm * T32)
+    room[40] = Y4 * (v39 * v52 - s23_mp * T32) - -X4_mp * v51
+    room[41] = Y4 * (v42 * T32 - c23_mm * v52) - -X4_mm * v51
+    for k in range(18, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+
+    # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    q3_pmp = math.copysign(half_turn, -v4) * h1 - angle1_
+
+    # theta4, type 2: U4[3, 3]
+    q4_ppm = angle1______ - v49
+    q4_pmm = angle1_______ - v49
+    q4_mpm = angle1________ - v50
+    q4_mmm = angle1_________ - v50
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v55)
     q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v56)
     q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v57)
@@ -601,11 +679,7 @@ def _regular(pose, q, status):
     # joint values
     q1_ppp = angle1 + v3
     q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1) * h1)
-    doubt1 = (
-        v48 <= m6 or (v32 <= m5 or (v47 <= m6 or (v31 <= m5 or (v46 <= m6 or (v30 <= m5 or (v45 <=
-        m6 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
-        N3 and N3 < longest3_apart) or v28 <= m5)))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -668,6 +742,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -687,25 +794,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -721,9 +816,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -785,10 +888,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1118,7 +1219,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1137,7 +1238,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

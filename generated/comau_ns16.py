@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "comau_ns16"
 METHOD = "closed form"
@@ -145,7 +169,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -328,7 +352,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -457,7 +481,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -502,7 +526,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -514,7 +538,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -536,13 +560,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     X1 = d6 * T13 - T14
@@ -558,8 +583,6 @@ def _regular(pose, q, status):
     v2 = inverse1 * (k1 * X1)
     s1_p = v2 + w1 * (wy * inverse1)
     s1_m = v2 + w1 * (inverse1 * -wy)
-    angle1 = _atan2(s1_p, c1_p)
-    angle1_ = _atan2(s1_m, c1_m)
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = d1 + (d6 * T33 - T34)
@@ -636,22 +659,93 @@ def _regular(pose, q, status):
 
     # joint values
     v40 = w3_p * v9
-    angle1__ = _atan2(v5 + w3_p * (m1 * Z2_3_p), v7 - v40)
-    v41 = angle1__ - offset2
-    angle1___ = _atan2(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40)
-    v42 = angle1___ - offset2
     v43 = w3_m * (m1 * v3)
     v44 = w3_m * v9
-    angle1____ = _atan2(v6 - v43, -(v8 + v44))
+    v51 = math.copysign(half_turn, Y4_p) * h1
+    v52 = math.copysign(half_turn, Y4_m) * h1
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v31 <= m7 or (v30
+        <= m7 or (v28 <= m7 or v29 <= m7))))))))
+    )
+
+    # angles, side by side
+    room[0] = s1_p
+    room[1] = s1_m
+    room[2] = v5 + w3_p * (m1 * Z2_3_p)
+    room[3] = v5 + w3_p * (m1 * -Z2_3_p)
+    room[4] = v6 - v43
+    room[5] = v6 + v43
+    room[6] = w3_p
+    room[7] = w3_m
+    room[8] = Y4_p
+    room[9] = Y4_p
+    room[10] = Y4_m
+    room[11] = Y4_m
+    room[12] = -math.sqrt(v28)
+    room[13] = -math.sqrt(v29)
+    room[14] = -math.sqrt(v30)
+    room[15] = -math.sqrt(v31)
+    room[16] = s6_pp
+    room[17] = s6_pm
+    room[18] = s6_mp
+    room[19] = s6_mm
+    room[24] = c1_p
+    room[25] = c1_m
+    room[26] = v7 - v40
+    room[27] = v7 + v40
+    room[28] = -(v8 + v44)
+    room[29] = v44 - v8
+    room[30] = N3_p - k6
+    room[31] = N3_m - k6
+    room[32] = -X4_pp
+    room[33] = -X4_pm
+    room[34] = -X4_mp
+    room[35] = -X4_mm
+    room[36] = T33 * c2m3_pp + s2m3_pp * v24
+    room[37] = T33 * c2m3_pm + s2m3_pm * v24
+    room[38] = T33 * c2m3_mp + s2m3_mp * v25
+    room[39] = T33 * c2m3_mm + s2m3_mm * v25
+    room[40] = v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)
+    room[41] = v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)
+    room[42] = v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32)
+    room[43] = v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32)
+    for k in range(20, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+    angle1___________________ = room[19]
+
+    # joint values
+    v41 = angle1__ - offset2
+    v42 = angle1___ - offset2
     v45 = angle1____ - offset2
-    angle1_____ = _atan2(v6 + v43, v44 - v8)
     v46 = angle1_____ - offset2
     q2_ppp = v41 - (m8 if half_turn < v41 else 0.0)
     q2_pmp = v42 - (m8 if half_turn < v42 else 0.0)
     q2_mpp = v45 - (m8 if half_turn < v45 else 0.0)
     q2_mmp = v46 - (m8 if half_turn < v46 else 0.0)
-    angle1______ = _atan2(w3_p, N3_p - k6)
-    angle1_______ = _atan2(w3_m, N3_m - k6)
     v47 = angle1______ - turn1 - offset3
     v48 = offset3 + (turn1 + angle1______)
     v49 = angle1_______ - turn1 - offset3
@@ -660,12 +754,6 @@ def _regular(pose, q, status):
     q3_pmp = (m8 if -v48 <= -half_turn else 0.0) - v48
     q3_mpp = v49 + (m8 if v49 <= -half_turn else 0.0)
     q3_mmp = (m8 if -v50 <= -half_turn else 0.0) - v50
-    angle1________ = _atan2(Y4_p, -X4_pp)
-    angle1_________ = _atan2(Y4_p, -X4_pm)
-    angle1__________ = _atan2(Y4_m, -X4_mp)
-    angle1___________ = _atan2(Y4_m, -X4_mm)
-    v51 = math.copysign(half_turn, Y4_p) * h1
-    v52 = math.copysign(half_turn, Y4_m) * h1
     v53 = angle1________ - offset4
     v54 = angle1________ - v51 - offset4
     v55 = angle1_________ - offset4
@@ -682,10 +770,6 @@ def _regular(pose, q, status):
     q4_mpm = v58 + (m8 if v58 <= -half_turn else 0.0)
     q4_mmp = v59 + (m8 if v59 <= -half_turn else 0.0)
     q4_mmm = v60 + (m8 if v60 <= -half_turn else 0.0)
-    angle1____________ = _atan2(-math.sqrt(v28), T33 * c2m3_pp + s2m3_pp * v24)
-    angle1_____________ = _atan2(-math.sqrt(v29), T33 * c2m3_pm + s2m3_pm * v24)
-    angle1______________ = _atan2(-math.sqrt(v30), T33 * c2m3_mp + s2m3_mp * v25)
-    angle1_______________ = _atan2(-math.sqrt(v31), T33 * c2m3_mm + s2m3_mm * v25)
     v61 = angle1____________ - offset5
     v62 = offset5 + angle1____________
     v63 = angle1_____________ - offset5
@@ -702,10 +786,6 @@ def _regular(pose, q, status):
     q5_mpm = (m8 if -v66 <= -half_turn else 0.0) - v66
     q5_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
     q5_mmm = (m8 if -v68 <= -half_turn else 0.0) - v68
-    angle1________________ = _atan2(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32))
-    angle1_________________ = _atan2(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32))
-    angle1__________________ = _atan2(s6_mp, v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32))
-    angle1___________________ = _atan2(s6_mm, v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32))
     v69 = angle1________________ - offset6
     v70 = angle1________________ - h1 * math.copysign(half_turn, s6_pp) - offset6
     v71 = angle1_________________ - offset6
@@ -738,13 +818,7 @@ def _regular(pose, q, status):
     outside_mpm = v81 or (q5_mpm < low5 or high5 < q5_mpm)
     outside_mmp = v82 or (q5_mmp < low5 or high5 < q5_mmp)
     outside_mmm = v82 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v31 <= m7 or (v30
-        <= m7 or (v28 <= m7 or v29 <= m7))))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -807,6 +881,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -826,25 +933,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -860,9 +955,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -924,10 +1027,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1353,7 +1454,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1372,7 +1473,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

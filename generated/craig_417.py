@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "craig_417"
 METHOD = "closed form"
@@ -113,7 +137,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -227,7 +251,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -332,7 +356,7 @@ def _solve(pose, seed, q, status):
         status[row] = FREE_JOINT if free1 or free2 or free3_ or free34 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -377,7 +401,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -389,7 +413,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
@@ -411,13 +435,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(16), 16)
 
     # theta1, type 2: U1[2, 3]
     N1 = T13 * T13 + T23 * T23
@@ -451,7 +476,6 @@ def _regular(pose, q, status):
     v18 = w2 * v17
     c2 = v15 * v18
     v19 = S2 * v18
-    angle1 = _atan2(-S2, v15)
 
     # theta34, type 3: U1[2, 2] and U1[2, 1]
     v20 = T23 * T11 - T13 * T21
@@ -490,8 +514,6 @@ def _regular(pose, q, status):
     c3_m = C3_m * factor3_m
     v42 = v36 * factor3_p
     v43 = v37 * factor3_m
-    angle1_ = _atan2(-v42, c3_p)
-    angle1__ = _atan2(-v43, c3_m)
 
     # is the pose one that the arm can take?
     v44 = c1_p * c2
@@ -543,13 +565,42 @@ def _regular(pose, q, status):
     )
 
     # joint values
-    angle1___ = _atan2(v22, v26)
+    doubt1 = (
+        -k4 <= D1 and (free1 or not (k5 < D1)) or (free1 or (v41 <= m5 or (v29 <= m1 or (v40 <= m5
+        or (v28 <= m1 or v16 <= m1)))))
+    )
+
+    # angles, side by side
+    room[0] = -S2
+    room[1] = -v42
+    room[2] = -v43
+    room[3] = v22
+    room[4] = v23
+    room[5] = -v13
+    room[6] = -v14
+    room[8] = v15
+    room[9] = c3_p
+    room[10] = c3_m
+    room[11] = v26
+    room[12] = v27
+    room[13] = c1_p
+    room[14] = c1_m
+    for k in range(7, 8):
+        room[k] = room[k + 8] = 1.0
+    for k in range(8):
+        room[k] = _atan2(room[k], room[k + 8])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+
+    # joint values
     v71 = angle1___ - angle1_
-    angle1____ = _atan2(v23, v27)
     v72 = angle1____ - angle1__
-    angle1_____ = _atan2(-v13, c1_p)
     q1_p = v69 + (v67 + angle1_____)
-    angle1______ = _atan2(-v14, c1_m)
     q1_m = v70 + (v68 + angle1______)
     q2_p = v69 + (angle1 + v67)
     q2_m = v70 + (v68 - angle1)
@@ -561,10 +612,7 @@ def _regular(pose, q, status):
     q4_m = (
         v70 + (v68 + (v72 - (m6 if half_turn < v72 else 0.0) + (m6 if v72 <= -half_turn else 0.0)))
     )
-    doubt1 = (
-        -k4 <= D1 and (free1 or not (k5 < D1)) or (free1 or (v41 <= m5 or (v29 <= m1 or (v40 <= m5
-        or (v28 <= m1 or v16 <= m1)))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -579,6 +627,39 @@ def _regular(pose, q, status):
     q[1, 3] = q4_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     return True
+
+
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
+        raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(4):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(4), 4))
+    return _into(T, seed, q, status)
 
 
 @_jit
@@ -600,25 +681,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
-        raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(4), 4)) if q_seed is None else q_seed
     if seed.shape != (4,):
         raise ValueError("q_seed must be (4,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(2):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -634,9 +703,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((2, 4)), np.empty(2, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (4,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -698,10 +775,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(4)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -964,7 +1039,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -983,7 +1058,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "denso_vs060"
 METHOD = "closed form"
@@ -141,7 +165,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -319,7 +343,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -442,7 +466,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -487,7 +511,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -499,7 +523,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -521,13 +545,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     X1 = d6 * T13 - T14
@@ -589,16 +614,8 @@ def _regular(pose, q, status):
     v21 = v15 + factor2 * (c4_pm * v17)
     v22 = v15 + factor2 * (c4_mp * v18)
     v23 = v15 + factor2 * (c4_mm * v19)
-    angle1 = _atan2(-v14, v16)
-    angle1_ = _atan2(-v14, v17)
-    angle1__ = _atan2(v14, v18)
-    angle1___ = _atan2(v14, v19)
     v24 = math.copysign(half_turn, -v14) * h1
     v25 = math.copysign(half_turn, v14) * h1
-    q4_ppm = angle1 - v24
-    q4_pmm = angle1_ - v24
-    q4_mpm = angle1__ - v25
-    q4_mmm = angle1___ - v25
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v26 = w1 * (v2 * (X1 * T22 + wy * T12))
@@ -609,41 +626,102 @@ def _regular(pose, q, status):
     v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29)
     v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28
     v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28
-    angle1____ = _atan2(v30, c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27))
-    angle1_____ = _atan2(v31, c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27))
-    angle1______ = _atan2(v32, v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26)
-    angle1_______ = _atan2(v33, v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26)
+
+    # joint values
+    doubt1 = (
+        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart) or (v1 <= m1 or (N3 <= free_limit_squared2 or (v23 <= m8 or (v22 <= m8 or
+        (v20 <= m8 or v21 <= m8)))))
+    )
+
+    # angles, side by side
+    room[0] = -v14
+    room[1] = -v14
+    room[2] = v14
+    room[3] = v14
+    room[4] = v30
+    room[5] = v31
+    room[6] = v32
+    room[7] = v33
+    room[8] = wy
+    room[9] = S2_pp
+    room[10] = S2_pm
+    room[11] = S2_pm
+    room[12] = S2_pp
+    room[13] = w3
+    room[14] = math.sqrt(v20)
+    room[15] = math.sqrt(v21)
+    room[16] = math.sqrt(v22)
+    room[17] = math.sqrt(v23)
+    room[24] = v16
+    room[25] = v17
+    room[26] = v18
+    room[27] = v19
+    room[28] = c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27)
+    room[29] = c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27)
+    room[30] = v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26
+    room[31] = v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26
+    room[32] = -X1
+    room[33] = C2_pp
+    room[34] = C2_pm
+    room[35] = C2_mp
+    room[36] = C2_mm
+    room[37] = N3 - k3
+    room[38] = factor2 * (s23_pp * v13 - T33 * c23_pp)
+    room[39] = factor2 * (s23_pm * v13 - T33 * c23_pm)
+    room[40] = -(factor2 * (s23_mp * v13 + T33 * c23_mp))
+    room[41] = -(factor2 * (s23_mm * v13 + T33 * c23_mm))
+    for k in range(18, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+
+    # theta4, type 2: U4[3, 3]
+    q4_ppm = angle1 - v24
+    q4_pmm = angle1_ - v24
+    q4_mpm = angle1__ - v25
+    q4_mmm = angle1___ - v25
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = angle1____ - h1 * math.copysign(half_turn, v30)
     q6_pmm = angle1_____ - h1 * math.copysign(half_turn, v31)
     q6_mpm = angle1______ - h1 * math.copysign(half_turn, v32)
     q6_mmm = angle1_______ - h1 * math.copysign(half_turn, v33)
 
     # joint values
-    angle1________ = _atan2(wy, -X1)
     v34 = angle1________ - offset1
     v35 = angle1________ - h1 * math.copysign(half_turn, wy) - offset1
     q1__p = v34 + (m10 if v34 <= -half_turn else 0.0)
     q1__m = v35 + (m10 if v35 <= -half_turn else 0.0)
-    angle1_________ = _atan2(S2_pp, C2_pp)
     v36 = angle1_________ - offset2
-    angle1__________ = _atan2(S2_pm, C2_pm)
     v37 = angle1__________ - offset2
-    angle1___________ = _atan2(S2_pm, C2_mp)
     v38 = angle1___________ - offset2
-    angle1____________ = _atan2(S2_pp, C2_mm)
     v39 = angle1____________ - offset2
     q2_ppp = v36 + (m10 if v36 <= -half_turn else 0.0)
     q2_pmp = v37 + (m10 if v37 <= -half_turn else 0.0)
     q2_mpp = v38 + (m10 if v38 <= -half_turn else 0.0)
     q2_mmp = v39 + (m10 if v39 <= -half_turn else 0.0)
-    angle1_____________ = _atan2(w3, N3 - k3)
     v40 = angle1_____________ - turn1 - offset3
     v41 = offset3 + (turn1 + angle1_____________)
     q3_ppp = v40 - (m10 if half_turn < v40 else 0.0)
-    angle1______________ = _atan2(math.sqrt(v20), factor2 * (s23_pp * v13 - T33 * c23_pp))
-    angle1_______________ = _atan2(math.sqrt(v21), factor2 * (s23_pm * v13 - T33 * c23_pm))
-    angle1________________ = _atan2(math.sqrt(v22), -(factor2 * (s23_mp * v13 + T33 * c23_mp)))
-    angle1_________________ = _atan2(math.sqrt(v23), -(factor2 * (s23_mm * v13 + T33 * c23_mm)))
     v42 = angle1______________ - offset5
     v43 = offset5 + angle1______________
     v44 = angle1_______________ - offset5
@@ -681,11 +759,7 @@ def _regular(pose, q, status):
     outside_mpm = v56 or (q5_mpm < low5 or high5 < q5_mpm)
     outside_mmp = v57 or (q5_mmp < low5 or high5 < q5_mmp)
     outside_mmm = v57 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt1 = (
-        shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or (v1 <= m1 or (N3 <= free_limit_squared2 or (v23 <= m8 or (v22 <= m8 or
-        (v20 <= m8 or v21 <= m8)))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -748,6 +822,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -767,25 +874,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -801,9 +896,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -865,10 +968,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1242,7 +1343,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1261,7 +1362,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

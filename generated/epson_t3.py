@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "epson_t3"
 METHOD = "closed form"
@@ -116,7 +140,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -186,7 +210,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -263,7 +287,7 @@ def _solve(pose, seed, q, status):
         status[row] = FREE_JOINT if free1_ or free12m4 or free12m4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -308,7 +332,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     if not _REVOLUTE[joint]:
@@ -322,7 +346,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
@@ -344,25 +368,24 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(16), 16)
 
     # theta12m4, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
     v2 = math.sqrt(v1) * (1.0 / v1)
     c12m4 = T11 * v2
     s12m4 = T21 * v2
-    angle1 = _atan2(T21, T11)
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
     w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-    angle1_ = _atan2(w2, N2 - k1)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     v3 = m3 + m2 * N2
@@ -370,8 +393,6 @@ def _regular(pose, q, status):
     v5 = T14 * v3
     v6 = w2 * (m2 * T14)
     v7 = w2 * (m2 * T24)
-    angle1__ = _atan2(v4 - v6, v5 + v7)
-    angle1___ = _atan2(v4 + v6, v5 - v7)
 
     # is the pose one that the arm can take?
     v8 = (
@@ -381,24 +402,45 @@ def _regular(pose, q, status):
     )
 
     # joint values
+    v11 = T34 < low3 or high3 < T34
+    q3_p = v8 + (T34 + (w2 - w2))
+    doubt1 = (
+        shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
+        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
+    )
+
+    # angles, side by side
+    room[0] = T21
+    room[1] = w2
+    room[2] = v4 - v6
+    room[3] = v4 + v6
+    room[8] = T11
+    room[9] = N2 - k1
+    room[10] = v5 + v7
+    room[11] = v5 - v7
+    for k in range(4, 8):
+        room[k] = room[k + 8] = 1.0
+    for k in range(8):
+        room[k] = _atan2(room[k], room[k + 8])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+
+    # joint values
     v9 = angle1_ + angle1__ - angle1
     v10 = angle1___ - angle1_ - angle1
-    v11 = T34 < low3 or high3 < T34
     q1_p = angle1__ + v8
     q1_m = angle1___ + v8
     q2_p = angle1_ + v8
     q2_m = v8 - angle1_
-    q3_p = v8 + (T34 + (w2 - w2))
     q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
     q4_m = v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))
     outside_p = v11 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
     outside_m = (
         v11 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 < -angle1_))
     )
-    doubt1 = (
-        shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -413,6 +455,39 @@ def _regular(pose, q, status):
     q[1, 3] = q4_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_m else OK)
     return True
+
+
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
+        raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(4):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(4), 4))
+    return _into(T, seed, q, status)
 
 
 @_jit
@@ -434,25 +509,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
-        raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(4), 4)) if q_seed is None else q_seed
     if seed.shape != (4,):
         raise ValueError("q_seed must be (4,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(2):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -468,9 +531,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((2, 4)), np.empty(2, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (4,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -534,10 +605,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(4)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -692,7 +761,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -711,7 +780,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

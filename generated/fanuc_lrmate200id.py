@@ -16,15 +16,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "fanuc_lrmate200id"
 METHOD = "closed form"
@@ -142,7 +166,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -317,7 +341,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -437,7 +461,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -482,7 +506,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -494,7 +518,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -516,13 +540,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1[3, 4]
     t14 = T14 - d6 * T11
@@ -530,8 +555,6 @@ def _regular(pose, q, status):
     v1 = t14 * t14 + Y1 * Y1
     w1 = math.sqrt(v1)
     v2 = 1.0 / v1
-    angle1 = _atan2(Y1, -t14)
-    q1__m = angle1 - math.copysign(half_turn, Y1) * h1
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d6 * T31 - d1
@@ -542,12 +565,6 @@ def _regular(pose, q, status):
     N3_m = v5 + v4 * v4
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    angle1_ = _atan2(w3_p, N3_p - k3)
-    angle1__ = _atan2(w3_m, N3_m - k3)
-    q3__pp = angle1_ - turn1
-    v6 = turn1 + angle1_
-    q3__mp = angle1__ - turn1
-    v7 = turn1 + angle1__
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     Y1_2_p = m3 * N3_p - m4
@@ -595,16 +612,8 @@ def _regular(pose, q, status):
     v33 = v31 + X4_pm * X4_pm
     v34 = v31 + v29 * v29
     v35 = v31 + v30 * v30
-    angle1___ = _atan2(Y4, -X4_pp)
-    angle1____ = _atan2(Y4, -X4_pm)
-    angle1_____ = _atan2(-Y4, v29)
-    angle1______ = _atan2(-Y4, v30)
     v36 = h1 * math.copysign(half_turn, Y4)
     v37 = h1 * math.copysign(half_turn, -Y4)
-    q4_ppm = angle1___ - v36
-    q4_pmm = angle1____ - v36
-    q4_mpm = angle1_____ - v37
-    q4_mmm = angle1______ - v37
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
@@ -615,33 +624,109 @@ def _regular(pose, q, status):
     v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40
     v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41)
     v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41)
-    angle1_______ = _atan2(v42, Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38)
-    angle1________ = _atan2(v43, Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38)
-    angle1_________ = _atan2(v44, v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39))
-    angle1__________ = _atan2(v45, v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39))
+
+    # joint values
+    v46 = w3_p * (m3 * v3)
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (v35 <= m9 or (v34 <= m9 or (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
+    )
+
+    # angles, side by side
+    room[0] = Y1
+    room[1] = w3_p
+    room[2] = w3_m
+    room[3] = Y4
+    room[4] = Y4
+    room[5] = -Y4
+    room[6] = -Y4
+    room[7] = v42
+    room[8] = v43
+    room[9] = v44
+    room[10] = v45
+    room[11] = -(v8 + v46)
+    room[12] = v46 - v8
+    room[13] = -(v9 + w3_m * (m3 * v4))
+    room[14] = -(v9 + w3_m * (m3 * -v4))
+    room[15] = math.sqrt(v32)
+    room[16] = math.sqrt(v33)
+    room[17] = math.sqrt(v34)
+    room[18] = math.sqrt(v35)
+    room[24] = -t14
+    room[25] = N3_p - k3
+    room[26] = N3_m - k3
+    room[27] = -X4_pp
+    room[28] = -X4_pm
+    room[29] = v29
+    room[30] = v30
+    room[31] = Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38
+    room[32] = Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38
+    room[33] = v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39)
+    room[34] = v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39)
+    room[35] = v12 + w3_p * v10
+    room[36] = v12 + w3_p * v11
+    room[37] = v13 + w3_m * v10
+    room[38] = v13 + w3_m * v11
+    room[39] = T31 * c2m3_pp + s2m3_pp * v28
+    room[40] = T31 * c2m3_pm + s2m3_pm * v28
+    room[41] = T31 * c2m3_mp - s2m3_mp * v28
+    room[42] = T31 * c2m3_mm - s2m3_mm * v28
+    for k in range(19, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+
+    # theta1, type 2: U1[3, 4]
+    q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+
+    # theta3, type 6: U1[2, 4] and U1[1, 4]
+    q3__pp = angle1_ - turn1
+    v6 = turn1 + angle1_
+    q3__mp = angle1__ - turn1
+    v7 = turn1 + angle1__
+
+    # theta4, type 2: U4[3, 3]
+    q4_ppm = angle1___ - v36
+    q4_pmm = angle1____ - v36
+    q4_mpm = angle1_____ - v37
+    q4_mmm = angle1______ - v37
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v42)
     q6_pmm = angle1________ - h1 * math.copysign(half_turn, v43)
     q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v44)
     q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v45)
 
     # joint values
-    v46 = w3_p * (m3 * v3)
-    angle1___________ = _atan2(-(v8 + v46), v12 + w3_p * v10)
     v47 = angle1___________ - offset2
-    angle1____________ = _atan2(v46 - v8, v12 + w3_p * v11)
     v48 = angle1____________ - offset2
-    angle1_____________ = _atan2(-(v9 + w3_m * (m3 * v4)), v13 + w3_m * v10)
     v49 = angle1_____________ - offset2
-    angle1______________ = _atan2(-(v9 + w3_m * (m3 * -v4)), v13 + w3_m * v11)
     v50 = angle1______________ - offset2
     q2_ppp = v47 - (m10 if half_turn < v47 else 0.0)
     q2_pmp = v48 - (m10 if half_turn < v48 else 0.0)
     q2_mpp = v49 - (m10 if half_turn < v49 else 0.0)
     q2_mmp = v50 - (m10 if half_turn < v50 else 0.0)
-    angle1_______________ = _atan2(math.sqrt(v32), T31 * c2m3_pp + s2m3_pp * v28)
-    angle1________________ = _atan2(math.sqrt(v33), T31 * c2m3_pm + s2m3_pm * v28)
-    angle1_________________ = _atan2(math.sqrt(v34), T31 * c2m3_mp - s2m3_mp * v28)
-    angle1__________________ = _atan2(math.sqrt(v35), T31 * c2m3_mm - s2m3_mm * v28)
     v51 = angle1_______________ - offset5
     v52 = offset5 + angle1_______________
     v53 = angle1________________ - offset5
@@ -690,12 +775,7 @@ def _regular(pose, q, status):
     outside_mpm = v75 or (q5_mpm < low5 or high5 < q5_mpm)
     outside_mmp = v76 or (q5_mmp < low5 or high5 < q5_mmp)
     outside_mmm = v76 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or (v35 <= m9 or (v34 <= m9 or (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -758,6 +838,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -777,25 +890,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -811,9 +912,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -875,10 +984,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1276,7 +1383,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1295,7 +1402,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "franka_panda"
 METHOD = "closed form"
@@ -350,7 +374,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, q_free, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -535,7 +559,7 @@ def _solve(pose, q_free, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free5 or free6 else OK
 
 
-@_jit
+@_merged
 def _read(T, q_free):
     """Whether T is a pose, and its upper three rows.
 
@@ -580,7 +604,7 @@ def _read(T, q_free):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -592,7 +616,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, q_free, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -614,16 +638,14 @@ def _whole(pose, q_free, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q_free, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-
-    c7 = math.cos(q_free[0])
-    s7 = math.sin(q_free[0])
+    room = carray(_room(48), 48)
 
     # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
     v1 = d7 * T13 - T14
@@ -632,6 +654,19 @@ def _regular(pose, q_free, q, status):
     w2x = v1 * T11 + v2 * T21 + v3 * T31
     w2y = v1 * T12 + v2 * T22 + v3 * T32
     w2z = T13 * v1 + T23 * v2 + T33 * v3
+
+    # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
+    v80 = d5 * T23
+    v81 = a4 * T23
+    v92 = d5 * T13
+    v93 = a4 * T13
+
+    # joint values
+    v163 = q_free[0] < low7 or high7 < q_free[0]
+    s7 = math.sin(q_free[0])
+    c7 = math.cos(q_free[0])
+
+    # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
     Z4 = (
         c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z * w2z -
         k3)))
@@ -647,9 +682,6 @@ def _regular(pose, q_free, q, status):
     v8 = m2 * w4
     s4_p = v8 - v7
     v9 = v7 + v8
-    angle1 = _atan2(w4, Z4)
-    q4__p = angle1 - turn1
-    v10 = turn1 + angle1
 
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
     v11 = a3 * c4_p + d3 * s4_p - a4
@@ -682,10 +714,6 @@ def _regular(pose, q_free, q, status):
     v27 = Z5 * v16
     s5_p = inverse5_p * v26
     s5_m = inverse5_m * v27
-    angle1_ = _atan2(v26, -v22)
-    angle1__ = _atan2(v27, -v23)
-    q5_pmp = math.copysign(half_turn, v26) * h1 - angle1_
-    q5_mmp = math.copysign(half_turn, v27) * h1 - angle1__
 
     # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
     v28 = m7 + m3 * Z4
@@ -717,10 +745,6 @@ def _regular(pose, q_free, q, status):
     factor6_pm = math.sqrt(v43) * (1.0 / v43)
     factor6_mp = math.sqrt(v44) * (1.0 / v44)
     factor6_mm = math.sqrt(v45) * (1.0 / v45)
-    angle1___ = _atan2(-v33, C6_pp)
-    angle1____ = _atan2(-v34, C6_pm)
-    angle1_____ = _atan2(-v36, C6_mp)
-    angle1______ = _atan2(-v37, C6_mm)
 
     # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
     v46 = c7 * T11 - s7 * T12
@@ -759,19 +783,9 @@ def _regular(pose, q_free, q, status):
     v76 = X1_pm * X1_pm + v72 * v72
     v77 = X1_mp * X1_mp + v73 * v73
     v78 = v58 * v58 + v74 * v74
-    angle1_______ = _atan2(-v71, -X1_pp)
-    angle1________ = _atan2(-v72, -X1_pm)
-    angle1_________ = _atan2(-v73, -X1_mp)
-    angle1__________ = _atan2(v74, v58)
-    q1_ppm = angle1_______ - h1 * math.copysign(half_turn, -v71)
-    q1_pmm = angle1________ - h1 * math.copysign(half_turn, -v72)
-    q1_mpm = angle1_________ - h1 * math.copysign(half_turn, -v73)
-    q1_mmm = angle1__________ - h1 * math.copysign(half_turn, v74)
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
     v79 = a4 * v59
-    v80 = d5 * T23
-    v81 = a4 * T23
     v82 = d5 * v59
     v83 = a4 * v64
     v84 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
@@ -782,8 +796,6 @@ def _regular(pose, q_free, q, status):
     v89 = v24 * v81
     v90 = v25 * v81
     v91 = a4 * v46
-    v92 = d5 * T13
-    v93 = a4 * T13
     v94 = d5 * v46
     v95 = a4 * v51
     v96 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
@@ -837,14 +849,6 @@ def _regular(pose, q_free, q, status):
         a3 * (v58 * (factor6_mm * (C6_mm * v104 - v37 * v106) - v108) - v74 * (factor6_mm * (C6_mm *
         v110 - v37 * v112) - v114)) / -a3
     )
-    angle1___________ = _atan2(s3_pp, -v115)
-    angle1____________ = _atan2(s3_pm, -v116)
-    angle1_____________ = _atan2(s3_mp, -v117)
-    angle1______________ = _atan2(s3_mm, -v118)
-    q3_ppm = angle1___________ - h1 * math.copysign(half_turn, s3_pp)
-    q3_pmm = angle1____________ - h1 * math.copysign(half_turn, s3_pm)
-    q3_mpm = angle1_____________ - h1 * math.copysign(half_turn, s3_mp)
-    q3_mmm = angle1______________ - h1 * math.copysign(half_turn, s3_mm)
 
     # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
     v119 = c7 * T31 - s7 * T32
@@ -875,26 +879,113 @@ def _regular(pose, q_free, q, status):
     v144 = T33 * s5_m
     v145 = v24 * v128
     v146 = v25 * v128
-    angle1_______________ = (
-        _atan2(math.sqrt(v75) * (1.0 / v75) * (v115 * (v135 + factor6_pp * (C6_pp * (v124 - v137) -
-        -v33 * (v120 + v139))) + s3_pp * (v145 + factor6_pp * (C6_pp * v141 + -v33 * v143))), v129 +
-        factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 + v131)))
+
+    # joint values
+    v164 = q_free[0] + (w4 - w4)
+    q7_ppp = v20 + v164
+    q7_mpp = v21 + v164
+    doubt1 = (
+        v78 <= m9 or (v45 <= m8 or (v77 <= m9 or (v44 <= m8 or (v76 <= m9 or (v43 <= m8 or (v75 <=
+        m9 or (v42 <= m8 or (-(reach_slack1 * (reach_slack1 + v18)) <= D5_m and (free5_m or not (v19
+        < D5_m)) or (free5_m or (-(reach_slack1 * (reach_slack1 + v18)) <= D5_p and (free5_p or not
+        (v19 < D5_p)) or (-(reach_slack2 * (reach_slack2 + v4)) <= D4 and not (merge_slack2 *
+        (merge_slack2 + v4) < D4) or free5_p)))))))))))
     )
-    angle1________________ = (
-        _atan2(math.sqrt(v76) * (1.0 / v76) * (v116 * (v135 + factor6_pm * (C6_pm * (v124 + v137) +
-        v34 * (v120 - v139))) + s3_pm * (factor6_pm * (C6_pm * v141 - v34 * v143) - v145)), v129 -
-        factor6_pm * (v34 * (v126 + v133) + C6_pm * (v122 - v131)))
+
+    # angles, side by side
+    room[0] = w4
+    room[1] = v26
+    room[2] = v27
+    room[3] = -v33
+    room[4] = -v34
+    room[5] = -v36
+    room[6] = -v37
+    room[7] = -v71
+    room[8] = -v72
+    room[9] = -v73
+    room[10] = v74
+    room[11] = s3_pp
+    room[12] = s3_pm
+    room[13] = s3_mp
+    room[14] = s3_mm
+    room[15] = (
+        math.sqrt(v75) * (1.0 / v75) * (v115 * (v135 + factor6_pp * (C6_pp * (v124 - v137) - -v33 *
+        (v120 + v139))) + s3_pp * (v145 + factor6_pp * (C6_pp * v141 + -v33 * v143)))
     )
-    angle1_________________ = (
-        _atan2(math.sqrt(v77) * (1.0 / v77) * (v117 * (v136 - factor6_mp * (C6_mp * (v125 + v138) +
-        -v36 * (v140 - v121))) + s3_mp * (v146 + factor6_mp * (C6_mp * v142 + -v36 * v144))),
-        factor6_mp * (-v36 * (v127 + v134) - C6_mp * (v123 - v132)) - v130)
+    room[16] = (
+        math.sqrt(v76) * (1.0 / v76) * (v116 * (v135 + factor6_pm * (C6_pm * (v124 + v137) + v34 *
+        (v120 - v139))) + s3_pm * (factor6_pm * (C6_pm * v141 - v34 * v143) - v145))
     )
-    angle1__________________ = (
-        _atan2(math.sqrt(v78) * (1.0 / v78) * (v118 * (v136 + factor6_mm * (C6_mm * (v138 - v125) -
-        v37 * (v121 + v140))) + s3_mm * (factor6_mm * (C6_mm * v142 - v37 * v144) - v146)), -(v130 +
-        factor6_mm * (v37 * (v127 - v134) + C6_mm * (v123 + v132))))
+    room[17] = (
+        math.sqrt(v77) * (1.0 / v77) * (v117 * (v136 - factor6_mp * (C6_mp * (v125 + v138) + -v36 *
+        (v140 - v121))) + s3_mp * (v146 + factor6_mp * (C6_mp * v142 + -v36 * v144)))
     )
+    room[18] = (
+        math.sqrt(v78) * (1.0 / v78) * (v118 * (v136 + factor6_mm * (C6_mm * (v138 - v125) - v37 *
+        (v121 + v140))) + s3_mm * (factor6_mm * (C6_mm * v142 - v37 * v144) - v146))
+    )
+    room[24] = Z4
+    room[25] = -v22
+    room[26] = -v23
+    room[27] = C6_pp
+    room[28] = C6_pm
+    room[29] = C6_mp
+    room[30] = C6_mm
+    room[31] = -X1_pp
+    room[32] = -X1_pm
+    room[33] = -X1_mp
+    room[34] = v58
+    room[35] = -v115
+    room[36] = -v116
+    room[37] = -v117
+    room[38] = -v118
+    room[39] = v129 + factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 + v131))
+    room[40] = v129 - factor6_pm * (v34 * (v126 + v133) + C6_pm * (v122 - v131))
+    room[41] = factor6_mp * (-v36 * (v127 + v134) - C6_mp * (v123 - v132)) - v130
+    room[42] = -(v130 + factor6_mm * (v37 * (v127 - v134) + C6_mm * (v123 + v132)))
+    for k in range(19, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+
+    # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
+    q4__p = angle1 - turn1
+    v10 = turn1 + angle1
+
+    # theta5, type 2: A7 U0^-1 A1 [3, 4]
+    q5_pmp = math.copysign(half_turn, v26) * h1 - angle1_
+    q5_mmp = math.copysign(half_turn, v27) * h1 - angle1__
+
+    # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
+    q1_ppm = angle1_______ - h1 * math.copysign(half_turn, -v71)
+    q1_pmm = angle1________ - h1 * math.copysign(half_turn, -v72)
+    q1_mpm = angle1_________ - h1 * math.copysign(half_turn, -v73)
+    q1_mmm = angle1__________ - h1 * math.copysign(half_turn, v74)
+
+    # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
+    q3_ppm = angle1___________ - h1 * math.copysign(half_turn, s3_pp)
+    q3_pmm = angle1____________ - h1 * math.copysign(half_turn, s3_pm)
+    q3_mpm = angle1_____________ - h1 * math.copysign(half_turn, s3_mp)
+    q3_mmm = angle1______________ - h1 * math.copysign(half_turn, s3_mm)
 
     # joint values
     v147 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
@@ -917,12 +1008,8 @@ def _regular(pose, q_free, q, status):
     q6_pmp = angle1____ if v160 else v156
     q6_mpp = angle1_____ if v161 else v157
     q6_mmp = angle1______ if v162 else v158
-    v163 = q_free[0] < low7 or high7 < q_free[0]
     q4_ppp = v20 + v147
     q4_mpp = v21 + v148
-    v164 = q_free[0] + (w4 - w4)
-    q7_ppp = v20 + v164
-    q7_mpp = v21 + v164
     outside_ppp = (
         v163 or (v159 or (v151 or (v149 or (angle1___________ < low3 or high3 < angle1___________ or
         (angle1_______ < low1 or high1 < angle1_______ or (angle1_______________ < low2 or high2 <
@@ -960,13 +1047,7 @@ def _regular(pose, q_free, q, status):
         high1 < q1_mmm or (-angle1__________________ < low2 or high2 <
         -angle1__________________))))))
     )
-    doubt1 = (
-        v78 <= m9 or (v45 <= m8 or (v77 <= m9 or (v44 <= m8 or (v76 <= m9 or (v43 <= m8 or (v75 <=
-        m9 or (v42 <= m8 or (-(reach_slack1 * (reach_slack1 + v18)) <= D5_m and (free5_m or not (v19
-        < D5_m)) or (free5_m or (-(reach_slack1 * (reach_slack1 + v18)) <= D5_p and (free5_p or not
-        (v19 < D5_p)) or (-(reach_slack2 * (reach_slack2 + v4)) <= D4 and not (merge_slack2 *
-        (merge_slack2 + v4) < D4) or free5_p)))))))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -1037,6 +1118,41 @@ def _regular(pose, q_free, q, status):
     return True
 
 
+@_merged
+def _into(T, q_free, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 7) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 7) and (8,)")
+    if q_free.shape != (1,):
+        raise ValueError("q_free must be (1,)")
+    valid, pose = _read(T, q_free)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q_free, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, q_free, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(7):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q_free, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(7), 7))
+    return _into(T, q_free, seed, q, status)
+
+
 @_jit
 def ik_into(T, q_free, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -1057,27 +1173,13 @@ def ik_into(T, q_free, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 7) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 7) and (8,)")
-    if q_free.shape != (1,):
-        raise ValueError("q_free must be (1,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(7), 7)) if q_seed is None else q_seed
     if seed.shape != (7,):
         raise ValueError("q_seed must be (7,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T, q_free)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q_free, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, q_free, seed, q, status)
+    return _into(T, q_free, seed, q, status)
 
 
 def ik_all(T, q_free, q_seed=None):
@@ -1094,10 +1196,19 @@ def ik_all(T, q_free, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 7)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    q_free = _array(q_free, (1,), "q_free")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
-    ik_into(T, q_free, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    q_free = np.ascontiguousarray(q_free, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q_free, q, status)
+        else:
+            seed = _array(q_seed, (7,), "q_seed")
+            ik_into(T, q_free, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        _array(q_free, (1,), "q_free")
+        raise
     return q, status
 
 
@@ -1160,10 +1271,8 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q_free, q, status):
-    seed = np.empty(7)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q_free[k], q[k], status[k], seed)
+        _unseeded(T[k], q_free[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1784,7 +1893,7 @@ def ik_batch(T, q_free, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q_free, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q_free[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q_free[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
@@ -1803,7 +1912,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "kawasaki_rs007n"
 METHOD = "closed form"
@@ -135,7 +159,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -313,7 +337,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -440,7 +464,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -485,7 +509,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -497,7 +521,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -519,13 +543,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     X1 = d6 * T13 - T14
@@ -622,32 +647,91 @@ def _regular(pose, q, status):
     v59 = w1 * (v2 * (X1 * T11 + wy * T21))
 
     # joint values
-    angle1 = _atan2(wy, -X1)
+    v68 = h1 * math.copysign(half_turn, -v46)
+    v69 = h1 * math.copysign(half_turn, v46)
+    v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
+    v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
+    doubt1 = (
+        v51 <= m5 or (v27 <= m4 or (v50 <= m5 or (v26 <= m4 or (v49 <= m5 or (v25 <= m4 or (v48 <=
+        m5 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
+        N3 and N3 < longest3_apart) or v23 <= m4)))))))
+    )
+
+    # angles, side by side
+    room[0] = wy
+    room[1] = S2_pp
+    room[2] = S2_pm
+    room[3] = S2_pm
+    room[4] = S2_pp
+    room[5] = v5
+    room[6] = -v46
+    room[7] = -v46
+    room[8] = v46
+    room[9] = v46
+    room[10] = math.sqrt(v48)
+    room[11] = math.sqrt(v49)
+    room[12] = math.sqrt(v50)
+    room[13] = math.sqrt(v51)
+    room[14] = v86
+    room[15] = v87
+    room[16] = -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59)))
+    room[17] = -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59)))
+    room[24] = -X1
+    room[25] = C2_pp
+    room[26] = C2_pm
+    room[27] = C2_mp
+    room[28] = C2_mm
+    room[29] = -v6
+    room[30] = v41
+    room[31] = v42
+    room[32] = v43
+    room[33] = v44
+    room[34] = T33 * c2m3_pp + v35 * v40
+    room[35] = T33 * c2m3_pm + v37 * v40
+    room[36] = T33 * c2m3_mp - v38 * v40
+    room[37] = T33 * c2m3_mm - v39 * v40
+    room[38] = v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))
+    room[39] = v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57))
+    room[40] = -(v54 * (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57)))
+    room[41] = -(v55 * (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57)))
+    for k in range(18, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+
+    # joint values
     v60 = angle1 - offset1
     v61 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
-    angle1_ = _atan2(S2_pp, C2_pp)
     v62 = angle1_ - offset2
-    angle1__ = _atan2(S2_pm, C2_pm)
     v63 = angle1__ - offset2
-    angle1___ = _atan2(S2_pm, C2_mp)
     v64 = angle1___ - offset2
-    angle1____ = _atan2(S2_pp, C2_mm)
     v65 = angle1____ - offset2
     q2_ppp = v62 - (m7 if half_turn < v62 else 0.0)
     q2_pmp = v63 - (m7 if half_turn < v63 else 0.0)
     q2_mpp = v64 - (m7 if half_turn < v64 else 0.0)
     q2_mmp = v65 - (m7 if half_turn < v65 else 0.0)
-    angle1_____ = _atan2(v5, -v6)
     v66 = angle1_____ - offset3
     v67 = h1 * math.copysign(half_turn, v5) - angle1_____ - offset3
     q3_ppp = v66 + (m7 if v66 <= -half_turn else 0.0)
     q3_pmp = v67 + (m7 if v67 <= -half_turn else 0.0)
-    angle1______ = _atan2(-v46, v41)
-    angle1_______ = _atan2(-v46, v42)
-    angle1________ = _atan2(v46, v43)
-    angle1_________ = _atan2(v46, v44)
-    v68 = h1 * math.copysign(half_turn, -v46)
-    v69 = h1 * math.copysign(half_turn, v46)
     v70 = angle1______ - offset4
     v71 = angle1______ - v68 - offset4
     v72 = angle1_______ - offset4
@@ -664,10 +748,6 @@ def _regular(pose, q, status):
     q4_mpm = v75 + (m7 if v75 <= -half_turn else 0.0)
     q4_mmp = v76 + (m7 if v76 <= -half_turn else 0.0)
     q4_mmm = v77 + (m7 if v77 <= -half_turn else 0.0)
-    angle1__________ = _atan2(math.sqrt(v48), T33 * c2m3_pp + v35 * v40)
-    angle1___________ = _atan2(math.sqrt(v49), T33 * c2m3_pm + v37 * v40)
-    angle1____________ = _atan2(math.sqrt(v50), T33 * c2m3_mp - v38 * v40)
-    angle1_____________ = _atan2(math.sqrt(v51), T33 * c2m3_mm - v39 * v40)
     v78 = angle1__________ - offset5
     v79 = offset5 + angle1__________
     v80 = angle1___________ - offset5
@@ -684,18 +764,6 @@ def _regular(pose, q, status):
     q5_mpm = (m7 if -v83 <= -half_turn else 0.0) - v83
     q5_mmp = v84 + (m7 if v84 <= -half_turn else 0.0)
     q5_mmm = (m7 if -v85 <= -half_turn else 0.0) - v85
-    v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
-    v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
-    angle1______________ = _atan2(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57)))
-    angle1_______________ = _atan2(v87, v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57)))
-    angle1________________ = (
-        _atan2(-(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59))), -(v54 * (v43 * v56 - v45 *
-        (v38 * T32 + c2m3_mp * v57))))
-    )
-    angle1_________________ = (
-        _atan2(-(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59))), -(v55 * (v44 * v56 - v45 *
-        (v39 * T32 + c2m3_mm * v57))))
-    )
     v88 = angle1______________ - offset6
     v89 = angle1______________ - h1 * math.copysign(half_turn, v86) - offset6
     v90 = angle1_______________ - offset6
@@ -734,11 +802,7 @@ def _regular(pose, q, status):
     outside_mpm = v100 or (q5_mpm < low5 or high5 < q5_mpm)
     outside_mmp = v101 or (q5_mmp < low5 or high5 < q5_mmp)
     outside_mmm = v101 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt1 = (
-        v51 <= m5 or (v27 <= m4 or (v50 <= m5 or (v26 <= m4 or (v49 <= m5 or (v25 <= m4 or (v48 <=
-        m5 or (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart <
-        N3 and N3 < longest3_apart) or v23 <= m4)))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -801,6 +865,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -820,25 +917,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -854,9 +939,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -918,10 +1011,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1365,7 +1456,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1384,7 +1475,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

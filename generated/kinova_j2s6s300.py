@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "kinova_j2s6s300"
 METHOD = "closed form"
@@ -138,7 +162,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -314,7 +338,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -441,7 +465,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -486,7 +510,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -498,7 +522,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -520,13 +544,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     X1 = d6 * T13 - T14
@@ -610,23 +635,11 @@ def _regular(pose, q, status):
     v40 = v37 + X4_pm * X4_pm
     v41 = v38 + X4_mp * X4_mp
     v42 = v38 + X4_mm * X4_mm
-    angle1 = _atan2(-v35, -X4_pp)
-    angle1_ = _atan2(-v35, -X4_pm)
-    angle1__ = _atan2(-v36, -X4_mp)
-    angle1___ = _atan2(-v36, -X4_mm)
     v43 = math.copysign(half_turn, -v35) * h1
     v44 = math.copysign(half_turn, -v36) * h1
-    q4_ppm = angle1 - v43
-    q4_pmm = angle1_ - v43
-    q4_mpm = angle1__ - v44
-    q4_mmm = angle1___ - v44
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1____ = _atan2(-math.sqrt(v39), -(T33 * c2m3_pp + s2m3_pp * v33))
     v45 = T33 * v29
-    angle1_____ = _atan2(-math.sqrt(v40), v45 - s2m3_pm * v33)
-    angle1______ = _atan2(-math.sqrt(v41), v45 - s2m3_mp * v34)
-    angle1_______ = _atan2(-math.sqrt(v42), T33 * v30 - s2m3_mm * v34)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v46 = c1_p * T22 + s1_p * T12
@@ -643,31 +656,96 @@ def _regular(pose, q, status):
     s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
 
     # joint values
-    angle1________ = _atan2(s1_p, c1_p)
+    doubt1 = (
+        -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v42 <= m4 or (v24 <= m3 or (v41 <= m4
+        or (v40 <= m4 or (v23 <= m3 or (v39 <= m4 or (shortest3_reach <= N3 and N3 <= longest3_reach
+        and not (shortest3_apart < N3 and N3 < longest3_apart) or v22 <= m3))))))))
+    )
+
+    # angles, side by side
+    room[0] = -v35
+    room[1] = -v35
+    room[2] = -v36
+    room[3] = -v36
+    room[4] = -math.sqrt(v39)
+    room[5] = -math.sqrt(v40)
+    room[6] = -math.sqrt(v41)
+    room[7] = -math.sqrt(v42)
+    room[8] = s1_p
+    room[9] = s1_m
+    room[10] = S2_pp
+    room[11] = S2_pm
+    room[12] = S2_pm
+    room[13] = S2_pp
+    room[14] = -v5
+    room[15] = s6_pp
+    room[16] = s6_pm
+    room[17] = s6_mp
+    room[18] = s6_mm
+    room[24] = -X4_pp
+    room[25] = -X4_pm
+    room[26] = -X4_mp
+    room[27] = -X4_mm
+    room[28] = -(T33 * c2m3_pp + s2m3_pp * v33)
+    room[29] = v45 - s2m3_pm * v33
+    room[30] = v45 - s2m3_mp * v34
+    room[31] = T33 * v30 - s2m3_mm * v34
+    room[32] = c1_p
+    room[33] = c1_m
+    room[34] = C2_pp
+    room[35] = C2_pm
+    room[36] = -C2_pm
+    room[37] = -C2_pp
+    room[38] = v7
+    room[39] = v35 * (c2m3_pp * v48 - s2m3_pp * T32) - -X4_pp * v46
+    room[40] = X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32)
+    room[41] = X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32)
+    room[42] = X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm * T32)
+    for k in range(19, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+
+    # theta4, type 2: U4[3, 3]
+    q4_ppm = angle1 - v43
+    q4_pmm = angle1_ - v43
+    q4_mpm = angle1__ - v44
+    q4_mmm = angle1___ - v44
+
+    # joint values
     v54 = angle1________ - offset1
-    angle1_________ = _atan2(s1_m, c1_m)
     v55 = angle1_________ - offset1
-    angle1__________ = _atan2(S2_pp, C2_pp)
     v56 = angle1__________ - offset2
-    angle1___________ = _atan2(S2_pm, C2_pm)
     v57 = angle1___________ - offset2
-    angle1____________ = _atan2(S2_pm, -C2_pm)
     v58 = angle1____________ - offset2
-    angle1_____________ = _atan2(S2_pp, -C2_pp)
     v59 = angle1_____________ - offset2
     q2__pp = v56 + (m6 if v56 <= -half_turn else 0.0)
     q2__pm = v57 + (m6 if v57 <= -half_turn else 0.0)
     q2__mp = v58 + (m6 if v58 <= -half_turn else 0.0)
     q2__mm = v59 + (m6 if v59 <= -half_turn else 0.0)
-    angle1______________ = _atan2(-v5, v7)
     v60 = angle1______________ - offset3
     v61 = h1 * math.copysign(half_turn, -v5) - angle1______________ - offset3
     q3__p = v60 + (m6 if v60 <= -half_turn else 0.0)
     q3__m = v61 + (m6 if v61 <= -half_turn else 0.0)
-    angle1_______________ = _atan2(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) - -X4_pp * v46)
-    angle1________________ = _atan2(s6_pm, X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32))
-    angle1_________________ = _atan2(s6_mp, X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32))
-    angle1__________________ = _atan2(s6_mm, X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm * T32))
     v62 = angle1_______________ - offset6
     v63 = angle1_______________ - h1 * math.copysign(half_turn, s6_pp) - offset6
     v64 = angle1________________ - offset6
@@ -740,11 +818,7 @@ def _regular(pose, q, status):
     outside_mpm = v95 or v100
     outside_mmp = v96 or v101
     outside_mmm = v97 or v101
-    doubt1 = (
-        -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v42 <= m4 or (v24 <= m3 or (v41 <= m4
-        or (v40 <= m4 or (v23 <= m3 or (v39 <= m4 or (shortest3_reach <= N3 and N3 <= longest3_reach
-        and not (shortest3_apart < N3 and N3 < longest3_apart) or v22 <= m3))))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -807,6 +881,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -826,25 +933,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -860,9 +955,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -924,10 +1027,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1364,7 +1465,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1383,7 +1484,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

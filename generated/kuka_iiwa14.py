@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "kuka_iiwa14"
 METHOD = "closed form"
@@ -139,7 +163,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -341,7 +365,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, q_free, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -519,7 +543,7 @@ def _solve(pose, q_free, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free5 else OK
 
 
-@_jit
+@_merged
 def _read(T, q_free):
     """Whether T is a pose, and its upper three rows.
 
@@ -564,7 +588,7 @@ def _read(T, q_free):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -576,7 +600,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, q_free, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -598,16 +622,14 @@ def _whole(pose, q_free, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q_free, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
-
-    c3 = math.cos(q_free[0])
-    s3 = math.sin(q_free[0])
+    room = carray(_room(48), 48)
 
     # theta4, type 2: the squared length of column 4 of U1 A7^-1
     wx = T14 - d7 * T13
@@ -624,14 +646,45 @@ def _regular(pose, q_free, q, status):
     v6 = k5 * v5
 
     # theta1, type 2: U1 A7^-1 [3, 4]
-    Z1 = d5 * (s3 * v6)
     N1 = v1 + -wx * -wx
-    D1 = N1 - Z1 * Z1
     free1 = N1 <= free_limit_squared2
+    inverse1 = 1.0 / N1
+
+    # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
+    X2_2 = d3 + d5 * v4
+    Z1_2 = wz - d1
+    v22 = X2_2 * Z1_2
+
+    # theta5, type 2: U5[3, 3]
+    v34 = T33 * v6
+    v35 = T13 * v6
+    v36 = T23 * v6
+
+    # theta6, type 3: U5[2, 3] and U5[1, 3]
+    v56 = T33 * v4
+    v57 = T13 * v4
+    v58 = T23 * v4
+
+    # theta7, type 3: U5[3, 2] and U5[3, 1]
+    v67 = v6 * T32
+    v68 = v6 * T12
+    v69 = v6 * T22
+    v78 = v6 * T31
+    v79 = v6 * T11
+    v80 = v6 * T21
+
+    # joint values
+    v103 = q_free[0] < low3 or high3 < q_free[0]
+    s3 = math.sin(q_free[0])
+    c3 = math.cos(q_free[0])
+    angle1________________ = _atan2(-v5, -v3)
+
+    # theta1, type 2: U1 A7^-1 [3, 4]
+    Z1 = d5 * (s3 * v6)
+    D1 = N1 - Z1 * Z1
     v7 = 2.0 * abs(Z1)
     w1 = math.sqrt(D1)
     v8 = w1 - w1
-    inverse1 = 1.0 / N1
     v9 = Z1 * -wx
     v10 = wy * Z1
     v11 = w1 * (-wx * inverse1)
@@ -651,13 +704,10 @@ def _regular(pose, q_free, q, status):
 
     # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
     v19 = d5 * (c3 * v6)
-    X2_2 = d3 + d5 * v4
-    Z1_2 = wz - d1
     v20 = v19 * Z1_2
     v21 = w1 * X2_2
     S2_pp = v21 - v20
     S2_mp = v20 + v21
-    v22 = X2_2 * Z1_2
     v23 = w1 * v19
     v24 = v22 + v23
     v25 = v22 - v23
@@ -674,9 +724,6 @@ def _regular(pose, q_free, q, status):
     v31 = v4 * v30
     v32 = c3 * T23
     v33 = v4 * v32
-    v34 = T33 * v6
-    v35 = T13 * v6
-    v36 = T23 * v6
     v37 = c3 * T33
     v38 = v4 * v37
     v39 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
@@ -724,21 +771,10 @@ def _regular(pose, q_free, q, status):
     v51 = X5_pm * X5_pm + v49 * v49
     v52 = X5_mp * X5_mp + Y5_mp * Y5_mp
     v53 = X5_mm * X5_mm + Y5_mm * Y5_mm
-    angle1 = _atan2(Y5_pp, -X5_pp)
-    angle1_ = _atan2(-v49, -X5_pm)
-    angle1__ = _atan2(Y5_mp, -X5_mp)
-    angle1___ = _atan2(Y5_mm, -X5_mm)
-    q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-    q5_pmm = angle1_ - math.copysign(half_turn, -v49) * h1
-    q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
-    q5_mmm = angle1___ - math.copysign(half_turn, Y5_mm) * h1
 
     # theta6, type 3: U5[2, 3] and U5[1, 3]
     v54 = v6 * v30
     v55 = v6 * v32
-    v56 = T33 * v4
-    v57 = T13 * v4
-    v58 = T23 * v4
     v59 = v6 * v37
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
@@ -749,9 +785,6 @@ def _regular(pose, q_free, q, status):
     v64 = s1_mm * T12 + v15 * T22
     v65 = v4 * (c3 * T12)
     v66 = v4 * (c3 * T22)
-    v67 = v6 * T32
-    v68 = v6 * T12
-    v69 = v6 * T22
     v70 = v4 * (c3 * T32)
     v71 = s3 * T31
     v72 = s1_pp * T11 - c1_pp * T21
@@ -760,17 +793,7 @@ def _regular(pose, q_free, q, status):
     v75 = s1_mm * T11 + v15 * T21
     v76 = v4 * (c3 * T11)
     v77 = v4 * (c3 * T21)
-    v78 = v6 * T31
-    v79 = v6 * T11
-    v80 = v6 * T21
     v81 = v4 * (c3 * T31)
-    angle1____ = (
-        _atan2(-(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp *
-        T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp * v77))
-        + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80))))), -(X5_pp * (c3 * v61 - factor2_pp * (S2_pp
-        * v60 - v24 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v4 * (s3 * v61) + factor2_pp *
-        (v24 * (v67 - (c1_pp * v65 + s1_pp * v66)) + S2_pp * (v70 + (c1_pp * v68 + s1_pp * v69))))))
-    )
     v82 = S2_mp * v71
     v83 = (
         v49 * (v4 * (s3 * v73) + factor2_pm * (v25 * (v78 - (c1_pm * v76 + s1_pm * v77)) - S2_mp *
@@ -778,26 +801,137 @@ def _regular(pose, q_free, q, status):
         (c1_pm * T11 + s1_pm * T21))))
     )
     v84 = S2_mp * v60
-    angle1_____ = (
-        _atan2(v83, v49 * (v4 * (s3 * v62) + factor2_pm * (v25 * (v67 - (c1_pm * v65 + s1_pm * v66))
-        - S2_mp * (v70 + (c1_pm * v68 + s1_pm * v69)))) - X5_pm * (c3 * v62 + factor2_pm * (v84 +
-        v25 * (s3 * (c1_pm * T12 + s1_pm * T22)))))
+
+    # joint values
+    v93 = angle1________________ - offset4
+    v94 = offset4 + angle1________________
+    q4__p = v93 + (m4 if v93 <= -half_turn else 0.0)
+    q4__m = (m4 if -v94 <= -half_turn else 0.0) - v94
+    v104 = q4__p < low4 or high4 < q4__p
+    v105 = q4__m < low4 or high4 < q4__m
+    q3_ppp = v8 + (q_free[0] + (w4 - w4))
+    q4_ppp = v8 + q4__p
+    q4_mpp = v8 + q4__m
+    doubt1 = (
+        -(reach_slack2 * (reach_slack2 + v2)) <= D4 and not (merge_slack2 * (merge_slack2 + v2) <
+        D4) or (free1 or (v53 <= m2 or (v29 <= m1 or (v52 <= m2 or (v51 <= m2 or (v28 <= m1 or (v50
+        <= m2 or (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or not (merge_slack1 *
+        (merge_slack1 + v7) < D1)) or v27 <= m1))))))))
     )
-    angle1______ = (
-        _atan2(-(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) +
-        Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) - v25 *
-        (v78 + (s1_mp * v77 - v14 * v76))))), -(X5_mp * (c3 * v63 - factor2_pm * (v84 - v25 * (s3 *
-        (s1_mp * T22 - v14 * T12)))) + Y5_mp * (v4 * (s3 * v63) + factor2_pm * (S2_mp * (v70 + (v14
-        * v68 - s1_mp * v69)) - v25 * (v67 + (s1_mp * v66 - v14 * v65))))))
+
+    # angles, side by side
+    room[0] = Y5_pp
+    room[1] = -v49
+    room[2] = Y5_mp
+    room[3] = Y5_mm
+    room[4] = (
+        -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp * T21))))
+        + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp * v77)) + S2_pp
+        * (v81 + (c1_pp * v79 + s1_pp * v80)))))
     )
-    angle1_______ = (
-        _atan2(-(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 *
-        T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm *
-        v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76))))), -(X5_mm * (c3 * v64 - factor2_mm *
-        (-S2_pp * v60 - v24 * (s3 * (s1_mm * T22 - v15 * T12)))) + Y5_mm * (v4 * (s3 * v64) +
-        factor2_mm * (-S2_pp * (v70 + (v15 * v68 - s1_mm * v69)) - v24 * (v67 + (s1_mm * v66 - v15 *
-        v65))))))
+    room[5] = v83
+    room[6] = (
+        -(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp *
+        (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) - v25 * (v78 +
+        (s1_mp * v77 - v14 * v76)))))
     )
+    room[7] = (
+        -(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11))))
+        + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24
+        * (v78 + (s1_mm * v77 - v15 * v76)))))
+    )
+    room[8] = s1_pp
+    room[9] = s1_pm
+    room[10] = s1_mp
+    room[11] = s1_mm
+    room[12] = S2_pp
+    room[13] = -S2_mp
+    room[14] = S2_mp
+    room[15] = -S2_pp
+    room[16] = math.sqrt(v50)
+    room[17] = math.sqrt(v51)
+    room[18] = math.sqrt(v52)
+    room[19] = math.sqrt(v53)
+    room[24] = -X5_pp
+    room[25] = -X5_pm
+    room[26] = -X5_mp
+    room[27] = -X5_mm
+    room[28] = (
+        -(X5_pp * (c3 * v61 - factor2_pp * (S2_pp * v60 - v24 * (s3 * (c1_pp * T12 + s1_pp * T22))))
+        + Y5_pp * (v4 * (s3 * v61) + factor2_pp * (v24 * (v67 - (c1_pp * v65 + s1_pp * v66)) + S2_pp
+        * (v70 + (c1_pp * v68 + s1_pp * v69)))))
+    )
+    room[29] = (
+        v49 * (v4 * (s3 * v62) + factor2_pm * (v25 * (v67 - (c1_pm * v65 + s1_pm * v66)) - S2_mp *
+        (v70 + (c1_pm * v68 + s1_pm * v69)))) - X5_pm * (c3 * v62 + factor2_pm * (v84 + v25 * (s3 *
+        (c1_pm * T12 + s1_pm * T22))))
+    )
+    room[30] = (
+        -(X5_mp * (c3 * v63 - factor2_pm * (v84 - v25 * (s3 * (s1_mp * T22 - v14 * T12)))) + Y5_mp *
+        (v4 * (s3 * v63) + factor2_pm * (S2_mp * (v70 + (v14 * v68 - s1_mp * v69)) - v25 * (v67 +
+        (s1_mp * v66 - v14 * v65)))))
+    )
+    room[31] = (
+        -(X5_mm * (c3 * v64 - factor2_mm * (-S2_pp * v60 - v24 * (s3 * (s1_mm * T22 - v15 * T12))))
+        + Y5_mm * (v4 * (s3 * v64) + factor2_mm * (-S2_pp * (v70 + (v15 * v68 - s1_mm * v69)) - v24
+        * (v67 + (s1_mm * v66 - v15 * v65)))))
+    )
+    room[32] = c1_pp
+    room[33] = c1_pm
+    room[34] = -v14
+    room[35] = -v15
+    room[36] = -v24
+    room[37] = -v25
+    room[38] = -v25
+    room[39] = -v24
+    room[40] = (
+        v6 * v43 - factor2_pp * (S2_pp * (c1_pp * v57 + s1_pp * v58 - v59) + v24 * (v56 + (c1_pp *
+        v54 + s1_pp * v55)))
+    )
+    room[41] = (
+        v6 * v44 - factor2_pm * (v25 * (v56 + (c1_pm * v54 + s1_pm * v55)) - S2_mp * (c1_pm * v57 +
+        s1_pm * v58 - v59))
+    )
+    room[42] = (
+        -(v6 * v45 + factor2_pm * (S2_mp * (v59 + (s1_mp * v58 - v14 * v57)) + v25 * (v56 + (v14 *
+        v54 - s1_mp * v55))))
+    )
+    room[43] = (
+        -(v6 * v46 + factor2_mm * (-S2_pp * (v59 + (s1_mm * v58 - v15 * v57)) + v24 * (v56 + (v15 *
+        v54 - s1_mm * v55))))
+    )
+    for k in range(20, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1_________________ = room[16]
+    angle1__________________ = room[17]
+    angle1___________________ = room[18]
+    angle1____________________ = room[19]
+
+    # theta5, type 2: U5[3, 3]
+    q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
+    q5_pmm = angle1_ - math.copysign(half_turn, -v49) * h1
+    q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
+    q5_mmm = angle1___ - math.copysign(half_turn, Y5_mm) * h1
+
+    # theta7, type 3: U5[3, 2] and U5[3, 1]
     q7_ppm = (
         angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 -
         v24 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 *
@@ -816,51 +950,22 @@ def _regular(pose, q_free, q, status):
     )
 
     # joint values
-    angle1________ = _atan2(s1_pp, c1_pp)
     v85 = angle1________ - offset1
-    angle1_________ = _atan2(s1_pm, c1_pm)
     v86 = angle1_________ - offset1
-    angle1__________ = _atan2(s1_mp, -v14)
     v87 = angle1__________ - offset1
-    angle1___________ = _atan2(s1_mm, -v15)
     v88 = angle1___________ - offset1
     q1_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
     q1_pmp = v86 + (m4 if v86 <= -half_turn else 0.0)
     q1_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
     q1_mmp = v88 + (m4 if v88 <= -half_turn else 0.0)
-    angle1____________ = _atan2(S2_pp, -v24)
     v89 = angle1____________ - offset2
-    angle1_____________ = _atan2(-S2_mp, -v25)
     v90 = angle1_____________ - offset2
-    angle1______________ = _atan2(S2_mp, -v25)
     v91 = angle1______________ - offset2
-    angle1_______________ = _atan2(-S2_pp, -v24)
     v92 = angle1_______________ - offset2
     q2_ppp = v89 + (m4 if v89 <= -half_turn else 0.0)
     q2_pmp = v90 + (m4 if v90 <= -half_turn else 0.0)
     q2_mpp = v91 + (m4 if v91 <= -half_turn else 0.0)
     q2_mmp = v92 + (m4 if v92 <= -half_turn else 0.0)
-    angle1________________ = _atan2(-v5, -v3)
-    v93 = angle1________________ - offset4
-    v94 = offset4 + angle1________________
-    q4__p = v93 + (m4 if v93 <= -half_turn else 0.0)
-    q4__m = (m4 if -v94 <= -half_turn else 0.0) - v94
-    angle1_________________ = (
-        _atan2(math.sqrt(v50), v6 * v43 - factor2_pp * (S2_pp * (c1_pp * v57 + s1_pp * v58 - v59) +
-        v24 * (v56 + (c1_pp * v54 + s1_pp * v55))))
-    )
-    angle1__________________ = (
-        _atan2(math.sqrt(v51), v6 * v44 - factor2_pm * (v25 * (v56 + (c1_pm * v54 + s1_pm * v55)) -
-        S2_mp * (c1_pm * v57 + s1_pm * v58 - v59)))
-    )
-    angle1___________________ = (
-        _atan2(math.sqrt(v52), -(v6 * v45 + factor2_pm * (S2_mp * (v59 + (s1_mp * v58 - v14 * v57))
-        + v25 * (v56 + (v14 * v54 - s1_mp * v55)))))
-    )
-    angle1____________________ = (
-        _atan2(math.sqrt(v53), -(v6 * v46 + factor2_mm * (-S2_pp * (v59 + (s1_mm * v58 - v15 * v57))
-        + v24 * (v56 + (v15 * v54 - s1_mm * v55)))))
-    )
     v95 = angle1_________________ - offset6
     v96 = offset6 + angle1_________________
     v97 = angle1__________________ - offset6
@@ -877,12 +982,6 @@ def _regular(pose, q_free, q, status):
     q6_mpm = (m4 if -v100 <= -half_turn else 0.0) - v100
     q6_mmp = v101 + (m4 if v101 <= -half_turn else 0.0)
     q6_mmm = (m4 if -v102 <= -half_turn else 0.0) - v102
-    v103 = q_free[0] < low3 or high3 < q_free[0]
-    v104 = q4__p < low4 or high4 < q4__p
-    v105 = q4__m < low4 or high4 < q4__m
-    q3_ppp = v8 + (q_free[0] + (w4 - w4))
-    q4_ppp = v8 + q4__p
-    q4_mpp = v8 + q4__m
     v106 = v104 or (v103 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
     v107 = v104 or (v103 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
     v108 = v105 or (v103 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
@@ -919,12 +1018,7 @@ def _regular(pose, q_free, q, status):
         q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v109 or (q5_mmm <
         low5 or high5 < q5_mmm)))
     )
-    doubt1 = (
-        -(reach_slack2 * (reach_slack2 + v2)) <= D4 and not (merge_slack2 * (merge_slack2 + v2) <
-        D4) or (free1 or (v53 <= m2 or (v29 <= m1 or (v52 <= m2 or (v51 <= m2 or (v28 <= m1 or (v50
-        <= m2 or (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or not (merge_slack1 *
-        (merge_slack1 + v7) < D1)) or v27 <= m1))))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -995,6 +1089,41 @@ def _regular(pose, q_free, q, status):
     return True
 
 
+@_merged
+def _into(T, q_free, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 7) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 7) and (8,)")
+    if q_free.shape != (1,):
+        raise ValueError("q_free must be (1,)")
+    valid, pose = _read(T, q_free)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q_free, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, q_free, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(7):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q_free, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(7), 7))
+    return _into(T, q_free, seed, q, status)
+
+
 @_jit
 def ik_into(T, q_free, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -1015,27 +1144,13 @@ def ik_into(T, q_free, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 7) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 7) and (8,)")
-    if q_free.shape != (1,):
-        raise ValueError("q_free must be (1,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(7), 7)) if q_seed is None else q_seed
     if seed.shape != (7,):
         raise ValueError("q_seed must be (7,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T, q_free)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q_free, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, q_free, seed, q, status)
+    return _into(T, q_free, seed, q, status)
 
 
 def ik_all(T, q_free, q_seed=None):
@@ -1052,10 +1167,19 @@ def ik_all(T, q_free, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 7)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    q_free = _array(q_free, (1,), "q_free")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
-    ik_into(T, q_free, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    q_free = np.ascontiguousarray(q_free, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q_free, q, status)
+        else:
+            seed = _array(q_seed, (7,), "q_seed")
+            ik_into(T, q_free, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        _array(q_free, (1,), "q_free")
+        raise
     return q, status
 
 
@@ -1118,10 +1242,8 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q_free, q, status):
-    seed = np.empty(7)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q_free[k], q[k], status[k], seed)
+        _unseeded(T[k], q_free[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1822,7 +1944,7 @@ def ik_batch(T, q_free, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q_free, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q_free[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q_free[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
@@ -1841,7 +1963,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

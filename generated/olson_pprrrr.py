@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 _part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "olson_pprrrr"
@@ -111,7 +135,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -222,7 +246,7 @@ _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
 _NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others.
 
@@ -330,7 +354,7 @@ def _solve(pose, seed, q, status):
             status[row] = FREE_JOINT if free3 or free5 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -375,7 +399,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     if not _REVOLUTE[joint]:
@@ -389,7 +413,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -492,7 +516,7 @@ def _choose_again(pose, given, row, q, status):
         q[row, i] = trial[row, i] if served else math.nan
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
@@ -516,28 +540,24 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(16), 16)
 
     # theta3, type 2: U3[2, 3]
     v1 = T23 * T23 + T13 * T13
     w3 = math.sqrt(v1)
     v2 = 1.0 / v1
     factor3 = w3 * v2
-    angle1 = _atan2(-T13, T23)
-
-    # theta45, type 3: U3[3, 3] and U3[1, 3]
-    angle1_ = _atan2(-w3, -T33)
 
     # theta6, type 3: U3[2, 2] and U3[2, 1]
     v3 = v2 * (T23 * T12 - T13 * T22)
     v4 = v2 * (T23 * T11 - T13 * T21)
-    angle1__ = _atan2(-v4, -v3)
 
     # theta5, type 2: U0 (A5 A6)^-1 [3, 4]
     X5 = a4 * T33
@@ -556,11 +576,7 @@ def _regular(pose, q, status):
     v11 = Y5 * w5
     v12 = v11 - v8
     v13 = v9 + v10
-    angle1___ = _atan2(v12, -v13)
     v14 = v9 - v10
-    angle1____ = _atan2(-(v8 + v11), -v14)
-    angle1_____ = _atan2(-(v8 + v11), v14)
-    angle1______ = _atan2(v12, v13)
 
     # r2, type 1: U0 A6^-1 [1, 4]
     v15 = a4 * (T13 * factor3)
@@ -577,6 +593,39 @@ def _regular(pose, q, status):
     q1_pm = v20 + w5 * (inverse5 * (-v16 * v19))
 
     # joint values
+    doubt1 = (
+        v1 <= m2 or (v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or
+        not (merge_slack1 * (merge_slack1 + v6) < D5))))
+    )
+
+    # angles, side by side
+    room[0] = -T13
+    room[1] = -w3
+    room[2] = -v4
+    room[3] = v12
+    room[4] = -(v8 + v11)
+    room[5] = -(v8 + v11)
+    room[6] = v12
+    room[8] = T23
+    room[9] = -T33
+    room[10] = -v3
+    room[11] = -v13
+    room[12] = -v14
+    room[13] = v14
+    room[14] = v13
+    for k in range(7, 8):
+        room[k] = room[k + 8] = 1.0
+    for k in range(8):
+        room[k] = _atan2(room[k], room[k + 8])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+
+    # joint values
     v21 = angle1_ - angle1___
     v22 = angle1_ - angle1____
     v23 = angle1_ + angle1_____
@@ -589,10 +638,7 @@ def _regular(pose, q, status):
     q3_mp = v7 + (angle1 - math.copysign(half_turn, -T13) * h1)
     q6_pp = angle1__ + v7
     q6_mp = v7 + (angle1__ - h1 * math.copysign(half_turn, -v4))
-    doubt1 = (
-        v1 <= m2 or (v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or
-        not (merge_slack1 * (merge_slack1 + v6) < D5))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -627,6 +673,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (4, 6) or status.shape != (4,):
+        raise ValueError("T, q and status must be (4, 4), (4, 6) and (4,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -646,25 +725,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (4, 6) or status.shape != (4,):
-        raise ValueError("T, q and status must be (4, 4), (4, 6) and (4,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(4):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -680,9 +747,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((4, 6)), np.empty(4, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -746,10 +821,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -952,7 +1025,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -971,7 +1044,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 _part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "parallel_123"
@@ -122,12 +146,12 @@ class Unreachable(ValueError):  # noqa: N818
 
 
 
-@_jit
+@_inner
 def _horner(p0, p1, p2, p3, p4, t):
     return (((p4 * t + p3) * t + p2) * t + p1) * t + p0
 
 
-@_jit
+@_inner
 def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
     """The root between two points with values of unlike sign."""
     t = 0.5 * (low + high)
@@ -147,7 +171,7 @@ def _bracketed(p0, p1, p2, p3, p4, low, high, at_low):
     return t
 
 
-@_jit
+@_inner
 def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
     """Roots, into `found`, of a polynomial that is monotone between neighbouring edges."""
     roots = 0
@@ -168,7 +192,7 @@ def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
     return roots
 
 
-@_jit
+@_inner
 def _circle_roots(a0, a1, b1, a2, b2):
     """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
 
@@ -250,7 +274,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -440,7 +464,7 @@ _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
 _NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others.
 
@@ -636,7 +660,7 @@ def _solve(pose, seed, q, status):
             status[row] = FREE_JOINT if free1_ or free123 or free123 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -681,7 +705,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -693,7 +717,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -796,7 +820,7 @@ def _choose_again(pose, given, row, q, status):
         q[row, i] = trial[row, i] if served else math.nan
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -820,6 +844,34 @@ def _whole(pose, seed, q, status):
     return count
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -839,20 +891,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -868,9 +913,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -932,10 +985,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 def ik_batch(T, *, cores=None):
@@ -963,7 +1014,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

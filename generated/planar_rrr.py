@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 _part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "planar_rrr"
@@ -112,7 +136,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -190,7 +214,7 @@ _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
 _NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others.
 
@@ -282,7 +306,7 @@ def _solve(pose, seed, q, status):
         status[row] = FREE_JOINT if free1_ or free123 or free123 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -327,7 +351,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -339,7 +363,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -442,7 +466,7 @@ def _choose_again(pose, given, row, q, status):
         q[row, i] = trial[row, i] if served else math.nan
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
@@ -466,18 +490,18 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(16), 16)
 
     # theta123, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
     v2 = math.sqrt(v1) * (1.0 / v1)
-    angle1 = _atan2(T21, T11)
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     v3 = v2 * (a3 * T11)
@@ -486,7 +510,6 @@ def _regular(pose, q, status):
     Z2_2 = T24 - v4
     N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
     w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
-    angle1_ = _atan2(w2, N2 - k1)
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
     v5 = m3 + m2 * N2
@@ -497,8 +520,6 @@ def _regular(pose, q, status):
     C1_p = v7 + w2 * (m2 * Z2_2)
     C1_m = v7 + w2 * (m2 * -Z2_2)
     factor1 = 1.0 / N2
-    angle1__ = _atan2(S1_p, C1_p)
-    angle1___ = _atan2(S1_m, C1_m)
 
     # is the pose one that the arm can take?
     v8 = m4 - m5 * factor1
@@ -525,6 +546,30 @@ def _regular(pose, q, status):
     )
 
     # joint values
+    doubt1 = (
+        shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
+        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
+    )
+
+    # angles, side by side
+    room[0] = T21
+    room[1] = w2
+    room[2] = S1_p
+    room[3] = S1_m
+    room[8] = T11
+    room[9] = N2 - k1
+    room[10] = C1_p
+    room[11] = C1_m
+    for k in range(4, 8):
+        room[k] = room[k + 8] = 1.0
+    for k in range(8):
+        room[k] = _atan2(room[k], room[k + 8])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+
+    # joint values
     v18 = angle1 - (angle1_ + angle1__)
     v19 = angle1 - (angle1___ - angle1_)
     q1_p = v16 + (v15 + (angle1__ + v14))
@@ -539,10 +584,7 @@ def _regular(pose, q, status):
         v17 + (v15 + (v14 + (v19 - (m6 if half_turn < v19 else 0.0) + (m6 if v19 <= -half_turn else
         0.0))))
     )
-    doubt1 = (
-        shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -555,6 +597,39 @@ def _regular(pose, q, status):
     q[1, 2] = q3_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     return True
+
+
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (2, 3) or status.shape != (2,):
+        raise ValueError("T, q and status must be (4, 4), (2, 3) and (2,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(3):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(3), 3))
+    return _into(T, seed, q, status)
 
 
 @_jit
@@ -576,25 +651,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (2, 3) or status.shape != (2,):
-        raise ValueError("T, q and status must be (4, 4), (2, 3) and (2,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(3), 3)) if q_seed is None else q_seed
     if seed.shape != (3,):
         raise ValueError("q_seed must be (3,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(2):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -610,9 +673,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((2, 3)), np.empty(2, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (3,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (3,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -674,10 +745,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(3)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -849,7 +918,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -868,7 +937,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

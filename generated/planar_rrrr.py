@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "planar_rrrr"
 METHOD = "numerical"
@@ -169,7 +193,7 @@ _LEAST_U = np.array([
 _MOST_U = np.array([2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953])
 
 
-@_jit
+@_inner
 def _look(T, q, u, e, A):
     """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
     for j in range(4):
@@ -187,7 +211,7 @@ def _look(T, q, u, e, A):
     return math.sqrt(square)
 
 
-@_jit
+@_inner
 def _damped_step(A, e, length, step):
     """The damped least squares step A' (A A' + damping)^-1 e."""
     damping = 0.1 * min(length * length, 1.0) + 1e-13
@@ -214,7 +238,7 @@ def _damped_step(A, e, length, step):
             step[j] += A[i, j] * y[i]
 
 
-@_jit
+@_inner
 def _shorten(step):
     """Makes a step no longer than it may be."""
     longest = 2.0
@@ -224,7 +248,7 @@ def _shorten(step):
         step[j] *= 2.0 / longest
 
 
-@_jit
+@_inner
 def _limited_step(A, e, length, wish, u, low, high, step):
     """A step with a wish; joints that it would take beyond a limit are put there, and locked."""
     fixed, locked = np.zeros(4), np.zeros(4, np.uint8)
@@ -252,7 +276,7 @@ def _limited_step(A, e, length, wish, u, low, high, step):
                     A[i, j] = 0.0
 
 
-@_jit
+@_inner
 def _pulled(T, q, u, near, low, high):
     """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
     e, A = np.empty(2), np.empty((2, 4))
@@ -276,14 +300,14 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
-@_jit
+@_inner
 def _start_of(k, near, u):
     """Start number k; number 0 is the seed."""
     for j in range(4):
         u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
 
 
-@_jit
+@_inner
 def _wrap_angles(u):
     """Moves angles by whole turns to (-pi, pi]."""
     for j in range(4):
@@ -291,7 +315,7 @@ def _wrap_angles(u):
             u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
 
 
-@_jit
+@_inner
 def _nearest_solution(T, q, near, low, high, best):
     """Of infinitely many solutions one near to the seed; whether there is one."""
     least, u = math.inf, np.empty(4)
@@ -312,7 +336,7 @@ def _nearest_solution(T, q, near, low, high, best):
 
 
 
-@_jit
+@_inner
 def _all_joints(pose, seed):
     """The solutions that are found, which rows hold one, and where a joint was indeterminate."""
     T, joints, near = np.zeros((3, 4)), np.zeros(4), np.empty(4)
@@ -335,7 +359,7 @@ def _all_joints(pose, seed):
     return q, found, chosen
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     # all joints: damped least squares
@@ -359,7 +383,7 @@ def _solve(pose, seed, q, status):
         status[row] = FREE_JOINT if chosen else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -372,7 +396,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -384,7 +408,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(1):
@@ -406,6 +430,34 @@ def _whole(pose, seed, q, status):
     return count
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (1, 4) or status.shape != (1,):
+        raise ValueError("T, q and status must be (4, 4), (1, 4) and (1,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(4):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(4), 4))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -425,20 +477,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (1, 4) or status.shape != (1,):
-        raise ValueError("T, q and status must be (4, 4), (1, 4) and (1,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(4), 4)) if q_seed is None else q_seed
     if seed.shape != (4,):
         raise ValueError("q_seed must be (4,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -454,9 +499,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((1, 4)), np.empty(1, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (4,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -518,10 +571,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(4)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 def ik_batch(T, *, cores=None):
@@ -549,7 +600,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

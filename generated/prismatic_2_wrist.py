@@ -16,15 +16,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "prismatic_2_wrist"
 METHOD = "closed form"
@@ -286,7 +310,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -421,7 +445,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -466,7 +490,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     if not _REVOLUTE[joint]:
@@ -480,7 +504,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -502,13 +526,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(32), 32)
 
     # theta1, type 2: U2 A6^-1 [3, 4]
     wy = T24 - d6 * T23
@@ -581,22 +606,8 @@ def _regular(pose, q, status):
     v43 = v40 + X4_pm * X4_pm
     v44 = v41 + X4_mp * X4_mp
     v45 = v41 + X4_mm * X4_mm
-    angle1 = _atan2(-v38, -X4_pp)
-    angle1_ = _atan2(-v38, -X4_pm)
-    angle1__ = _atan2(-v39, -X4_mp)
-    angle1___ = _atan2(-v39, -X4_mm)
     v46 = math.copysign(half_turn, -v38) * h1
     v47 = math.copysign(half_turn, -v39) * h1
-    q4_ppm = angle1 - v46
-    q4_pmm = angle1_ - v46
-    q4_mpm = angle1__ - v47
-    q4_mmm = angle1___ - v47
-
-    # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1____ = _atan2(-math.sqrt(v42), -(v18 * v32 + s3_p * v30))
-    angle1_____ = _atan2(-math.sqrt(v43), -(v19 * v32 + s3_m * v30))
-    angle1______ = _atan2(-math.sqrt(v44), -(v18 * v33 + s3_p * v31))
-    angle1_______ = _atan2(-math.sqrt(v45), -(v19 * v33 + s3_m * v31))
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v48 = sat2 * T12
@@ -631,24 +642,8 @@ def _regular(pose, q, status):
     v77 = v38 * (s3_m * v74 - v19 * v72) - -X4_pm * v66
     v78 = v39 * (s3_p * v75 - v18 * v73) - -X4_mp * v67
     v79 = v39 * (s3_m * v75 - v19 * v73) - -X4_mm * v67
-    angle1________ = _atan2(v76, v38 * (s3_p * v60 - v18 * v58) - -X4_pp * v52)
-    angle1_________ = _atan2(v77, v38 * (s3_m * v60 - v19 * v58) - -X4_pm * v52)
-    angle1__________ = _atan2(v78, v39 * (s3_p * v61 - v18 * v59) - -X4_mp * v53)
-    angle1___________ = _atan2(v79, v39 * (s3_m * v61 - v19 * v59) - -X4_mm * v53)
-    q6_ppm = angle1________ - h1 * math.copysign(half_turn, v76)
-    q6_pmm = angle1_________ - h1 * math.copysign(half_turn, v77)
-    q6_mpm = angle1__________ - h1 * math.copysign(half_turn, v78)
-    q6_mmm = angle1___________ - h1 * math.copysign(half_turn, v79)
 
     # joint values
-    angle1____________ = _atan2(-v12, c1_p)
-    q1_ppp = v15 + angle1____________
-    angle1_____________ = _atan2(-v13, -v9)
-    q1_mpp = v15 + angle1_____________
-    angle1______________ = _atan2(s3_p, -v18)
-    q3_ppp = v4 + angle1______________
-    angle1_______________ = _atan2(s3_m, -v19)
-    q3_pmp = v4 + angle1_______________
     q2_mpp = v25 - v22
     q2_mmp = v25 - v23
     doubt1 = (
@@ -657,6 +652,77 @@ def _regular(pose, q, status):
         (merge_slack1 * (merge_slack1 + v14) < D3) or (v45 <= m5 or (v44 <= m5 or (v42 <= m5 or v43
         <= m5)))))
     )
+
+    # angles, side by side
+    room[0] = -v38
+    room[1] = -v38
+    room[2] = -v39
+    room[3] = -v39
+    room[4] = -math.sqrt(v42)
+    room[5] = -math.sqrt(v43)
+    room[6] = -math.sqrt(v44)
+    room[7] = -math.sqrt(v45)
+    room[8] = v76
+    room[9] = v77
+    room[10] = v78
+    room[11] = v79
+    room[12] = -v12
+    room[13] = -v13
+    room[14] = s3_p
+    room[15] = s3_m
+    room[16] = -X4_pp
+    room[17] = -X4_pm
+    room[18] = -X4_mp
+    room[19] = -X4_mm
+    room[20] = -(v18 * v32 + s3_p * v30)
+    room[21] = -(v19 * v32 + s3_m * v30)
+    room[22] = -(v18 * v33 + s3_p * v31)
+    room[23] = -(v19 * v33 + s3_m * v31)
+    room[24] = v38 * (s3_p * v60 - v18 * v58) - -X4_pp * v52
+    room[25] = v38 * (s3_m * v60 - v19 * v58) - -X4_pm * v52
+    room[26] = v39 * (s3_p * v61 - v18 * v59) - -X4_mp * v53
+    room[27] = v39 * (s3_m * v61 - v19 * v59) - -X4_mm * v53
+    room[28] = c1_p
+    room[29] = -v9
+    room[30] = -v18
+    room[31] = -v19
+    for k in range(16):
+        room[k] = _atan2(room[k], room[k + 16])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+
+    # theta4, type 2: U4[3, 3]
+    q4_ppm = angle1 - v46
+    q4_pmm = angle1_ - v46
+    q4_mpm = angle1__ - v47
+    q4_mmm = angle1___ - v47
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    q6_ppm = angle1________ - h1 * math.copysign(half_turn, v76)
+    q6_pmm = angle1_________ - h1 * math.copysign(half_turn, v77)
+    q6_mpm = angle1__________ - h1 * math.copysign(half_turn, v78)
+    q6_mmm = angle1___________ - h1 * math.copysign(half_turn, v79)
+
+    # joint values
+    q1_ppp = v15 + angle1____________
+    q1_mpp = v15 + angle1_____________
+    q3_ppp = v4 + angle1______________
+    q3_pmp = v4 + angle1_______________
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -719,6 +785,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -738,25 +837,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -772,9 +859,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -838,10 +933,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1193,7 +1286,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1212,7 +1305,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "puma"
 METHOD = "closed form"
@@ -291,7 +315,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -410,7 +434,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -455,7 +479,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -467,7 +491,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -489,13 +513,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1[1, 4]
     t24 = T24 + D3 * T21 + k1 * T23
@@ -520,7 +545,6 @@ def _regular(pose, q, status):
     N3 = D1 + t34 * t34
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
     v6 = w3 - w3
-    angle1 = _atan2(w3, N3 - k5)
 
     # theta2, type 3: U1[3, 4] and U1[2, 4]
     v7 = w3 * (m1 * t34)
@@ -538,10 +562,6 @@ def _regular(pose, q, status):
     factor2_pp = math.sqrt(v13) * (1.0 / v13)
     factor2_pm = math.sqrt(v15) * (1.0 / v15)
     factor2_mp = math.sqrt(v16) * (1.0 / v16)
-    angle1_ = _atan2(-v9, C2_pp)
-    angle1__ = _atan2(-v10, C2_pm)
-    angle1___ = _atan2(v10, C2_pm)
-    angle1____ = _atan2(v9, C2_pp)
 
     # theta4, type 2: U4[1, 3]
     v17 = m3 * N3
@@ -567,24 +587,12 @@ def _regular(pose, q, status):
     v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
     v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
     v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm))
-    angle1_____ = _atan2(-v24, factor2_pp * -X4_pp)
-    angle1______ = _atan2(-v24, factor2_pm * -X4_pm)
-    angle1_______ = _atan2(-v25, factor2_mp * -X4_mp)
-    angle1________ = _atan2(-v25, factor2_pp * -X4_mm)
     v32 = math.copysign(half_turn, -v24) * h1
     v33 = math.copysign(half_turn, -v25) * h1
-    q4_ppm = angle1_____ - v32
-    q4_pmm = angle1______ - v32
-    q4_mpm = angle1_______ - v33
-    q4_mmm = angle1________ - v33
 
     # theta5, type 3: U4[3, 3] and U4[2, 3]
     v34 = T33 * C2_pm
-    angle1_________ = _atan2(-math.sqrt(v28), factor2_pp * (v34 + s23_pp * v22))
     v35 = T33 * C2_pp
-    angle1__________ = _atan2(-math.sqrt(v29), factor2_pm * (v35 + s23_pm * v22))
-    angle1___________ = _atan2(-math.sqrt(v30), factor2_mp * (v35 + s23_mp * v23))
-    angle1____________ = _atan2(-math.sqrt(v31), factor2_pp * (v34 + s23_mm * v23))
 
     # theta6, type 3: U4[1, 2] and U4[1, 1]
     v36 = c1_p * T12 + s1_p * T22
@@ -599,27 +607,95 @@ def _regular(pose, q, status):
     v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36
     v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
     v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
-    angle1_____________ = _atan2(v44, -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42))
-    angle1______________ = _atan2(v45, -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42))
-    angle1_______________ = _atan2(v46, -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43))
-    angle1________________ = _atan2(v47, -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43))
+
+    # joint values
+    doubt1 = (
+        -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v31 <= m5 or (v30 <= m5 or (v16 <= m2
+        or (v29 <= m5 or (v15 <= m2 or (v28 <= m5 or (shortest3_reach <= N3 and N3 <= longest3_reach
+        and not (shortest3_apart < N3 and N3 < longest3_apart) or v13 <= m2))))))))
+    )
+
+    # angles, side by side
+    room[0] = w3
+    room[1] = -v9
+    room[2] = -v10
+    room[3] = v10
+    room[4] = v9
+    room[5] = -v24
+    room[6] = -v24
+    room[7] = -v25
+    room[8] = -v25
+    room[9] = -math.sqrt(v28)
+    room[10] = -math.sqrt(v29)
+    room[11] = -math.sqrt(v30)
+    room[12] = -math.sqrt(v31)
+    room[13] = v44
+    room[14] = v45
+    room[15] = v46
+    room[16] = v47
+    room[17] = s1_p
+    room[18] = s1_m
+    room[24] = N3 - k5
+    room[25] = C2_pp
+    room[26] = C2_pm
+    room[27] = C2_pm
+    room[28] = C2_pp
+    room[29] = factor2_pp * -X4_pp
+    room[30] = factor2_pm * -X4_pm
+    room[31] = factor2_mp * -X4_mp
+    room[32] = factor2_pp * -X4_mm
+    room[33] = factor2_pp * (v34 + s23_pp * v22)
+    room[34] = factor2_pm * (v35 + s23_pm * v22)
+    room[35] = factor2_mp * (v35 + s23_mp * v23)
+    room[36] = factor2_pp * (v34 + s23_mm * v23)
+    room[37] = -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42)
+    room[38] = -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42)
+    room[39] = -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43)
+    room[40] = -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43)
+    room[41] = c1_p
+    room[42] = c1_m
+    for k in range(19, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+
+    # theta4, type 2: U4[1, 3]
+    q4_ppm = angle1_____ - v32
+    q4_pmm = angle1______ - v32
+    q4_mpm = angle1_______ - v33
+    q4_mmm = angle1________ - v33
+
+    # theta6, type 3: U4[1, 2] and U4[1, 1]
     q6_ppm = angle1_____________ - h1 * math.copysign(half_turn, v44)
     q6_pmm = angle1______________ - h1 * math.copysign(half_turn, v45)
     q6_mpm = angle1_______________ - h1 * math.copysign(half_turn, v46)
     q6_mmm = angle1________________ - h1 * math.copysign(half_turn, v47)
 
     # joint values
-    angle1_________________ = _atan2(s1_p, c1_p)
     q1_ppp = v6 + angle1_________________
-    angle1__________________ = _atan2(s1_m, c1_m)
     q1_mpp = v6 + angle1__________________
     q3_ppp = v1 + angle1
     q3_pmp = v1 - angle1
-    doubt1 = (
-        -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v31 <= m5 or (v30 <= m5 or (v16 <= m2
-        or (v29 <= m5 or (v15 <= m2 or (v28 <= m5 or (shortest3_reach <= N3 and N3 <= longest3_reach
-        and not (shortest3_apart < N3 and N3 < longest3_apart) or v13 <= m2))))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -682,6 +758,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -701,25 +810,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -735,9 +832,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -799,10 +904,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1127,7 +1230,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1146,7 +1249,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

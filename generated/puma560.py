@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "puma560"
 METHOD = "closed form"
@@ -277,7 +301,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -392,7 +416,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -437,7 +461,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -449,7 +473,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -471,13 +495,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
@@ -494,8 +519,6 @@ def _regular(pose, q, status):
     v6 = w1 * (T24 * inverse1)
     s1_p = v5 + v6
     s1_m = v5 - v6
-    angle1 = _atan2(s1_p, c1_p)
-    angle1_ = _atan2(s1_m, -v4)
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
@@ -510,9 +533,6 @@ def _regular(pose, q, status):
     v11 = m3 * w3
     c3_p = v10 + v11
     c3_m = v10 - v11
-    angle1__ = _atan2(w3, N3 - k6)
-    q3__p = angle1__ - turn1
-    v12 = turn1 + angle1__
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
     X1_2 = m5 * N3 - m6
@@ -529,10 +549,6 @@ def _regular(pose, q, status):
     C2_mp = v15 + v18
     C2_mm = v16 + v18
     factor2 = 1.0 / N3
-    angle1___ = _atan2(S2_pp, C2_pp)
-    angle1____ = _atan2(S2_pm, C2_pm)
-    angle1_____ = _atan2(S2_pm, C2_mp)
-    angle1______ = _atan2(S2_pp, C2_mm)
 
     # theta4, type 2: U4[3, 3]
     c23_pp = c3_p * C2_pp - s3_p * S2_pp
@@ -561,22 +577,8 @@ def _regular(pose, q, status):
     v29 = v22 + factor2 * (c4_pm * v25)
     v30 = v23 + factor2 * (c4_mp * v26)
     v31 = v23 + factor2 * (c4_mm * v27)
-    angle1_______ = _atan2(Y4_p, v24)
-    angle1________ = _atan2(Y4_p, v25)
-    angle1_________ = _atan2(-v21, v26)
-    angle1__________ = _atan2(-v21, v27)
     v32 = math.copysign(half_turn, Y4_p) * h1
     v33 = math.copysign(half_turn, -v21) * h1
-    q4_ppm = angle1_______ - v32
-    q4_pmm = angle1________ - v32
-    q4_mpm = angle1_________ - v33
-    q4_mmm = angle1__________ - v33
-
-    # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1___________ = _atan2(-math.sqrt(v28), factor2 * (c23_pp * T33 - s23_pp * v19))
-    angle1____________ = _atan2(-math.sqrt(v29), factor2 * (c23_pm * T33 - s23_pm * v19))
-    angle1_____________ = _atan2(-math.sqrt(v30), factor2 * (c23_mp * T33 - s23_mp * v20))
-    angle1______________ = _atan2(-math.sqrt(v31), factor2 * (c23_mm * T33 - s23_mm * v20))
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v34 = s1_p * T12 - c1_p * T22
@@ -587,18 +589,90 @@ def _regular(pose, q, status):
     v39 = s1_m * T11 + v4 * T21
     v40 = c1_p * T11 + s1_p * T21
     v41 = s1_m * T21 - v4 * T11
-    angle1_______________ = (
-        _atan2(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)), -(c4_pp * v34 + Y4_p * (c23_pp
-        * v36 + s23_pp * T32)))
-    )
-    angle1________________ = (
-        _atan2(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)), -(c4_pm * v34 + Y4_p * (c23_pm
-        * v36 + s23_pm * T32)))
-    )
     v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
-    angle1_________________ = _atan2(v42, v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35)
     v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
-    angle1__________________ = _atan2(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35)
+
+    # joint values
+    doubt1 = (
+        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (N3 <=
+        free_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
+    )
+
+    # angles, side by side
+    room[0] = s1_p
+    room[1] = s1_m
+    room[2] = w3
+    room[3] = S2_pp
+    room[4] = S2_pm
+    room[5] = S2_pm
+    room[6] = S2_pp
+    room[7] = Y4_p
+    room[8] = Y4_p
+    room[9] = -v21
+    room[10] = -v21
+    room[11] = -math.sqrt(v28)
+    room[12] = -math.sqrt(v29)
+    room[13] = -math.sqrt(v30)
+    room[14] = -math.sqrt(v31)
+    room[15] = -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31))
+    room[16] = -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31))
+    room[17] = v42
+    room[18] = v43
+    room[24] = c1_p
+    room[25] = -v4
+    room[26] = N3 - k6
+    room[27] = C2_pp
+    room[28] = C2_pm
+    room[29] = C2_mp
+    room[30] = C2_mm
+    room[31] = v24
+    room[32] = v25
+    room[33] = v26
+    room[34] = v27
+    room[35] = factor2 * (c23_pp * T33 - s23_pp * v19)
+    room[36] = factor2 * (c23_pm * T33 - s23_pm * v19)
+    room[37] = factor2 * (c23_mp * T33 - s23_mp * v20)
+    room[38] = factor2 * (c23_mm * T33 - s23_mm * v20)
+    room[39] = -(c4_pp * v34 + Y4_p * (c23_pp * v36 + s23_pp * T32))
+    room[40] = -(c4_pm * v34 + Y4_p * (c23_pm * v36 + s23_pm * T32))
+    room[41] = v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35
+    room[42] = v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35
+    for k in range(19, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+
+    # theta3, type 6: U1[2, 4] and U1[1, 4]
+    q3__p = angle1__ - turn1
+    v12 = turn1 + angle1__
+
+    # theta4, type 2: U4[3, 3]
+    q4_ppm = angle1_______ - v32
+    q4_pmm = angle1________ - v32
+    q4_mpm = angle1_________ - v33
+    q4_mmm = angle1__________ - v33
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = (
         angle1_______________ - h1 * math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 +
         s23_pp * T31)))
@@ -633,11 +707,7 @@ def _regular(pose, q, status):
     outside_mpm = v52 or (-angle1_____________ < low5 or high5 < -angle1_____________)
     outside_mmp = v53 or (angle1______________ < low5 or high5 < angle1______________)
     outside_mmm = v53 or (-angle1______________ < low5 or high5 < -angle1______________)
-    doubt1 = (
-        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (N3 <=
-        free_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -700,6 +770,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -719,25 +822,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -753,9 +844,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -817,10 +916,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1205,7 +1302,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1224,7 +1321,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "rail_5dof"
 METHOD = "closed form"
@@ -204,7 +228,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -301,7 +325,7 @@ def _solve(pose, seed, q, status):
         status[row] = FREE_JOINT if free2 or free3 or free4 or free5 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -346,7 +370,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     if not _REVOLUTE[joint]:
@@ -360,7 +384,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(2):
@@ -382,13 +406,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(16), 16)
 
     # r1, type 1: U0 A5^-1 [3, 4]
     wz = T34 - d5 * T33
@@ -412,7 +437,6 @@ def _regular(pose, q, status):
     factor3 = w3 * v8
     v9 = X3 * factor3
     v10 = T33 * factor3
-    angle1 = _atan2(-T33, -X3)
 
     # theta4, type 3: U3[3, 3] and U3[1, 3]
     v11 = w2 * (v3 * (T13 * v1 + T23 * C2))
@@ -420,7 +444,6 @@ def _regular(pose, q, status):
     v13 = math.sqrt(v12) * (1.0 / v12)
     c4 = v11 * v13
     s4 = w3 * v13
-    angle1_ = _atan2(w3, v11)
 
     # theta5, type 3: U3[2, 2] and U3[2, 1]
     C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)))
@@ -429,7 +452,6 @@ def _regular(pose, q, status):
     v15 = math.sqrt(v14) * (1.0 / v14)
     v16 = C5 * v15
     v17 = S5 * v15
-    angle1__ = _atan2(-S5, -C5)
 
     # is the pose one that the arm can take?
     v18 = v5 * v9
@@ -455,7 +477,27 @@ def _regular(pose, q, status):
 
     # joint values
     q1_p = v27 + (wz + v26)
-    angle1___ = _atan2(v1, -C2)
+    doubt1 = v7 <= m2 or (v2 <= m1 or (v14 <= m4 or v12 <= m4))
+
+    # angles, side by side
+    room[0] = -T33
+    room[1] = w3
+    room[2] = -S5
+    room[3] = v1
+    room[8] = -X3
+    room[9] = v11
+    room[10] = -C5
+    room[11] = -C2
+    for k in range(4, 8):
+        room[k] = room[k + 8] = 1.0
+    for k in range(8):
+        room[k] = _atan2(room[k], room[k + 8])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+
+    # joint values
     q2_p = v27 + (v26 + angle1___)
     q3_p = v27 + (angle1 + v26)
     q3_m = v27 + (v26 + (angle1 - math.copysign(half_turn, -T33) * h1))
@@ -463,7 +505,7 @@ def _regular(pose, q, status):
     q4_m = v27 + (v26 - angle1_)
     q5_p = v27 + (angle1__ + v26)
     q5_m = v27 + (v26 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
-    doubt1 = v7 <= m2 or (v2 <= m1 or (v14 <= m4 or v12 <= m4))
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -480,6 +522,39 @@ def _regular(pose, q, status):
     q[1, 4] = q5_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     return True
+
+
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (2, 5) or status.shape != (2,):
+        raise ValueError("T, q and status must be (4, 4), (2, 5) and (2,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(5):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(5), 5))
+    return _into(T, seed, q, status)
 
 
 @_jit
@@ -501,25 +576,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (2, 5) or status.shape != (2,):
-        raise ValueError("T, q and status must be (4, 4), (2, 5) and (2,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(5), 5)) if q_seed is None else q_seed
     if seed.shape != (5,):
         raise ValueError("q_seed must be (5,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(2):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -535,9 +598,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((2, 5)), np.empty(2, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (5,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -601,10 +672,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(5)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -782,7 +851,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -801,7 +870,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

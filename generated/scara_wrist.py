@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "scara_wrist"
 METHOD = "closed form"
@@ -116,7 +140,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -240,7 +264,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, _, _, T33, T34 = pose
@@ -324,7 +348,7 @@ def _solve(pose, seed, q, status):
             status[row] = FREE_JOINT if free1 or free12m4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -369,7 +393,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     if not _REVOLUTE[joint]:
@@ -383,7 +407,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
@@ -405,13 +429,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, _, _, T33, T34 = pose
+    room = carray(_room(16), 16)
 
     # theta2, type 8: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
     wx = T14 - d6 * T13
@@ -419,29 +444,54 @@ def _regular(pose, q, status):
     N2 = wx * wx + wy * wy
     w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
     v1 = w2 - w2
-    angle1 = _atan2(w2, N2 - k1)
 
     # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
     v2 = m2 + m1 * N2
     v3 = wy * v2
     v4 = wx * v2
-    angle1_ = _atan2(v3 - w2 * (m1 * wx), v4 + w2 * (m1 * wy))
-    angle1__ = _atan2(v3 - w2 * (m1 * -wx), v4 + w2 * (m1 * -wy))
 
     # theta12m4, type 2: U4[3, 3]
     v5 = T13 * T13 + T23 * T23
-    v6 = angle1 + angle1_
-    v7 = angle1__ - angle1
-
-    # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1___ = _atan2(math.sqrt(v5), -T33)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     s6 = T13 * T21 - T23 * T11
-    angle1____ = _atan2(s6, T13 * T22 - T23 * T12)
 
     # joint values
-    angle1_____ = _atan2(-T23, -T13)
+    q3_pp = v1 + (T34 - d6 * T33 - d1)
+    doubt1 = (
+        N2 <= free_limit_squared2 or (v5 <= m3 or shortest2_reach <= N2 and N2 <= longest2_reach and
+        not (shortest2_apart < N2 and N2 < longest2_apart))
+    )
+
+    # angles, side by side
+    room[0] = w2
+    room[1] = v3 - w2 * (m1 * wx)
+    room[2] = v3 - w2 * (m1 * -wx)
+    room[3] = math.sqrt(v5)
+    room[4] = s6
+    room[5] = -T23
+    room[8] = N2 - k1
+    room[9] = v4 + w2 * (m1 * wy)
+    room[10] = v4 + w2 * (m1 * -wy)
+    room[11] = -T33
+    room[12] = T13 * T22 - T23 * T12
+    room[13] = -T13
+    for k in range(6, 8):
+        room[k] = room[k + 8] = 1.0
+    for k in range(8):
+        room[k] = _atan2(room[k], room[k + 8])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+
+    # theta12m4, type 2: U4[3, 3]
+    v6 = angle1 + angle1_
+    v7 = angle1__ - angle1
+
+    # joint values
     v8 = angle1_____ - h1 * math.copysign(half_turn, -T23)
     v9 = v6 - angle1_____
     v10 = v6 - v8
@@ -451,15 +501,11 @@ def _regular(pose, q, status):
     q4_pm = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
     q4_mp = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
     q4_mm = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
-    q3_pp = v1 + (T34 - d6 * T33 - d1)
     q5_pp = v1 + angle1___
     q5_pm = v1 - angle1___
     q6_pp = v1 + angle1____
     q6_pm = v1 + (angle1____ - math.copysign(half_turn, s6) * h1)
-    doubt1 = (
-        N2 <= free_limit_squared2 or (v5 <= m3 or shortest2_reach <= N2 and N2 <= longest2_reach and
-        not (shortest2_apart < N2 and N2 < longest2_apart))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -494,6 +540,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (4, 6) or status.shape != (4,):
+        raise ValueError("T, q and status must be (4, 4), (4, 6) and (4,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -513,25 +592,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (4, 6) or status.shape != (4,):
-        raise ValueError("T, q and status must be (4, 4), (4, 6) and (4,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(4):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -547,9 +614,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((4, 6)), np.empty(4, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -613,10 +688,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -783,7 +856,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -802,7 +875,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

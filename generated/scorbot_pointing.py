@@ -16,15 +16,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 _part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "scorbot_pointing"
@@ -124,7 +148,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -269,7 +293,7 @@ _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
 _NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
-@_jit
+@_inner
 def _solve(pose, q_free, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others.
 
@@ -389,7 +413,7 @@ def _solve(pose, q_free, seed, q, status):
             status[row] = FREE_JOINT if free1 or free2_ or free234 or free234 else OK
 
 
-@_jit
+@_merged
 def _read(T, q_free):
     """Whether T is a pose, and its upper three rows.
 
@@ -408,7 +432,7 @@ def _read(T, q_free):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -420,7 +444,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _attempt(pose, q_free, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -523,7 +547,7 @@ def _choose_again(pose, q_free, given, row, q, status):
         q[row, i] = trial[row, i] if served else math.nan
 
 
-@_jit
+@_inner
 def _whole(pose, q_free, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
@@ -547,13 +571,14 @@ def _whole(pose, q_free, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q_free, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
+    room = carray(_room(16), 16)
 
     # theta1, type 2: U1[3, 4]
     v1 = T14 * T14 + T24 * T24
@@ -562,7 +587,6 @@ def _regular(pose, q_free, q, status):
     factor1 = w1 * v2
     v3 = T14 * factor1
     v4 = T24 * factor1
-    angle1 = _atan2(-T24, -T14)
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
     v5 = w1 * (v2 * (T14 * T13 + T24 * T23))
@@ -570,7 +594,6 @@ def _regular(pose, q_free, q, status):
     w234 = math.sqrt(v6)
     v7 = 1.0 / v6
     v8 = w234 * v7
-    angle1_ = _atan2(-v5, T33)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v9 = d5 * T33
@@ -598,8 +621,6 @@ def _regular(pose, q_free, q, status):
     s3_m = k2 * w3_m
     c3_p = k2 * K3_p
     c3_m = k2 * K3_m
-    angle1__ = _atan2(w3_p, K3_p)
-    angle1___ = _atan2(w3_m, K3_m)
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     v23 = v9 * v10
@@ -638,10 +659,6 @@ def _regular(pose, q_free, q, status):
     factor2_pm = w2_pm * v43
     factor2_mp = w2_mp * v44
     factor2_mm = w2_mm * v45
-    angle1____ = _atan2(S2_pp, -v34)
-    angle1_____ = _atan2(S2_pm, -v35)
-    angle1______ = _atan2(S2_mp, -v36)
-    angle1_______ = _atan2(-v29, -v37)
 
     # is the pose one that the arm can take?
     v46 = a1 - v15
@@ -674,6 +691,48 @@ def _regular(pose, q_free, q, status):
     )
 
     # joint values
+    v69 = v54 + (v21 + q_free[0])
+    v70 = v54 + (v22 + q_free[0])
+    q5_pp = v55 + v69
+    q5_pm = v56 + v69
+    q5_mp = v57 + v70
+    q5_mm = v58 + v70
+    doubt1 = (
+        v6 <= m3 or (v1 <= m1 or (v41 <= m6 or (v40 <= m6 or (v39 <= m6 or (v38 <= m6 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)))))))
+    )
+
+    # angles, side by side
+    room[0] = -T24
+    room[1] = -v5
+    room[2] = w3_p
+    room[3] = w3_m
+    room[4] = S2_pp
+    room[5] = S2_pm
+    room[6] = S2_mp
+    room[7] = -v29
+    room[8] = -T14
+    room[9] = T33
+    room[10] = K3_p
+    room[11] = K3_m
+    room[12] = -v34
+    room[13] = -v35
+    room[14] = -v36
+    room[15] = -v37
+    for k in range(8):
+        room[k] = _atan2(room[k], room[k + 8])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+
+    # joint values
     v59 = angle1_ - (angle1__ + angle1____) - offset4
     v60 = angle1_ - (angle1_____ - angle1__) - offset4
     v61 = offset4 + (angle1_ + (angle1___ + angle1______))
@@ -700,18 +759,7 @@ def _regular(pose, q_free, q, status):
     q4_pm = v56 + (v54 + (v64 + (m7 if v64 <= -half_turn else 0.0)))
     q4_mp = v57 + (v54 + (v65 + (m7 if v65 <= -half_turn else 0.0)))
     q4_mm = v58 + (v54 + (v66 + (m7 if v66 <= -half_turn else 0.0)))
-    v69 = v54 + (v21 + q_free[0])
-    v70 = v54 + (v22 + q_free[0])
-    q5_pp = v55 + v69
-    q5_pm = v56 + v69
-    q5_mp = v57 + v70
-    q5_mm = v58 + v70
-    doubt1 = (
-        v6 <= m3 or (v1 <= m1 or (v41 <= m6 or (v40 <= m6 or (v39 <= m6 or (v38 <= m6 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -742,6 +790,41 @@ def _regular(pose, q_free, q, status):
     return True
 
 
+@_merged
+def _into(T, q_free, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
+        raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
+    if q_free.shape != (1,):
+        raise ValueError("q_free must be (1,)")
+    valid, pose = _read(T, q_free)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q_free, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, q_free, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(5):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q_free, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(5), 5))
+    return _into(T, q_free, seed, q, status)
+
+
 @_jit
 def ik_into(T, q_free, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -762,27 +845,13 @@ def ik_into(T, q_free, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
-        raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
-    if q_free.shape != (1,):
-        raise ValueError("q_free must be (1,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(5), 5)) if q_seed is None else q_seed
     if seed.shape != (5,):
         raise ValueError("q_seed must be (5,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T, q_free)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q_free, q, status):
-        count = 0
-        for row in range(4):
-            count += status[row] == OK
-        return count
-    return _whole(pose, q_free, seed, q, status)
+    return _into(T, q_free, seed, q, status)
 
 
 def ik_all(T, q_free, q_seed=None):
@@ -799,10 +868,19 @@ def ik_all(T, q_free, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((4, 5)), np.empty(4, _BYTE)
-    T = _array(T, (4, 4), "T")
-    q_free = _array(q_free, (1,), "q_free")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
-    ik_into(T, q_free, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    q_free = np.ascontiguousarray(q_free, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q_free, q, status)
+        else:
+            seed = _array(q_seed, (5,), "q_seed")
+            ik_into(T, q_free, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        _array(q_free, (1,), "q_free")
+        raise
     return q, status
 
 
@@ -865,10 +943,8 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q_free, q, status):
-    seed = np.empty(5)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q_free[k], q[k], status[k], seed)
+        _unseeded(T[k], q_free[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1177,7 +1253,7 @@ def ik_batch(T, q_free, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q_free, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q_free[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q_free[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
@@ -1196,7 +1272,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

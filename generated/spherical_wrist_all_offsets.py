@@ -16,15 +16,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "spherical_wrist_all_offsets"
 METHOD = "closed form"
@@ -301,7 +325,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -420,7 +444,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -465,7 +489,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -477,7 +501,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -499,13 +523,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     wx = T14 - d6 * T13
@@ -531,12 +556,6 @@ def _regular(pose, q, status):
     N3_m = v7 + v6 * v6
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    angle1 = _atan2(w3_p, N3_p - k7)
-    angle1_ = _atan2(w3_m, N3_m - k7)
-    q3__pp = angle1 - turn1
-    v8 = turn1 + angle1
-    q3__mp = angle1_ - turn1
-    v9 = turn1 + angle1_
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
     v10 = Z1_3 * (m2 + m1 * N3_p)
@@ -546,14 +565,6 @@ def _regular(pose, q, status):
     v12 = v5 * (m1 + m2 * factor2_p)
     v13 = v6 * (m1 + m2 * factor2_m)
     v14 = w3_p * (m1 * v5)
-    angle1__ = _atan2(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m1 * (Z1_3 * factor2_p))))
-    angle1___ = _atan2(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p))))
-    angle1____ = (
-        _atan2(-(factor2_m * (v11 - w3_m * (m1 * v6))), -(v13 + w3_m * (m1 * (Z1_3 * factor2_m))))
-    )
-    angle1_____ = (
-        _atan2(-(factor2_m * (v11 - w3_m * (m1 * -v6))), -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m))))
-    )
 
     # theta4, type 2: U4[3, 3]
     v15 = m3 * Z1_3
@@ -592,22 +603,8 @@ def _regular(pose, q, status):
     v34 = v31 + X4_pm * X4_pm
     v35 = v32 + X4_mp * X4_mp
     v36 = v32 + X4_mm * X4_mm
-    angle1______ = _atan2(Y4_p, -X4_pp)
-    angle1_______ = _atan2(Y4_p, -X4_pm)
-    angle1________ = _atan2(Y4_m, -X4_mp)
-    angle1_________ = _atan2(Y4_m, -X4_mm)
     v37 = math.copysign(half_turn, Y4_p) * h1
     v38 = math.copysign(half_turn, Y4_m) * h1
-    q4_ppm = angle1______ - v37
-    q4_pmm = angle1_______ - v37
-    q4_mpm = angle1________ - v38
-    q4_mmm = angle1_________ - v38
-
-    # theta5, type 3: U4[2, 3] and U4[1, 3]
-    angle1__________ = _atan2(-math.sqrt(v33), T33 * c23_pp + s23_pp * v29)
-    angle1___________ = _atan2(-math.sqrt(v34), T33 * c23_pm + s23_pm * v29)
-    angle1____________ = _atan2(-math.sqrt(v35), T33 * c23_mp + s23_mp * v30)
-    angle1_____________ = _atan2(-math.sqrt(v36), T33 * c23_mm + s23_mm * v30)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v39 = s1_p * T12 + v2 * T22
@@ -618,22 +615,95 @@ def _regular(pose, q, status):
     v44 = s1_m * T11 + v3 * T21
     v45 = s1_p * T21 - v2 * T11
     v46 = s1_m * T21 - v3 * T11
-    angle1______________ = (
-        _atan2(-(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)), -(-X4_pp * v39 + Y4_p *
-        (c23_pp * v41 - s23_pp * T32)))
+
+    # joint values
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (-k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v36 <= m7 or (v35
+        <= m7 or (v33 <= m7 or v34 <= m7))))))))
     )
-    angle1_______________ = (
-        _atan2(-(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)), -(-X4_pm * v39 + Y4_p *
-        (c23_pm * v41 - s23_pm * T32)))
-    )
-    angle1________________ = (
-        _atan2(-(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31)), -(-X4_mp * v40 + Y4_m *
-        (c23_mp * v42 - s23_mp * T32)))
-    )
-    angle1_________________ = (
-        _atan2(-(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31)), -(-X4_mm * v40 + Y4_m *
-        (c23_mm * v42 - s23_mm * T32)))
-    )
+
+    # angles, side by side
+    room[0] = w3_p
+    room[1] = w3_m
+    room[2] = -(factor2_p * (v10 - v14))
+    room[3] = -(factor2_p * (v10 + v14))
+    room[4] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
+    room[5] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
+    room[6] = Y4_p
+    room[7] = Y4_p
+    room[8] = Y4_m
+    room[9] = Y4_m
+    room[10] = -math.sqrt(v33)
+    room[11] = -math.sqrt(v34)
+    room[12] = -math.sqrt(v35)
+    room[13] = -math.sqrt(v36)
+    room[14] = -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31))
+    room[15] = -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31))
+    room[16] = -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31))
+    room[17] = -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31))
+    room[18] = s1_p
+    room[19] = s1_m
+    room[24] = N3_p - k7
+    room[25] = N3_m - k7
+    room[26] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
+    room[27] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
+    room[28] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
+    room[29] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
+    room[30] = -X4_pp
+    room[31] = -X4_pm
+    room[32] = -X4_mp
+    room[33] = -X4_mm
+    room[34] = T33 * c23_pp + s23_pp * v29
+    room[35] = T33 * c23_pm + s23_pm * v29
+    room[36] = T33 * c23_mp + s23_mp * v30
+    room[37] = T33 * c23_mm + s23_mm * v30
+    room[38] = -(-X4_pp * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32))
+    room[39] = -(-X4_pm * v39 + Y4_p * (c23_pm * v41 - s23_pm * T32))
+    room[40] = -(-X4_mp * v40 + Y4_m * (c23_mp * v42 - s23_mp * T32))
+    room[41] = -(-X4_mm * v40 + Y4_m * (c23_mm * v42 - s23_mm * T32))
+    room[42] = -v2
+    room[43] = -v3
+    for k in range(20, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+    angle1___________________ = room[19]
+
+    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    q3__pp = angle1 - turn1
+    v8 = turn1 + angle1
+    q3__mp = angle1_ - turn1
+    v9 = turn1 + angle1_
+
+    # theta4, type 2: U4[3, 3]
+    q4_ppm = angle1______ - v37
+    q4_pmm = angle1_______ - v37
+    q4_mpm = angle1________ - v38
+    q4_mmm = angle1_________ - v38
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = (
         angle1______________ - h1 * math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 -
         s23_pp * T31)))
@@ -654,17 +724,9 @@ def _regular(pose, q, status):
     # joint values
     q3_ppp = q3__pp - (m9 if half_turn < q3__pp else 0.0)
     q3_mpp = q3__mp - (m9 if half_turn < q3__mp else 0.0)
-    angle1__________________ = _atan2(s1_p, -v2)
     q1_ppp = angle1__________________ + (w3_p - w3_p)
-    angle1___________________ = _atan2(s1_m, -v3)
     q1_mpp = angle1___________________ + (w3_m - w3_m)
-    doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or (-k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v36 <= m7 or (v35
-        <= m7 or (v33 <= m7 or v34 <= m7))))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -727,6 +789,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -746,25 +841,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -780,9 +863,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -844,10 +935,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1225,7 +1314,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1244,7 +1333,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "stanford"
 METHOD = "closed form"
@@ -235,7 +259,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -333,7 +357,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -378,7 +402,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     if not _REVOLUTE[joint]:
@@ -392,7 +416,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -414,13 +438,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(32), 32)
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
@@ -439,16 +464,12 @@ def _regular(pose, q, status):
     v7 = w1 * (T24 * inverse1)
     v8 = v6 + v7
     v9 = v6 - v7
-    angle1 = _atan2(-v8, c1_p)
-    angle1_ = _atan2(-v9, c1_m)
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
     Y2_2 = T34 - d1
     v10 = D1 + Y2_2 * Y2_2
     w3 = math.sqrt(v10)
     factor2 = w3 * (1.0 / v10)
-    angle1__ = _atan2(-w1, Y2_2)
-    q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
 
     # theta4, type 2: U4[3, 3]
     c4_p = v8 * T13 + c1_p * T23
@@ -461,17 +482,9 @@ def _regular(pose, q, status):
     v14 = factor2 * Y4_m
     v15 = c4_p * c4_p + factor2 * (Y4_p * v13)
     v16 = c4_m * c4_m + factor2 * (Y4_m * v14)
-    angle1___ = _atan2(v13, c4_p)
-    angle1____ = _atan2(v14, c4_m)
-    q4_ppm = angle1___ - h1 * math.copysign(half_turn, v13)
-    q4_mpm = angle1____ - h1 * math.copysign(half_turn, v14)
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
     v17 = Y2_2 * T33
-    angle1_____ = _atan2(-math.sqrt(v15), factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23)))
-    angle1______ = _atan2(-math.sqrt(v16), factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23)))
-    q5_pmp = h1 * math.copysign(half_turn, -math.sqrt(v15)) - angle1_____
-    q5_mmp = h1 * math.copysign(half_turn, -math.sqrt(v16)) - angle1______
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22))
@@ -480,18 +493,67 @@ def _regular(pose, q, status):
     v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21))
     s6_p = c4_p * (v21 + w1 * v20) + Y4_p * (c1_p * T21 + v8 * T11)
     s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11)
-    angle1_______ = _atan2(s6_p, c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12))
-    angle1________ = _atan2(s6_m, c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12))
+
+    # joint values
+    v24 = w3 < low3 or high3 < w3
+    v25 = -w3 < low3 or high3 < -w3
+    q3_ppp = v1 + w3
+    q3_pmp = v1 - w3
+    doubt1 = (
+        -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v10 <= m1 or (v15 <= m3 or v16 <= m3)))
+    )
+
+    # angles, side by side
+    room[0] = -v8
+    room[1] = -v9
+    room[2] = -w1
+    room[3] = v13
+    room[4] = v14
+    room[5] = -math.sqrt(v15)
+    room[6] = -math.sqrt(v16)
+    room[7] = s6_p
+    room[8] = s6_m
+    room[16] = c1_p
+    room[17] = c1_m
+    room[18] = Y2_2
+    room[19] = c4_p
+    room[20] = c4_m
+    room[21] = factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23))
+    room[22] = factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23))
+    room[23] = c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12)
+    room[24] = c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12)
+    for k in range(9, 16):
+        room[k] = room[k + 16] = 1.0
+    for k in range(16):
+        room[k] = _atan2(room[k], room[k + 16])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+
+    # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
+    q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
+
+    # theta4, type 2: U4[3, 3]
+    q4_ppm = angle1___ - h1 * math.copysign(half_turn, v13)
+    q4_mpm = angle1____ - h1 * math.copysign(half_turn, v14)
+
+    # theta5, type 3: U4[2, 3] and U4[1, 3]
+    q5_pmp = h1 * math.copysign(half_turn, -math.sqrt(v15)) - angle1_____
+    q5_mmp = h1 * math.copysign(half_turn, -math.sqrt(v16)) - angle1______
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = angle1_______ - h1 * math.copysign(half_turn, s6_p)
     q6_mpm = angle1________ - h1 * math.copysign(half_turn, s6_m)
 
     # joint values
     v22 = angle1 < low1 or high1 < angle1
     v23 = angle1_ < low1 or high1 < angle1_
-    v24 = w3 < low3 or high3 < w3
-    v25 = -w3 < low3 or high3 < -w3
-    q3_ppp = v1 + w3
-    q3_pmp = v1 - w3
     v26 = v24 or (v22 or (angle1__ < low2 or high2 < angle1__))
     v27 = v25 or (v22 or (q2_pmp < low2 or high2 < q2_pmp))
     v28 = v24 or (v23 or (-angle1__ < low2 or high2 < -angle1__))
@@ -530,9 +592,7 @@ def _regular(pose, q, status):
     outside_mmm = (
         v32 or (-q5_mmp < low5 or high5 < -q5_mmp or (v29 or (-q4_mpm < low4 or high4 < -q4_mpm)))
     )
-    doubt1 = (
-        -k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v10 <= m1 or (v15 <= m3 or v16 <= m3)))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -595,6 +655,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -614,25 +707,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -648,9 +729,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -714,10 +803,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1028,7 +1115,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1047,7 +1134,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "staubli_rx90"
 METHOD = "closed form"
@@ -246,7 +270,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -356,7 +380,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -401,7 +425,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -413,7 +437,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -435,19 +459,19 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1[2, 4]
     v1 = T14 * T14 + T24 * T24
     w1 = math.sqrt(v1)
     v2 = 1.0 / v1
-    angle1 = _atan2(-T24, -T14)
 
     # theta3, type 8: U1[3, 4] and U1[1, 4]
     N3 = v1 + T34 * T34
@@ -457,8 +481,6 @@ def _regular(pose, q, status):
     v5 = k2 * v4
     v6 = k1 * w3
     c3 = k2 * v6
-    angle1_ = _atan2(-v4, v6)
-    q3_pmp = math.copysign(half_turn, -v4) * h1 - angle1_
 
     # theta2, type 3: U1[3, 4] and U1[1, 4]
     X1_2 = a2 + d4 * v5
@@ -489,10 +511,6 @@ def _regular(pose, q, status):
     v23 = 1.0 / v20
     v24 = 1.0 / v21
     v25 = 1.0 / v22
-    angle1__ = _atan2(S2_pp, C2_pp)
-    angle1___ = _atan2(S2_pm, -C2_mp)
-    angle1____ = _atan2(S2_pm, C2_mp)
-    angle1_____ = _atan2(S2_pp, -C2_pp)
 
     # theta4, type 2: U4[2, 3]
     v26 = v5 * v9
@@ -533,23 +551,11 @@ def _regular(pose, q, status):
     s4_pm = Y4 * factor4_pm
     s4_mp = Y4 * factor4_mp
     s4_mm = Y4 * factor4_mm
-    angle1______ = _atan2(Y4, -X4_pp)
-    angle1_______ = _atan2(Y4, -X4_pm)
-    angle1________ = _atan2(-Y4, -X4_mp)
-    angle1_________ = _atan2(-Y4, -X4_mm)
     v41 = h1 * math.copysign(half_turn, Y4)
     v42 = h1 * math.copysign(half_turn, -Y4)
-    q4_ppm = angle1______ - v41
-    q4_pmm = angle1_______ - v41
-    q4_mpm = angle1________ - v42
-    q4_mmm = angle1_________ - v42
 
     # theta5, type 3: U4[3, 3] and U4[1, 3]
-    angle1__________ = _atan2(w4_pp, c23_pp * T33 + s23_pp * v30)
     v43 = c23_pm * T33
-    angle1___________ = _atan2(w4_pm, v43 + s23_pm * v30)
-    angle1____________ = _atan2(w4_mp, v43 - s23_mp * v30)
-    angle1_____________ = _atan2(w4_mm, c23_mm * T33 + v29 * v30)
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
     v44 = w1 * (v2 * (T14 * T22 - T24 * T12))
@@ -561,11 +567,85 @@ def _regular(pose, q, status):
     v50 = v38 * v46 - s4_pm * (s23_pm * T31 - v49)
     v51 = s4_mp * (v49 + s23_mp * T31) - v39 * v46
     v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46
-    angle1______________ = _atan2(v48, v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45))
     v53 = c23_pm * v45
-    angle1_______________ = _atan2(v50, v38 * v44 - s4_pm * (s23_pm * T32 - v53))
-    angle1________________ = _atan2(v51, s4_mp * (v53 + s23_mp * T32) - v39 * v44)
-    angle1_________________ = _atan2(v52, s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44)
+
+    # joint values
+    doubt1 = (
+        v36 <= m5 or (v22 <= m4 or (v35 <= m5 or (v34 <= m5 or (v21 <= m4 or (v33 <= m5 or (v1 <= m1
+        or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart) or v20 <= m4))))))
+    )
+
+    # angles, side by side
+    room[0] = -T24
+    room[1] = -v4
+    room[2] = S2_pp
+    room[3] = S2_pm
+    room[4] = S2_pm
+    room[5] = S2_pp
+    room[6] = Y4
+    room[7] = Y4
+    room[8] = -Y4
+    room[9] = -Y4
+    room[10] = w4_pp
+    room[11] = w4_pm
+    room[12] = w4_mp
+    room[13] = w4_mm
+    room[14] = v48
+    room[15] = v50
+    room[16] = v51
+    room[17] = v52
+    room[24] = -T14
+    room[25] = v6
+    room[26] = C2_pp
+    room[27] = -C2_mp
+    room[28] = C2_mp
+    room[29] = -C2_pp
+    room[30] = -X4_pp
+    room[31] = -X4_pm
+    room[32] = -X4_mp
+    room[33] = -X4_mm
+    room[34] = c23_pp * T33 + s23_pp * v30
+    room[35] = v43 + s23_pm * v30
+    room[36] = v43 - s23_mp * v30
+    room[37] = c23_mm * T33 + v29 * v30
+    room[38] = v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45)
+    room[39] = v38 * v44 - s4_pm * (s23_pm * T32 - v53)
+    room[40] = s4_mp * (v53 + s23_mp * T32) - v39 * v44
+    room[41] = s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44
+    for k in range(18, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+
+    # theta3, type 8: U1[3, 4] and U1[1, 4]
+    q3_pmp = math.copysign(half_turn, -v4) * h1 - angle1_
+
+    # theta4, type 2: U4[2, 3]
+    q4_ppm = angle1______ - v41
+    q4_pmm = angle1_______ - v41
+    q4_mpm = angle1________ - v42
+    q4_mmm = angle1_________ - v42
+
+    # theta6, type 3: U4[2, 2] and U4[2, 1]
     q6_ppm = angle1______________ - h1 * math.copysign(half_turn, v48)
     q6_pmm = angle1_______________ - h1 * math.copysign(half_turn, v50)
     q6_mpm = angle1________________ - h1 * math.copysign(half_turn, v51)
@@ -574,11 +654,7 @@ def _regular(pose, q, status):
     # joint values
     q1_ppp = angle1 + v3
     q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24) * h1)
-    doubt1 = (
-        v36 <= m5 or (v22 <= m4 or (v35 <= m5 or (v34 <= m5 or (v21 <= m4 or (v33 <= m5 or (v1 <= m1
-        or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or v20 <= m4))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -641,6 +717,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -660,25 +769,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -694,9 +791,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -758,10 +863,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1097,7 +1200,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1116,7 +1219,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

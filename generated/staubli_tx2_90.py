@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "staubli_tx2_90"
 METHOD = "closed form"
@@ -136,7 +160,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -310,7 +334,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -441,7 +465,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -486,7 +510,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -498,7 +522,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -520,13 +544,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1[3, 4]
     t14 = T14 - d6 * T11
@@ -619,22 +644,85 @@ def _regular(pose, q, status):
     v51 = v3 * T23 + s1_m * T13
     v52 = s1_p * T23 - v2 * T13
     v53 = s1_m * T23 - v3 * T13
-    angle1 = (
-        _atan2(-(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)), v46 * -X4_pp + v38 * (v28 * v48 -
-        v32 * T32))
+
+    # joint values
+    v62 = h1 * math.copysign(half_turn, -v38)
+    v63 = h1 * math.copysign(half_turn, -v39)
+    doubt1 = (
+        v45 <= m5 or (v27 <= m4 or (v44 <= m5 or (v26 <= m4 or (v43 <= m5 or (v25 <= m4 or (v42 <=
+        m5 or (v24 <= m4 or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (shortest3_reach <=
+        N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)
+        or shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and
+        N3_m < longest3_apart)))))))))))
     )
-    angle1_ = (
-        _atan2(-(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)), v46 * -X4_pm + v38 * (v29 * v48 -
-        v33 * T32))
-    )
-    angle1__ = (
-        _atan2(-(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)), v47 * -X4_mp + v39 * (v30 * v49 -
-        v34 * T32))
-    )
-    angle1___ = (
-        _atan2(-(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)), v47 * -X4_mm + v39 * (v31 * v49 -
-        v35 * T32))
-    )
+
+    # angles, side by side
+    room[0] = -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))
+    room[1] = -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))
+    room[2] = -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))
+    room[3] = -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))
+    room[4] = S2_pp
+    room[5] = -v15
+    room[6] = S2_mp
+    room[7] = S2_mm
+    room[8] = s3_p
+    room[9] = s3_m
+    room[10] = -v38
+    room[11] = -v38
+    room[12] = -v39
+    room[13] = -v39
+    room[14] = math.sqrt(v42)
+    room[15] = math.sqrt(v43)
+    room[16] = math.sqrt(v44)
+    room[17] = math.sqrt(v45)
+    room[18] = s1_p
+    room[19] = s1_m
+    room[24] = v46 * -X4_pp + v38 * (v28 * v48 - v32 * T32)
+    room[25] = v46 * -X4_pm + v38 * (v29 * v48 - v33 * T32)
+    room[26] = v47 * -X4_mp + v39 * (v30 * v49 - v34 * T32)
+    room[27] = v47 * -X4_mm + v39 * (v31 * v49 - v35 * T32)
+    room[28] = -v20
+    room[29] = -v21
+    room[30] = -v22
+    room[31] = -v23
+    room[32] = -v10
+    room[33] = -v11
+    room[34] = factor2_pp * -X4_pp
+    room[35] = factor2_pm * -X4_pm
+    room[36] = factor2_mp * -X4_mp
+    room[37] = factor2_mm * -X4_mm
+    room[38] = factor2_pp * (T31 * v28 + v32 * v36)
+    room[39] = factor2_pm * (T31 * v29 + v33 * v36)
+    room[40] = factor2_mp * (T31 * v30 + v34 * v37)
+    room[41] = factor2_mm * (T31 * v31 + v35 * v37)
+    room[42] = -v2
+    room[43] = -v3
+    for k in range(20, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+    angle1___________________ = room[19]
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))) * h1
     q6_pmm = (
         angle1_ - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))) * h1
@@ -647,20 +735,14 @@ def _regular(pose, q, status):
     )
 
     # joint values
-    angle1____ = _atan2(S2_pp, -v20)
     v54 = angle1____ - offset2
-    angle1_____ = _atan2(-v15, -v21)
     v55 = angle1_____ - offset2
-    angle1______ = _atan2(S2_mp, -v22)
     v56 = angle1______ - offset2
-    angle1_______ = _atan2(S2_mm, -v23)
     v57 = angle1_______ - offset2
     q2_ppp = v54 - (m7 if half_turn < v54 else 0.0)
     q2_pmp = v55 - (m7 if half_turn < v55 else 0.0)
     q2_mpp = v56 - (m7 if half_turn < v56 else 0.0)
     q2_mmp = v57 - (m7 if half_turn < v57 else 0.0)
-    angle1________ = _atan2(s3_p, -v10)
-    angle1_________ = _atan2(s3_m, -v11)
     v58 = angle1________ - offset3
     v59 = h1 * math.copysign(half_turn, s3_p) - angle1________ - offset3
     v60 = angle1_________ - offset3
@@ -669,12 +751,6 @@ def _regular(pose, q, status):
     q3_pmp = v59 + (m7 if v59 <= -half_turn else 0.0)
     q3_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
     q3_mmp = v61 + (m7 if v61 <= -half_turn else 0.0)
-    angle1__________ = _atan2(-v38, factor2_pp * -X4_pp)
-    angle1___________ = _atan2(-v38, factor2_pm * -X4_pm)
-    angle1____________ = _atan2(-v39, factor2_mp * -X4_mp)
-    angle1_____________ = _atan2(-v39, factor2_mm * -X4_mm)
-    v62 = h1 * math.copysign(half_turn, -v38)
-    v63 = h1 * math.copysign(half_turn, -v39)
     v64 = angle1__________ - offset4
     v65 = angle1__________ - v62 - offset4
     v66 = angle1___________ - offset4
@@ -691,10 +767,6 @@ def _regular(pose, q, status):
     q4_mpm = v69 + (m7 if v69 <= -half_turn else 0.0)
     q4_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
     q4_mmm = v71 + (m7 if v71 <= -half_turn else 0.0)
-    angle1______________ = _atan2(math.sqrt(v42), factor2_pp * (T31 * v28 + v32 * v36))
-    angle1_______________ = _atan2(math.sqrt(v43), factor2_pm * (T31 * v29 + v33 * v36))
-    angle1________________ = _atan2(math.sqrt(v44), factor2_mp * (T31 * v30 + v34 * v37))
-    angle1_________________ = _atan2(math.sqrt(v45), factor2_mm * (T31 * v31 + v35 * v37))
     v72 = angle1______________ - offset5
     v73 = offset5 + angle1______________
     v74 = angle1_______________ - offset5
@@ -711,9 +783,7 @@ def _regular(pose, q, status):
     q5_mpm = (m7 if -v77 <= -half_turn else 0.0) - v77
     q5_mmp = v78 + (m7 if v78 <= -half_turn else 0.0)
     q5_mmm = (m7 if -v79 <= -half_turn else 0.0) - v79
-    angle1__________________ = _atan2(s1_p, -v2)
     q1_ppp = angle1__________________ + (w3_p - w3_p)
-    angle1___________________ = _atan2(s1_m, -v3)
     q1_mpp = angle1___________________ + (w3_m - w3_m)
     v80 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
     v81 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
@@ -727,13 +797,7 @@ def _regular(pose, q, status):
     outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
     outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
     outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt1 = (
-        v45 <= m5 or (v27 <= m4 or (v44 <= m5 or (v26 <= m4 or (v43 <= m5 or (v25 <= m4 or (v42 <=
-        m5 or (v24 <= m4 or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (shortest3_reach <=
-        N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)
-        or shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and
-        N3_m < longest3_apart)))))))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -796,6 +860,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -815,25 +912,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -849,9 +934,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -913,10 +1006,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1374,7 +1465,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1393,7 +1484,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

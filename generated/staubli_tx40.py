@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "staubli_tx40"
 METHOD = "closed form"
@@ -130,7 +154,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -309,7 +333,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -439,7 +463,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -484,7 +508,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -496,7 +520,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -518,13 +542,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     X1 = d6 * T13 - T14
@@ -610,41 +635,100 @@ def _regular(pose, q, status):
     s6_pm = Y4_p * (s23_pm * T31 - S2_pp * v38) - v36 * -X4_pm
     s6_mp = Y4_m * (s23_mp * T31 - S2_pp * v39) - v37 * -X4_mp
     s6_mm = Y4_m * (s23_mm * T31 - S2_pm * v39) - v37 * -X4_mm
-    angle1 = _atan2(s6_pp, Y4_p * (s23_pp * T32 - S2_pm * v34) - v32 * -X4_pp)
-    angle1_ = _atan2(s6_pm, Y4_p * (s23_pm * T32 - S2_pp * v34) - v32 * -X4_pm)
-    angle1__ = _atan2(s6_mp, Y4_m * (s23_mp * T32 - S2_pp * v35) - v33 * -X4_mp)
-    angle1___ = _atan2(s6_mm, Y4_m * (s23_mm * T32 - S2_pm * v35) - v33 * -X4_mm)
+
+    # joint values
+    v48 = h1 * math.copysign(half_turn, Y4_p)
+    v49 = h1 * math.copysign(half_turn, Y4_m)
+    v58 = T33 * S2_pm
+    v59 = T33 * S2_pp
+    doubt1 = (
+        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v31 <= m5 or (v18 <= m2 or (v30 <= m5
+        or (v17 <= m2 or (v29 <= m5 or (v16 <= m2 or (v28 <= m5 or (shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or v14 <= m2)))))))))
+    )
+
+    # angles, side by side
+    room[0] = s6_pp
+    room[1] = s6_pm
+    room[2] = s6_mp
+    room[3] = s6_mm
+    room[4] = s1_p
+    room[5] = s1_m
+    room[6] = S2_pp
+    room[7] = S2_pm
+    room[8] = S2_pm
+    room[9] = S2_pp
+    room[10] = v7
+    room[11] = Y4_p
+    room[12] = Y4_p
+    room[13] = Y4_m
+    room[14] = Y4_m
+    room[15] = math.sqrt(v28)
+    room[16] = math.sqrt(v29)
+    room[17] = math.sqrt(v30)
+    room[18] = math.sqrt(v31)
+    room[24] = Y4_p * (s23_pp * T32 - S2_pm * v34) - v32 * -X4_pp
+    room[25] = Y4_p * (s23_pm * T32 - S2_pp * v34) - v32 * -X4_pm
+    room[26] = Y4_m * (s23_mp * T32 - S2_pp * v35) - v33 * -X4_mp
+    room[27] = Y4_m * (s23_mm * T32 - S2_pm * v35) - v33 * -X4_mm
+    room[28] = -v3
+    room[29] = -v4
+    room[30] = C2_pp
+    room[31] = C2_pm
+    room[32] = C2_mp
+    room[33] = C2_mm
+    room[34] = -(k4 * w3)
+    room[35] = factor2_pp * -X4_pp
+    room[36] = factor2_pm * -X4_pm
+    room[37] = factor2_mp * -X4_mp
+    room[38] = factor2_mm * -X4_mm
+    room[39] = -(factor2_pp * (v58 + s23_pp * v24))
+    room[40] = -(factor2_pm * (v59 + s23_pm * v24))
+    room[41] = -(factor2_mp * (v59 + s23_mp * v25))
+    room[42] = -(factor2_mm * (v58 + s23_mm * v25))
+    for k in range(19, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
     q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
     q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
     q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
 
     # joint values
-    angle1____ = _atan2(s1_p, -v3)
     v40 = angle1____ - offset1
-    angle1_____ = _atan2(s1_m, -v4)
     v41 = angle1_____ - offset1
-    angle1______ = _atan2(S2_pp, C2_pp)
     v42 = angle1______ - offset2
-    angle1_______ = _atan2(S2_pm, C2_pm)
     v43 = angle1_______ - offset2
-    angle1________ = _atan2(S2_pm, C2_mp)
     v44 = angle1________ - offset2
-    angle1_________ = _atan2(S2_pp, C2_mm)
     v45 = angle1_________ - offset2
     q2_ppp = v42 + (m7 if v42 <= -half_turn else 0.0)
     q2_pmp = v43 + (m7 if v43 <= -half_turn else 0.0)
     q2_mpp = v44 + (m7 if v44 <= -half_turn else 0.0)
     q2_mmp = v45 + (m7 if v45 <= -half_turn else 0.0)
-    angle1__________ = _atan2(v7, -(k4 * w3))
     v46 = angle1__________ - offset3
     v47 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
-    angle1___________ = _atan2(Y4_p, factor2_pp * -X4_pp)
-    angle1____________ = _atan2(Y4_p, factor2_pm * -X4_pm)
-    angle1_____________ = _atan2(Y4_m, factor2_mp * -X4_mp)
-    angle1______________ = _atan2(Y4_m, factor2_mm * -X4_mm)
-    v48 = h1 * math.copysign(half_turn, Y4_p)
-    v49 = h1 * math.copysign(half_turn, Y4_m)
     v50 = angle1___________ - offset4
     v51 = angle1___________ - v48 - offset4
     v52 = angle1____________ - offset4
@@ -661,12 +745,6 @@ def _regular(pose, q, status):
     q4_mpm = v55 + (m7 if v55 <= -half_turn else 0.0)
     q4_mmp = v56 + (m7 if v56 <= -half_turn else 0.0)
     q4_mmm = v57 + (m7 if v57 <= -half_turn else 0.0)
-    v58 = T33 * S2_pm
-    angle1_______________ = _atan2(math.sqrt(v28), -(factor2_pp * (v58 + s23_pp * v24)))
-    v59 = T33 * S2_pp
-    angle1________________ = _atan2(math.sqrt(v29), -(factor2_pm * (v59 + s23_pm * v24)))
-    angle1_________________ = _atan2(math.sqrt(v30), -(factor2_mp * (v59 + s23_mp * v25)))
-    angle1__________________ = _atan2(math.sqrt(v31), -(factor2_mm * (v58 + s23_mm * v25)))
     v60 = angle1_______________ - offset5
     v61 = offset5 + angle1_______________
     v62 = angle1________________ - offset5
@@ -687,11 +765,7 @@ def _regular(pose, q, status):
     q1_mpp = v6 + (v41 + (m7 if v41 <= -half_turn else 0.0))
     q3_ppp = v1 + (v46 + (m7 if v46 <= -half_turn else 0.0))
     q3_pmp = v1 + (v47 + (m7 if v47 <= -half_turn else 0.0))
-    doubt1 = (
-        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v31 <= m5 or (v18 <= m2 or (v30 <= m5
-        or (v17 <= m2 or (v29 <= m5 or (v16 <= m2 or (v28 <= m5 or (shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or v14 <= m2)))))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -754,6 +828,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -773,25 +880,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -807,9 +902,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -871,10 +974,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1246,7 +1347,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1265,7 +1366,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

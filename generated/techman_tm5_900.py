@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 _part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "techman_tm5_900"
@@ -132,7 +156,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -310,7 +334,7 @@ _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
 _NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others.
 
@@ -450,7 +474,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free6 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -495,7 +519,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -507,7 +531,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -610,7 +634,7 @@ def _choose_again(pose, given, row, q, status):
         q[row, i] = trial[row, i] if served else math.nan
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -634,13 +658,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     X1 = d6 * T13 - T14
@@ -668,14 +693,10 @@ def _regular(pose, q, status):
     w6_m = math.sqrt(v4)
     v5 = 1.0 / v3
     v6 = 1.0 / v4
-    angle1 = _atan2(Y6_p, -X6_p)
-    angle1_ = _atan2(Y6_m, -X6_m)
 
     # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
     c5_p = T23 * c1_p - T13 * s1_p
     c5_m = T23 * c1_m - T13 * s1_m
-    angle1__ = _atan2(w6_p, c5_p)
-    angle1___ = _atan2(w6_m, c5_m)
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
     v7 = v5 * (Y6_p * T31 - X6_p * T32)
@@ -686,10 +707,6 @@ def _regular(pose, q, status):
     v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32))
     s234_p = w6_p * v9
     s234_m = w6_m * v10
-    angle1____ = _atan2(v9, -v7)
-    angle1_____ = _atan2(v10, -v8)
-    theta234_pm = angle1____ - h1 * math.copysign(half_turn, v9)
-    theta234_mm = angle1_____ - h1 * math.copysign(half_turn, v10)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v11 = d6 * w6_p
@@ -725,10 +742,6 @@ def _regular(pose, q, status):
     v25 = w3_pm - w3_pm
     v26 = w3_mp - w3_mp
     v27 = w3_mm - w3_mm
-    angle1______ = _atan2(w3_pp, N3_pp - k4)
-    angle1_______ = _atan2(w3_pm, N3_pm - k4)
-    angle1________ = _atan2(w3_mp, N3_mp - k4)
-    angle1_________ = _atan2(w3_mm, N3_mm - k4)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
     v28 = m5 + m4 * N3_pp
@@ -744,22 +757,94 @@ def _regular(pose, q, status):
     v38 = Z2_3_mp * v30
     v39 = Z2_3_mm * v31
     v40 = w3_pp * (m4 * Z2_3_pp)
-    angle1__________ = _atan2(v32 - v40, v36 + w3_pp * (m4 * Z1_3_pp))
-    angle1___________ = _atan2(v32 + v40, v36 + w3_pp * (m4 * -Z1_3_pp))
     v41 = w3_pm * (m4 * Z2_3_pm)
-    angle1____________ = _atan2(v33 - v41, v37 + w3_pm * (m4 * Z1_3_pm))
-    angle1_____________ = _atan2(v33 + v41, v37 + w3_pm * (m4 * -Z1_3_pm))
     v42 = w3_mp * (m4 * Z2_3_mp)
-    angle1______________ = _atan2(v34 - v42, v38 + w3_mp * (m4 * Z1_3_mp))
-    angle1_______________ = _atan2(v34 + v42, v38 + w3_mp * (m4 * -Z1_3_mp))
     v43 = w3_mm * (m4 * Z2_3_mm)
-    angle1________________ = _atan2(v35 - v43, v39 + w3_mm * (m4 * Z1_3_mm))
-    angle1_________________ = _atan2(v35 + v43, v39 + w3_mm * (m4 * -Z1_3_mm))
 
     # joint values
-    angle1__________________ = _atan2(s1_p, c1_p)
+    doubt1 = (
+        N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
+        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= free_limit_squared2 or
+        (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and
+        N3_mp < longest3_apart) or (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and
+        N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
+        (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
+        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v4 <= m2 or (v4 <= m1 or (v3 <=
+        m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)) or v3 <= m1)))))))))))
+    )
+
+    # angles, side by side
+    room[0] = Y6_p
+    room[1] = Y6_m
+    room[2] = w6_p
+    room[3] = w6_m
+    room[4] = v9
+    room[5] = v10
+    room[6] = w3_pp
+    room[7] = w3_pm
+    room[8] = w3_mp
+    room[9] = w3_mm
+    room[10] = v32 - v40
+    room[11] = v32 + v40
+    room[12] = v33 - v41
+    room[13] = v33 + v41
+    room[14] = v34 - v42
+    room[15] = v34 + v42
+    room[16] = v35 - v43
+    room[17] = v35 + v43
+    room[18] = s1_p
+    room[19] = s1_m
+    room[24] = -X6_p
+    room[25] = -X6_m
+    room[26] = c5_p
+    room[27] = c5_m
+    room[28] = -v7
+    room[29] = -v8
+    room[30] = N3_pp - k4
+    room[31] = N3_pm - k4
+    room[32] = N3_mp - k4
+    room[33] = N3_mm - k4
+    room[34] = v36 + w3_pp * (m4 * Z1_3_pp)
+    room[35] = v36 + w3_pp * (m4 * -Z1_3_pp)
+    room[36] = v37 + w3_pm * (m4 * Z1_3_pm)
+    room[37] = v37 + w3_pm * (m4 * -Z1_3_pm)
+    room[38] = v38 + w3_mp * (m4 * Z1_3_mp)
+    room[39] = v38 + w3_mp * (m4 * -Z1_3_mp)
+    room[40] = v39 + w3_mm * (m4 * Z1_3_mm)
+    room[41] = v39 + w3_mm * (m4 * -Z1_3_mm)
+    room[42] = c1_p
+    room[43] = c1_m
+    for k in range(20, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+    angle1___________________ = room[19]
+
+    # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
+    theta234_pm = angle1____ - h1 * math.copysign(half_turn, v9)
+    theta234_mm = angle1_____ - h1 * math.copysign(half_turn, v10)
+
+    # joint values
     v44 = angle1__________________ - offset1
-    angle1___________________ = _atan2(s1_m, c1_m)
     v45 = angle1___________________ - offset1
     q1__p = v44 + (m6 if v44 <= -half_turn else 0.0)
     q1__m = v45 + (m6 if v45 <= -half_turn else 0.0)
@@ -823,16 +908,7 @@ def _regular(pose, q, status):
     q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
     q6_mpp = angle1_ + v26
     q6_mmp = v27 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
-    doubt1 = (
-        N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
-        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= free_limit_squared2 or
-        (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and
-        N3_mp < longest3_apart) or (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and
-        N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-        (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
-        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v4 <= m2 or (v4 <= m1 or (v3 <=
-        m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)) or v3 <= m1)))))))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -895,6 +971,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -914,25 +1023,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -948,9 +1045,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -1012,10 +1117,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1435,7 +1538,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1454,7 +1557,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 _part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "ur5e"
@@ -126,7 +150,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -297,7 +321,7 @@ _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
 _NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others.
 
@@ -430,7 +454,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free6 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -475,7 +499,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -487,7 +511,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -590,7 +614,7 @@ def _choose_again(pose, given, row, q, status):
         q[row, i] = trial[row, i] if served else math.nan
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -614,13 +638,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     X1 = d6 * T13 - T14
@@ -636,8 +661,6 @@ def _regular(pose, q, status):
     v4 = inverse1 * (d4 * X1)
     s1_p = w1 * (wy * inverse1) - v4
     s1_m = w1 * (inverse1 * -wy) - v4
-    angle1 = _atan2(s1_p, -v2)
-    angle1_ = _atan2(s1_m, -v3)
 
     # theta6, type 2: U1 A6^-1 [3, 2]
     v5 = v2 * T21 + s1_p * T11
@@ -650,14 +673,10 @@ def _regular(pose, q, status):
     w6_m = math.sqrt(v10)
     v11 = 1.0 / v9
     v12 = 1.0 / v10
-    angle1__ = _atan2(-v7, v5)
-    angle1___ = _atan2(-v8, v6)
 
     # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
     c5_p = T13 * s1_p + T23 * v2
     c5_m = T13 * s1_m + T23 * v3
-    angle1____ = _atan2(w6_p, c5_p)
-    angle1_____ = _atan2(w6_m, c5_m)
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
     v13 = v11 * (v5 * T32 - v7 * T31)
@@ -668,10 +687,6 @@ def _regular(pose, q, status):
     v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33
     s234_p = w6_p * v15
     s234_m = w6_m * v16
-    angle1______ = _atan2(v15, v13)
-    angle1_______ = _atan2(v16, v14)
-    theta234_pm = angle1______ - h1 * math.copysign(half_turn, v15)
-    theta234_mm = angle1_______ - h1 * math.copysign(half_turn, v16)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v17 = d6 * w6_p
@@ -707,10 +722,6 @@ def _regular(pose, q, status):
     v31 = w3_pm - w3_pm
     v32 = w3_mp - w3_mp
     v33 = w3_mm - w3_mm
-    angle1________ = _atan2(w3_pp, N3_pp - k4)
-    angle1_________ = _atan2(w3_pm, N3_pm - k4)
-    angle1__________ = _atan2(w3_mp, N3_mp - k4)
-    angle1___________ = _atan2(w3_mm, N3_mm - k4)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
     v34 = m5 + m4 * N3_pp
@@ -727,20 +738,94 @@ def _regular(pose, q, status):
     v45 = Z2_3_mm * v37
     v46 = w3_pp * (m4 * Z2_3_pp)
     v47 = w3_pp * (m4 * Z1_3_pp)
-    angle1____________ = _atan2(v46 - v38, -(v42 + v47))
-    angle1_____________ = _atan2(-(v38 + v46), v47 - v42)
     v48 = w3_pm * (m4 * Z2_3_pm)
     v49 = w3_pm * (m4 * Z1_3_pm)
-    angle1______________ = _atan2(v48 - v39, -(v43 + v49))
-    angle1_______________ = _atan2(-(v39 + v48), v49 - v43)
     v50 = w3_mp * (m4 * Z2_3_mp)
     v51 = w3_mp * (m4 * Z1_3_mp)
-    angle1________________ = _atan2(v50 - v40, -(v44 + v51))
-    angle1_________________ = _atan2(-(v40 + v50), v51 - v44)
     v52 = w3_mm * (m4 * Z2_3_mm)
     v53 = w3_mm * (m4 * Z1_3_mm)
-    angle1__________________ = _atan2(v52 - v41, -(v45 + v53))
-    angle1___________________ = _atan2(-(v41 + v52), v53 - v45)
+
+    # joint values
+    doubt1 = (
+        N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
+        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= free_limit_squared2 or
+        (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and
+        N3_mp < longest3_apart) or (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and
+        N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
+        (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
+        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v10 <= m2 or (v10 <= m1 or (v9
+        <= m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)) or v9 <= m1)))))))))))
+    )
+
+    # angles, side by side
+    room[0] = s1_p
+    room[1] = s1_m
+    room[2] = -v7
+    room[3] = -v8
+    room[4] = w6_p
+    room[5] = w6_m
+    room[6] = v15
+    room[7] = v16
+    room[8] = w3_pp
+    room[9] = w3_pm
+    room[10] = w3_mp
+    room[11] = w3_mm
+    room[12] = v46 - v38
+    room[13] = -(v38 + v46)
+    room[14] = v48 - v39
+    room[15] = -(v39 + v48)
+    room[16] = v50 - v40
+    room[17] = -(v40 + v50)
+    room[18] = v52 - v41
+    room[19] = -(v41 + v52)
+    room[24] = -v2
+    room[25] = -v3
+    room[26] = v5
+    room[27] = v6
+    room[28] = c5_p
+    room[29] = c5_m
+    room[30] = v13
+    room[31] = v14
+    room[32] = N3_pp - k4
+    room[33] = N3_pm - k4
+    room[34] = N3_mp - k4
+    room[35] = N3_mm - k4
+    room[36] = -(v42 + v47)
+    room[37] = v47 - v42
+    room[38] = -(v43 + v49)
+    room[39] = v49 - v43
+    room[40] = -(v44 + v51)
+    room[41] = v51 - v44
+    room[42] = -(v45 + v53)
+    room[43] = v53 - v45
+    for k in range(20, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+    angle1___________________ = room[19]
+
+    # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
+    theta234_pm = angle1______ - h1 * math.copysign(half_turn, v15)
+    theta234_mm = angle1_______ - h1 * math.copysign(half_turn, v16)
 
     # joint values
     v54 = angle1______ - (angle1________ + angle1____________)
@@ -771,16 +856,7 @@ def _regular(pose, q, status):
     q6_pmp = v31 + (angle1__ - math.copysign(half_turn, -v7) * h1)
     q6_mpp = angle1___ + v32
     q6_mmp = v33 + (angle1___ - math.copysign(half_turn, -v8) * h1)
-    doubt1 = (
-        N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
-        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= free_limit_squared2 or
-        (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and
-        N3_mp < longest3_apart) or (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and
-        N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-        (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
-        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v10 <= m2 or (v10 <= m1 or (v9
-        <= m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)) or v9 <= m1)))))))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -843,6 +919,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -862,25 +971,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -896,9 +993,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -960,10 +1065,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1335,7 +1438,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1354,7 +1457,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 _part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
 
 NAME = "xarm5"
@@ -127,7 +151,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -280,7 +304,7 @@ _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
 _NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others.
 
@@ -420,7 +444,7 @@ def _solve(pose, seed, q, status):
             status[row] = FREE_JOINT if free1 or free2_ or free234 or free234 or free5 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -465,7 +489,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -477,7 +501,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -580,7 +604,7 @@ def _choose_again(pose, given, row, q, status):
         q[row, i] = trial[row, i] if served else math.nan
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):
@@ -604,13 +628,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(32), 32)
 
     # theta1, type 2: U1[3, 4]
     v1 = T14 * T14 + T24 * T24
@@ -625,7 +650,6 @@ def _regular(pose, q, status):
     Z2_234 = w1 * v3
     v4 = T33 * T33 + Z2_234 * Z2_234
     factor234 = math.sqrt(v4) * (1.0 / v4)
-    angle1 = _atan2(-Z2_234, T33)
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
     Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22))
@@ -634,7 +658,6 @@ def _regular(pose, q, status):
     v6 = math.sqrt(v5) * (1.0 / v5)
     v7 = Z1_5 * v6
     v8 = Z2_5 * v6
-    angle1_ = _atan2(-Z2_5, -Z1_5)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v9 = d5 * T33
@@ -656,8 +679,6 @@ def _regular(pose, q, status):
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
     v19 = w3_p - w3_p
     v20 = w3_m - w3_m
-    angle1__ = _atan2(w3_p, N3_p - k1)
-    angle1___ = _atan2(w3_m, N3_m - k1)
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
     v21 = m6 * N3_p - m7
@@ -673,10 +694,6 @@ def _regular(pose, q, status):
     v27 = v18 * v22
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
-    angle1____ = _atan2(S2_pp, v26 + w3_p * (m6 * Z1_3_p))
-    angle1_____ = _atan2(S2_pm, v26 + w3_p * (m6 * -Z1_3_p))
-    angle1______ = _atan2(S2_mp, w3_m * (m6 * Z1_3_m) - v27)
-    angle1_______ = _atan2(S2_mm, w3_m * (m6 * -Z1_3_m) - v27)
 
     # is the pose one that the arm can take?
     v28 = c1 * T33
@@ -718,7 +735,47 @@ def _regular(pose, q, status):
     )
 
     # joint values
-    angle1________ = _atan2(T24, T14)
+    doubt1 = (
+        v4 <= m2 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m
+        <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
+        free_limit_squared2 or (v5 <= m2 or shortest3_reach <= N3_p and N3_p <= longest3_reach and
+        not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+    )
+
+    # angles, side by side
+    room[0] = -Z2_234
+    room[1] = -Z2_5
+    room[2] = w3_p
+    room[3] = w3_m
+    room[4] = S2_pp
+    room[5] = S2_pm
+    room[6] = S2_mp
+    room[7] = S2_mm
+    room[8] = T24
+    room[16] = T33
+    room[17] = -Z1_5
+    room[18] = N3_p - k1
+    room[19] = N3_m - k1
+    room[20] = v26 + w3_p * (m6 * Z1_3_p)
+    room[21] = v26 + w3_p * (m6 * -Z1_3_p)
+    room[22] = w3_m * (m6 * Z1_3_m) - v27
+    room[23] = w3_m * (m6 * -Z1_3_m) - v27
+    room[24] = T14
+    for k in range(9, 16):
+        room[k] = room[k + 16] = 1.0
+    for k in range(16):
+        room[k] = _atan2(room[k], room[k + 16])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+
+    # joint values
     v47 = angle1________ - offset1
     v48 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
     v49 = angle1____ - offset2
@@ -761,12 +818,7 @@ def _regular(pose, q, status):
     q5_pm = v43 + v67
     q5_mp = v45 + v68
     q5_mm = v46 + v68
-    doubt1 = (
-        v4 <= m2 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m
-        <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-        free_limit_squared2 or (v5 <= m2 or shortest3_reach <= N3_p and N3_p <= longest3_reach and
-        not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -797,6 +849,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
+        raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(4):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(5):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(5), 5))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -816,25 +901,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
-        raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(5), 5)) if q_seed is None else q_seed
     if seed.shape != (5,):
         raise ValueError("q_seed must be (5,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(4):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -850,9 +923,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((4, 5)), np.empty(4, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (5,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -914,10 +995,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(5)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1224,7 +1303,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1243,7 +1322,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 

@@ -15,15 +15,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "yaskawa_gp7"
 METHOD = "closed form"
@@ -142,7 +166,7 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+@_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
     return angle - _TURN * np.ceil(angle / _TURN - 0.5)
@@ -321,7 +345,7 @@ def jacobian(q):
     return J
 
 
-@_jit
+@_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
@@ -439,7 +463,7 @@ def _solve(pose, seed, q, status):
                 status[row] = FREE_JOINT if free1 or free2 or free4 else OK
 
 
-@_jit
+@_merged
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -484,7 +508,7 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -496,7 +520,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(8):
@@ -518,13 +542,14 @@ def _whole(pose, seed, q, status):
     return count
 
 
-@_jit
+@_merged
 def _regular(pose, q, status):
     """A pose at which no joint is free and no branches meet into q and status; False for others.
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(48), 48)
 
     # theta1, type 2: U1 A6^-1 [3, 4]
     wx = T14 - d6 * T13
@@ -532,8 +557,6 @@ def _regular(pose, q, status):
     v1 = wx * wx + Y1 * Y1
     w1 = math.sqrt(v1)
     v2 = 1.0 / v1
-    angle1 = _atan2(Y1, -wx)
-    q1__m = angle1 - math.copysign(half_turn, Y1) * h1
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     Z1_3 = T34 - d6 * T33 - d1
@@ -544,12 +567,6 @@ def _regular(pose, q, status):
     N3_m = v5 + v4 * v4
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    angle1_ = _atan2(w3_p, N3_p - k3)
-    angle1__ = _atan2(w3_m, N3_m - k3)
-    q3__pp = angle1_ - turn1
-    v6 = turn1 + angle1_
-    q3__mp = angle1__ - turn1
-    v7 = turn1 + angle1__
 
     # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
     Y1_2_p = m4 + m3 * N3_p
@@ -597,16 +614,8 @@ def _regular(pose, q, status):
     v32 = v30 + X4_pm * X4_pm
     v33 = v30 + X4_mp * X4_mp
     v34 = v30 + X4_mm * X4_mm
-    angle1___ = _atan2(-v29, -X4_pp)
-    angle1____ = _atan2(-v29, -X4_pm)
-    angle1_____ = _atan2(v29, -X4_mp)
-    angle1______ = _atan2(v29, -X4_mm)
     v35 = h1 * math.copysign(half_turn, -v29)
     v36 = h1 * math.copysign(half_turn, v29)
-    q4_ppm = angle1___ - v35
-    q4_pmm = angle1____ - v35
-    q4_mpm = angle1_____ - v36
-    q4_mmm = angle1______ - v36
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v37 = w1 * (v2 * (wx * T22 + Y1 * T12))
@@ -616,22 +625,104 @@ def _regular(pose, q, status):
 
     # joint values
     v41 = w3_p * (m3 * v3)
-    angle1_______ = _atan2(-(v8 + v41), w3_p * v12 - v10)
+    v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
+    v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)
+    v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
+    v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
+    doubt1 = (
+        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart) or (v34 <= m9 or (v33 <= m9 or (v32 <= m9 or (v1 <= m1 or v31 <= m9)))))))
+    )
+
+    # angles, side by side
+    room[0] = Y1
+    room[1] = w3_p
+    room[2] = w3_m
+    room[3] = -v29
+    room[4] = -v29
+    room[5] = v29
+    room[6] = v29
+    room[7] = -(v8 + v41)
+    room[8] = v41 - v8
+    room[9] = -(v9 + w3_m * (m3 * v4))
+    room[10] = -(v9 + w3_m * (m3 * -v4))
+    room[11] = -math.sqrt(v31)
+    room[12] = -math.sqrt(v32)
+    room[13] = -math.sqrt(v33)
+    room[14] = -math.sqrt(v34)
+    room[15] = v54
+    room[16] = v55
+    room[17] = v56
+    room[18] = v57
+    room[24] = -wx
+    room[25] = N3_p - k3
+    room[26] = N3_m - k3
+    room[27] = -X4_pp
+    room[28] = -X4_pm
+    room[29] = -X4_mp
+    room[30] = -X4_mm
+    room[31] = w3_p * v12 - v10
+    room[32] = w3_p * v13 - v10
+    room[33] = w3_m * v12 - v11
+    room[34] = w3_m * v13 - v11
+    room[35] = T33 * c2m3_pp + s2m3_pp * v28
+    room[36] = T33 * c2m3_pm + s2m3_pm * v28
+    room[37] = T33 * c2m3_mp - s2m3_mp * v28
+    room[38] = T33 * c2m3_mm - s2m3_mm * v28
+    room[39] = v29 * (c2m3_pp * v38 - s2m3_pp * T32) - -X4_pp * v37
+    room[40] = v29 * (c2m3_pm * v38 - s2m3_pm * T32) - -X4_pm * v37
+    room[41] = v29 * (c2m3_mp * v38 + s2m3_mp * T32) - X4_mp * v37
+    room[42] = v29 * (c2m3_mm * v38 + s2m3_mm * T32) - X4_mm * v37
+    for k in range(19, 24):
+        room[k] = room[k + 24] = 1.0
+    for k in range(24):
+        room[k] = _atan2(room[k], room[k + 24])
+    angle1 = room[0]
+    angle1_ = room[1]
+    angle1__ = room[2]
+    angle1___ = room[3]
+    angle1____ = room[4]
+    angle1_____ = room[5]
+    angle1______ = room[6]
+    angle1_______ = room[7]
+    angle1________ = room[8]
+    angle1_________ = room[9]
+    angle1__________ = room[10]
+    angle1___________ = room[11]
+    angle1____________ = room[12]
+    angle1_____________ = room[13]
+    angle1______________ = room[14]
+    angle1_______________ = room[15]
+    angle1________________ = room[16]
+    angle1_________________ = room[17]
+    angle1__________________ = room[18]
+
+    # theta1, type 2: U1 A6^-1 [3, 4]
+    q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+
+    # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+    q3__pp = angle1_ - turn1
+    v6 = turn1 + angle1_
+    q3__mp = angle1__ - turn1
+    v7 = turn1 + angle1__
+
+    # theta4, type 2: U4[3, 3]
+    q4_ppm = angle1___ - v35
+    q4_pmm = angle1____ - v35
+    q4_mpm = angle1_____ - v36
+    q4_mmm = angle1______ - v36
+
+    # joint values
     v42 = angle1_______ - offset2
-    angle1________ = _atan2(v41 - v8, w3_p * v13 - v10)
     v43 = angle1________ - offset2
-    angle1_________ = _atan2(-(v9 + w3_m * (m3 * v4)), w3_m * v12 - v11)
     v44 = angle1_________ - offset2
-    angle1__________ = _atan2(-(v9 + w3_m * (m3 * -v4)), w3_m * v13 - v11)
     v45 = angle1__________ - offset2
     q2_ppp = v42 - (m10 if half_turn < v42 else 0.0)
     q2_pmp = v43 - (m10 if half_turn < v43 else 0.0)
     q2_mpp = v44 - (m10 if half_turn < v44 else 0.0)
     q2_mmp = v45 - (m10 if half_turn < v45 else 0.0)
-    angle1___________ = _atan2(-math.sqrt(v31), T33 * c2m3_pp + s2m3_pp * v28)
-    angle1____________ = _atan2(-math.sqrt(v32), T33 * c2m3_pm + s2m3_pm * v28)
-    angle1_____________ = _atan2(-math.sqrt(v33), T33 * c2m3_mp - s2m3_mp * v28)
-    angle1______________ = _atan2(-math.sqrt(v34), T33 * c2m3_mm - s2m3_mm * v28)
     v46 = angle1___________ - offset5
     v47 = offset5 + angle1___________
     v48 = angle1____________ - offset5
@@ -648,14 +739,6 @@ def _regular(pose, q, status):
     q5_mpm = (m10 if -v51 <= -half_turn else 0.0) - v51
     q5_mmp = v52 + (m10 if v52 <= -half_turn else 0.0)
     q5_mmm = (m10 if -v53 <= -half_turn else 0.0) - v53
-    v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31)
-    v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31)
-    v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
-    v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
-    angle1_______________ = _atan2(v54, v29 * (c2m3_pp * v38 - s2m3_pp * T32) - -X4_pp * v37)
-    angle1________________ = _atan2(v55, v29 * (c2m3_pm * v38 - s2m3_pm * T32) - -X4_pm * v37)
-    angle1_________________ = _atan2(v56, v29 * (c2m3_mp * v38 + s2m3_mp * T32) - X4_mp * v37)
-    angle1__________________ = _atan2(v57, v29 * (c2m3_mm * v38 + s2m3_mm * T32) - X4_mm * v37)
     v58 = angle1_______________ - offset6
     v59 = angle1_______________ - h1 * math.copysign(half_turn, v54) - offset6
     v60 = angle1________________ - offset6
@@ -704,12 +787,7 @@ def _regular(pose, q, status):
     outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
     outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
     outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
-    doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or (v34 <= m9 or (v33 <= m9 or (v32 <= m9 or (v1 <= m1 or v31 <= m9)))))))
-    )
+
     # a joint is free, or branches meet
     if doubt1:
         return False
@@ -772,6 +850,39 @@ def _regular(pose, q, status):
     return True
 
 
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(6):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(6), 6))
+    return _into(T, seed, q, status)
+
+
 @_jit
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
@@ -791,25 +902,13 @@ def ik_into(T, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
         raise ValueError("q_seed must be (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    if _COMPILED and _regular(pose, q, status):
-        count = 0
-        for row in range(8):
-            count += status[row] == OK
-        return count
-    return _whole(pose, seed, q, status)
+    return _into(T, seed, q, status)
 
 
 def ik_all(T, q_seed=None):
@@ -825,9 +924,17 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _array(T, (4, 4), "T")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
-    ik_into(T, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (6,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
     return q, status
 
 
@@ -889,10 +996,8 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
-    seed = np.empty(6)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q[k], status[k], seed)
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1302,7 +1407,7 @@ def ik_batch(T, *, cores=None):
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
         for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            ik_into(T[k], q[k], status[k], _ZEROS)
+            _unseeded(T[k], q[k], status[k])
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
@@ -1321,7 +1426,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 
