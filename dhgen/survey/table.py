@@ -28,7 +28,7 @@ LEFT = (0, 1, 2, 3)  # columns of words
 
 def survey_text(lines: Sequence[Line]) -> str:
     """The whole report."""
-    rows = [HEAD, *(_cells(line) for line in lines)]
+    rows = [HEAD, *(cells(line) for line in lines)]
     whole = [row for row in rows if len(row) == len(HEAD)]  # a reason may run on
     widths = [max(map(len, column)) for column in zip(*whole, strict=True)]
     widths[:3] = [max(map(len, column)) for column in zip(*(row[:3] for row in rows), strict=True)]
@@ -65,7 +65,8 @@ def _worst(solved: Sequence[Answers], method: str) -> float:
     return max(a.residual for a in solved if a.method == method)
 
 
-def _cells(line: Line) -> tuple[str, ...]:
+def cells(line: Line) -> tuple[str, ...]:
+    """A line's cells; where there is no solver the reason ends it."""
     head = line.name, line.joints, line.structure
     a = line.answers
     if a is None:
