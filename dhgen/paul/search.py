@@ -15,12 +15,13 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.forms import MOST_UNKNOWNS, FormReader
 from dhgen.paul.knowledge import initial_knowledge
-from dhgen.paul.step import View
+from dhgen.paul.step import Kind, View
 from dhgen.paul.witness import build_witnesses
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge, State
     from dhgen.paul.pool import Pool
@@ -84,7 +85,8 @@ class Search:
         if knowledge.state not in self._offers:
             view = self.view(knowledge)
             groups = self.groups(self._reader.forms(knowledge))
-            found = [step for group in groups for step in self._steps(group, view)]
+            offered = [step for group in groups for step in self._steps(group, view)]
+            found = _without_needless_silence(offered, view)
             found.sort(key=lambda step: (step.roots, step.penalty))
             self._offers[knowledge.state] = tuple(found)
         return self._offers[knowledge.state]
@@ -149,6 +151,20 @@ class Search:
             others.append(tuple(o for o in self.offers(knowledge) if o != step))
             knowledge = learn(knowledge, step)
         return Route(steps, tuple(others))
+
+
+def _without_needless_silence(steps: list[Step], view: View) -> list[Step]:
+    """Without X s = Z or Y c = Z whose factor may vanish where a constant factor says the same."""
+
+    def factors(step: Step) -> list[Polynomial]:
+        return [value for value in map(step.coefficient, "XY") if value]
+
+    alone = [step for step in steps if step.kind is Kind.ANGLE and len(factors(step)) == 1]
+    sure = {step.unknowns for step in alone if view.is_constant(*factors(step))}
+    silent = {
+        id(step) for step in alone if step.unknowns in sure and not view.is_constant(*factors(step))
+    }
+    return [step for step in steps if id(step) not in silent]
 
 
 def learn(knowledge: Knowledge, step: Step) -> Knowledge:

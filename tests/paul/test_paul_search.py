@@ -15,10 +15,23 @@ from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.refusal import unknown_name
 from dhgen.paul.search import learn
 from dhgen.paul.step import Kind, Step
+from dhgen.robot.load import load
 from tests.paul.arms import all_steps, derivation
 from tests.robots.cases import NAMES, robot
 
 ROOT = Path(__file__).parents[2]
+SLIDE_BEFORE_THE_LAST = """
+name: arm
+source: made up
+convention: standard
+joints:
+  - {theta: q, d: 0.4, a: 0.1, alpha: -pi/2}
+  - {theta: q, a: 0.4}
+  - {theta: q, a: 0.1, alpha: -pi/2}
+  - {theta: 0, d: q}
+  - {theta: q, d: 0.1, alpha: pi/2}
+  - {theta: q, d: 0.1}
+"""
 
 
 def route(name: str) -> list[tuple[int, str]]:
@@ -139,3 +152,14 @@ def test_equal_choices_are_taken_in_the_same_order_again(name: str) -> None:
 def shown(found: Derivation) -> list[str]:
     steps = [*found.steps, *(other for others in found.alternatives for other in others)]
     return [f"{s.kind} {s.unknowns} {s.penalty} {s.coefficients} {s.origins}" for s in steps]
+
+
+def test_a_factor_that_may_vanish_is_not_needed_where_a_constant_one_does(tmp_path: Path) -> None:
+    """Column 4 gives c3 times a length, and elsewhere the same times c5, silent at c5 = 0."""
+    path = tmp_path / "arm.yaml"
+    path.write_text(SLIDE_BEFORE_THE_LAST, encoding="utf-8")
+    found = derive(build_chain(load(path)))
+    (elbow,) = (step for step in found.steps if unknown_name(step.unknowns[0]) == "theta3")
+    factors = [elbow.coefficient(letter) for letter in "XY"]
+    assert [bool(factor) for factor in factors] == [False, True]
+    assert found.problem.algebra.is_constant(factors[1])
