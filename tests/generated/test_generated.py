@@ -14,13 +14,13 @@ from numba import njit
 from numba.core.runtime import _nrt_python as _nrt  # type: ignore[attr-defined]
 
 from dhgen.robot.robot import JointKind
-from dhgen.survey.singular import is_redundant
-from tests.structures import STRUCTURES
-from tests.generated.solvers import GENERATED, NAMES, given, library, module, robot
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.poses import joint_sets, random_joints
 from dhgen.survey.oracle.problem import task_entries
+from dhgen.survey.singular import is_redundant
+from tests.generated.solvers import GENERATED, NAMES, given, library, module, robot
+from tests.structures import STRUCTURES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -82,7 +82,7 @@ LOSSY = {"yaskawa_hc10"}
     ],
 )
 def test_every_solution_at_right_angles(name: str) -> None:
-    """What everyone tries first: the isolated solutions are all there, whatever else is singular."""
+    """What everyone tries first: all isolated solutions are there, whatever else is singular."""
     asked = trial(name)
     q = right_angles(robot(name), 500, seed=6)
     q = q[:: -(-len(q) // 5)]
