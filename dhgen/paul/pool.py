@@ -169,7 +169,7 @@ def build_pool(problem: Problem) -> Pool:
     links = problem.links
     dof = len(links)
     points: list[Point] = []
-    steps = [_right_inverse(problem, k) for k in range(dof + 1)]
+    steps = [right_inverse(problem, k) for k in range(dof + 1)]
     rights = [_moved_right(problem, step, points) for step in steps]
     equations: list[Equation] = []
     for m in range(dof):
@@ -199,8 +199,8 @@ def merged(equations: Iterable[Equation]) -> tuple[Equation, ...]:
     return tuple(merged.values())
 
 
-def _right_inverse(problem: Problem, k: int) -> Transform:
-    """(A_{k+1} ... A_n)^-1."""
+def right_inverse(problem: Problem, k: int) -> Transform:
+    """(A_{k+1} ... A_n)^-1: frame k seen from the last one."""
     after = [element for link in problem.links[k:] for element in link]
     return product(reversed_elements(after, problem.algebra), problem.algebra)
 

@@ -13,14 +13,15 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.product import product, reversed_elements
 from dhgen.kinematics.transform import Transform, compose, translation
 from dhgen.paul.inverse_forms import inverted_column
-from dhgen.targets.derivation.formula import Formula, Product, times
+from dhgen.paul.pool import right_inverse
+from dhgen.targets.derivation.formula import times
 from dhgen.targets.derivation.names import inverse, link, product_of, target
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.pool import Pool
-    from dhgen.paul.problem import Problem
+    from dhgen.targets.derivation.formula import Formula
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +62,7 @@ def _moved_right(pool: Pool, k: int) -> Transform:
     """U_0 (A_{k+1} ... A_n)^-1, its origin by name where the pool has one."""
     problem = pool.problem
     algebra = problem.algebra
-    step = steps_back(problem, k)
+    step = right_inverse(problem, k)
     moved = compose(problem.target, step, algebra.normal)
     for point in pool.points:
         if point.in_tool == step.translation:
@@ -71,12 +72,6 @@ def _moved_right(pool: Pool, k: int) -> Transform:
             )
             return Transform(moved.rotation, origin)
     return moved
-
-
-def steps_back(problem: Problem, k: int) -> Transform:
-    """(A_{k+1} ... A_n)^-1: frame k seen from the last one."""
-    after = [element for link in problem.links[k:] for element in link]
-    return product(reversed_elements(after, problem.algebra), problem.algebra)
 
 
 def link_matrix(algebra: Algebra, number: int) -> Transform:
@@ -109,8 +104,3 @@ def middle_name(m: int, k: int, *, inverted: bool = False) -> Formula:
 def sides(form: Form, row: int, column: int) -> tuple[Polynomial, Polynomial]:
     """An element of both sides, row and column from 1: the side with U_0, then the joints'."""
     return form.left.entry(row - 1, column - 1), form.right.entry(row - 1, column - 1)
-
-
-def is_product(formula: Formula) -> bool:
-    """Whether a matrix's name has more than one factor."""
-    return isinstance(formula, Product)

@@ -10,11 +10,12 @@ from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import content, primitive
 from dhgen.paul.branches import branch_labels
 from dhgen.paul.knowledge import initial_knowledge
+from dhgen.paul.pool import right_inverse
 from dhgen.paul.search import learn
 from dhgen.paul.step import Kind
 from dhgen.targets.derivation.formula import ONE
 from dhgen.targets.derivation.geometry import wrist_joints
-from dhgen.targets.derivation.matrices import form_of, steps_back
+from dhgen.targets.derivation.matrices import form_of
 from dhgen.targets.derivation.names import branch_sign, joint_index, letter, symbols
 from dhgen.targets.derivation.polynomial import Writer
 from dhgen.targets.derivation.quotes import quotes_of
@@ -167,7 +168,7 @@ class Story:
         """The first frame whose origin a named point is."""
         problem = self.derivation.problem
         frames = range(self.dof)
-        return min(k for k in frames if steps_back(problem, k).translation == point.in_tool)
+        return min(k for k in frames if right_inverse(problem, k).translation == point.in_tool)
 
     def is_wrist_frame(self, frame: int) -> bool:
         """Whether the origin of a frame is the wrist centre."""
