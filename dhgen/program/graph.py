@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.formulas import Formula, combined
 from dhgen.program.ir import Axis, Expression, Integer, Joint, NamedConstant, Pose, Variable
-from dhgen.program.reserved import RESERVED
+from dhgen.program.reserved import RESERVED, is_kept_from_constants
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Operator
@@ -178,7 +178,7 @@ class Graph:
         """The same in every program of an arm: it depends on the arm's own names alone."""
         if (name, derived) not in self._renamed:
             wanted, own = name, not derived
-            while wanted in RESERVED or (wanted in self._reserved and not own):
+            while is_kept_from_constants(wanted) or (wanted in self._reserved and not own):
                 wanted, own = wanted + "_", False
             self._renamed[name, derived] = wanted
             self._reserved.add(wanted)

@@ -1,5 +1,9 @@
 """Names of the emitted code's own variables and functions, in any target: values get others."""
 
+from __future__ import annotations
+
+import re
+
 _SOLVER = """
 J R T fk free_joints highest i1 i2 i3 i4 i5 i6 ik ik_all ik_batch ik_into inside jacobian joint
 lowest pose q q_free q_seed revolute row seed solve status turn turned weight wrap
@@ -31,4 +35,17 @@ BRANCHES DOF FREE_JOINT FREE_JOINTS INVALID_POSE JOINT_LIMITS JOINT_TYPES MAX_SO
 OUT_OF_LIMITS UNREACHABLE Unreachable alloca_once carray intrinsic math njit np room types
 """
 
+# What else Python needs at file level beside the arm's constants, or has as locals where their
+# formulas are.
+_BESIDE_CONSTANTS = """
+ImportError METHOD ThreadPoolExecutor ValueError exact first hasattr os rest u v w work x0 x1 x2 y2
+"""
+_NUMBERED = re.compile(r"(angle|given|kind|packed)\d+")
+
 RESERVED = frozenset(f"{_SOLVER} {_C} {_LANES} {_PYTHON}".split())
+_KEPT_FROM_CONSTANTS = RESERVED | frozenset(_BESIDE_CONSTANTS.split())
+
+
+def is_kept_from_constants(name: str) -> bool:
+    """Whether a constant, which stands at file level, has to be called otherwise."""
+    return name in _KEPT_FROM_CONSTANTS or _NUMBERED.fullmatch(name) is not None
