@@ -124,20 +124,34 @@ def _number(equation_type: EquationType) -> str:
 
 def missed_structure(chain: Chain) -> list[str]:
     """Which three axes are parallel or concurrent, and which nearly are."""
-    described = [text for triple in axis_triples(chain) if (text := _describe(triple, chain.size))]
+    described = near_structure(chain)
     if not described:
         return ["no three consecutive axes are parallel or meet in one point, not even nearly"]
-    return ["three axes that are parallel or meet in one point make a closed form:", *described]
+    head = "three axes that are parallel or meet in one point make a closed form:"
+    return [head, *(f"  {text}" for text in described)]
+
+
+def near_structure(chain: Chain) -> list[str]:
+    """The triples of axes that are parallel or concurrent, or nearly so: by how much they miss it.
+
+    Lengths are in the file's unit.
+    """
+    return [text for triple in axis_triples(chain) if (text := _describe(triple, chain.size))]
 
 
 def _describe(triple: Triple, size: float) -> str:
-    axes = "  axes " + ", ".join(map(str, triple.joints))
+    axes = "axes " + ", ".join(map(str, triple.joints))
     if triple.tilt < EXACT:
         return f"{axes} are parallel"
     if triple.miss < EXACT * size:
         return f"{axes} meet in one point"
     if triple.miss < NEARLY_CONCURRENT * size:
-        return f"{axes} miss one point by {triple.miss:.4g}"
+        return f"{axes} miss one point by {_short(triple.miss, 4)}"
     if triple.tilt < NEARLY_PARALLEL:
-        return f"{axes} are {math.degrees(triple.tilt):.3g} deg from parallel"
+        return f"{axes} are {_short(math.degrees(triple.tilt), 3)} deg from parallel"
     return ""
+
+
+def _short(number: float, digits: int) -> str:
+    """A few digits; what is a tie in the file goes up on every machine, however it was rounded."""
+    return f"{number * (1.0 + 1e-9):.{digits}g}"

@@ -54,6 +54,19 @@ def test_sections_of_an_arm_without_steps(name: str) -> None:
     assert not story(name).steps
 
 
+def test_rows_are_said_to_keep_their_place_only_where_they_do() -> None:
+    keeps = "each always in the same row"
+    assert keeps in document("scara")
+    assert keeps not in document("concurrent_345")
+    assert keeps not in document("xarm6")
+
+
+def test_an_arm_near_to_a_closed_form_is_told_so() -> None:
+    """The offset of the xArm's wrist is 76 mm; Manseur and Doty's arm is near to nothing."""
+    assert "axes 4, 5, 6 miss one point by 0.076 (lengths in m)" in document("xarm6")
+    assert "Near to a closed form" not in document("manseur_doty")
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_formulas_are_left_alone_by_markdown(name: str) -> None:
     """Inside a line, what Markdown takes for its own stands between dollars and backquotes."""

@@ -30,7 +30,8 @@ def document_blocks(story: Story) -> list[Block]:
     if whole is not None:
         beginning = [*opening(story), *robot_section(story)]
         if isinstance(whole, GeneralKernel):
-            return [*beginning, *forward_section(story), *general_section(whole)]
+            inverse = general_section(whole, story.algebra.chain, story.robot.length_unit)
+            return [*beginning, *forward_section(story), *inverse]
         return [*beginning, *forward_in_short(story), *numerical_section(whole)]
     steps = [step_blocks(story, number) for number in range(1, len(story.steps) + 1)]
     return [

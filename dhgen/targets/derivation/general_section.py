@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.paul.refusal import near_structure
 from dhgen.targets.derivation.blocks import Display, Heading, Paragraph, paragraph, say
 from dhgen.targets.derivation.formula import Symbol
 
 if TYPE_CHECKING:
     from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
+    from dhgen.kinematics.chain import Chain
     from dhgen.targets.derivation.blocks import Block
 
 
-def general_section(kernel: GeneralKernel) -> list[Block]:
-    """What replaces the steps of Paul's method."""
+def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Block]:
+    """What replaces the steps of Paul's method; `unit` is that of lengths."""
+    near = near_structure(chain)
     blocks: list[Block] = [
         Heading(2, say("Inverse")),
         paragraph(
@@ -22,6 +25,11 @@ def general_section(kernel: GeneralKernel) -> list[Block]:
             "equations of the types 1 to 9 gives the joints one after the other. The six joints "
             "are found together, by the elimination of M. Raghavan and B. Roth (1993). An arm of "
             "this kind has at most sixteen solutions."
+        ),
+        *(
+            [paragraph(f"Near to a closed form: {'; '.join(near)} (lengths in {unit}).")]
+            if near
+            else []
         ),
         Paragraph(
             say(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.paul.step import Kind
 from dhgen.robot.robot import DhTable, JointKind, TaskKind
 from dhgen.targets.derivation.blocks import Given, Heading, Paragraph, paragraph, say
 from dhgen.targets.derivation.frames import frame_sentences
@@ -79,8 +80,12 @@ def _solutions(story: Story) -> str:
     if rows == 1:
         return "Every pose within reach has one solution, row 0."
     count = counted(rows, "solution")
+    if story.derivation.whole is not None:
+        return f"At most {count}, in rows by ascending values of the joints."
     if story.has_branch_words:
         named = ", ".join(f"{place} {name}" for place, name in enumerate(story.branch_names))
+        if any(step.kind is Kind.CIRCLE for step in story.derivation.steps):
+            return f"At most {count}, the roots of the quartic ascending: {named}."
         return f"At most {count}, each always in the same row: {named}."
     return (
         f"At most {count}, each always in the same row, 0 to {rows - 1}; the tree below gives the "
