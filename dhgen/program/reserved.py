@@ -40,7 +40,7 @@ OUT_OF_LIMITS UNREACHABLE Unreachable alloca_once carray intrinsic math njit np 
 _BESIDE_CONSTANTS = """
 ImportError METHOD ThreadPoolExecutor ValueError exact first hasattr os rest u v w work x0 x1 x2 y2
 """
-_NUMBERED = re.compile(r"(angle|given|kind|packed)\d+")
+_NUMBERED = re.compile(r"(given|kind|packed)\d+")
 
 RESERVED = frozenset(f"{_SOLVER} {_C} {_LANES} {_PYTHON}".split())
 _KEPT_FROM_CONSTANTS = RESERVED | frozenset(_BESIDE_CONSTANTS.split())

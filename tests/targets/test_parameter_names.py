@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 import ast
-import re
 import subprocess
 from typing import TYPE_CHECKING
 
 import pytest
 
 from dhgen.compiler import compile_robot
-from dhgen.program.reserved import is_kept_from_constants
 from dhgen.verify.native import C_FLAGS, c_compiler
-from tests.structures import STRUCTURES
-from tests.targets.made import ROBOTS
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-GENERATED = ROBOTS.parent / "generated"
 SCARA = """\
 name: arm
 convention: standard
@@ -34,7 +29,7 @@ tool: {{xyz: [{8}, 0, 0]}}
 NAMES = (
     ("wide", "four", "HELPER", "LANES", "kind", "solve_wide", "odd", "kind_of", "pick_four"),
     ("work", "w", "v", "x0", "x1", "x2", "y2", "rest", "exact"),
-    ("given1", "angle1", "kind1", "packed1", "METHOD", "ValueError", "os", "wide_at", "all_four"),
+    ("given1", "given2", "kind1", "packed1", "METHOD", "ValueError", "os", "wide_at", "all_four"),
 )
 
 
