@@ -103,7 +103,8 @@ class Expansion:
             if entry.value is not None:
                 return {(): entry.value} if entry.value else {}
             if each in ends or not ends & self._reached(each):
-                return {(each,): Fraction(1)}
+                negated = entry.operator == "neg"
+                return {(entry.operands[0],): Fraction(-1)} if negated else {(each,): Fraction(1)}
             match entry.operator, [of(operand) for operand in entry.operands]:
                 case "neg", [dict(x)]:
                     return {monomial: -value for monomial, value in x.items()}

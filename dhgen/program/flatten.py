@@ -88,6 +88,7 @@ class _Flattening:
         self._builder = Builder(reserved=set(), folded=FOLDED)
         self._values: dict[tuple[str, Choice], Node] = {}
         self._axes: dict[str, tuple[int, ...]] = {}
+        self._angles: dict[Node, int] = {}
 
     def run(self) -> Flat:
         self._leaves()
@@ -169,7 +170,12 @@ class _Flattening:
             case Apply(operator, operands):
                 parts = [self._value(operand, axes, choice) for operand in operands]
                 node = builder.simplified(operator, parts)
-                return builder.name(node, "angle1") if operator == "atan2" else node
+                return self._angle(node) if operator == "atan2" else node
+
+    def _angle(self, node: Node) -> Node:
+        """Angles are numbered."""
+        number = self._angles.setdefault(node, len(self._angles) + 1)
+        return self._builder.name(node, f"angle{number}")
 
 
 def _name(name: str, choice: Choice) -> str:

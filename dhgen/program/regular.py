@@ -10,7 +10,7 @@ pose a divisor may be zero; what IEEE arithmetic makes of it does not count.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import partial, reduce
+from functools import cache, partial, reduce
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -70,7 +70,12 @@ def regular(program: Program, limits: tuple[Limits | None, ...] = ()) -> Regular
     """
     if any(isinstance(statement, AllJoints | Roots) for statement in program.body):
         return None
-    limits = limits or (None,) * len(program.outputs)
+    return _cheapest(program, limits or (None,) * len(program.outputs))
+
+
+@cache  # every target asks for it
+def _cheapest(program: Program, limits: tuple[Limits | None, ...]) -> Regular:
+    """With the inverses of lengths in front that make it so."""
     inverses = [s.name for s in program.body if isinstance(s, Let) and _is_inverse(s.expression)]
     found = (
         _Regular(program, limits, frozenset(kept)).run()

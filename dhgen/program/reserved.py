@@ -22,12 +22,13 @@ search square start step straighten summit third towards valid value x xx xy y y
 """
 
 _LANES = """
-HELPER bits_four bits_wide four four_at four_mask from irregularity_four irregularity_wide kind
+ARCTANGENT HELPER bits_four bits_wide four four_at four_mask from irregularity_four
+irregularity_wide kind
 kind_of odd size solve_tile solve_wide store_1 store_2 store_4 transpose two_at wide wide_at
 wide_mask word abs_four all_four atan2_four copysign_four cos_four maximum_four pick_four sin_four
 minimum_four sqrt_four where_four wrap_four abs_wide all_wide atan2_wide copysign_wide cos_wide
 maximum_wide pick_wide sin_wide minimum_wide sqrt_wide where_wide wrap_wide maximum_double
-minimum_double
+only_four only_wide minimum_double
 """
 
 _PYTHON = """

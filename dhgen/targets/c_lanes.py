@@ -106,7 +106,10 @@ class LaneText:
                 if not lanes:
                     choice = LIBRARY.choice(*(part.within(ATOM) for part in parts))
                     return Text(choice, CHOICE, lanes)
-                arguments = [self._everywhere(parts[0]), *map(self._all, parts[1:])]
+                mask, (yes, no) = self._everywhere(parts[0]), parts[1:]
+                if no.text == "0.0" and not yes.lanes:
+                    return Text(f"only_{self._vector}({mask.text}, {yes.text})", ATOM, lanes)
+                arguments = [mask, self._all(yes), self._all(no)]
             case _:
                 arguments = [self._all(part) if lanes else part for part in parts]
         listed = ", ".join(argument.text for argument in arguments)
