@@ -672,61 +672,61 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     q3__p = angle1 - turn1
     v8 = turn1 + angle1
 
     # theta4, type 2: U4[3, 3]
-    q4_ppm = angle1_ - v26
-    q4_pmm = angle1__ - v26
-    q4_mpm = angle1___ - v27
-    q4_mmm = angle1____ - v27
+    q4_ppm = angle2 - v26
+    q4_pmm = angle3 - v26
+    q4_mpm = angle4 - v27
+    q4_mmm = angle5 - v27
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v32)
-    q6_pmm = angle1______ - h1 * math.copysign(half_turn, v33)
-    q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v34)
-    q6_mmm = angle1________ - h1 * math.copysign(half_turn, v35)
+    q6_ppm = angle6 - h1 * math.copysign(half_turn, v32)
+    q6_pmm = angle7 - h1 * math.copysign(half_turn, v33)
+    q6_mpm = angle8 - h1 * math.copysign(half_turn, v34)
+    q6_mmm = angle9 - h1 * math.copysign(half_turn, v35)
 
     # joint values
-    v36 = angle1_________ - offset1
-    v37 = angle1_________ - h1 * math.copysign(half_turn, t24) - offset1
+    v36 = angle10 - offset1
+    v37 = angle10 - h1 * math.copysign(half_turn, t24) - offset1
     q1__p = v36 + (m10 if v36 <= -half_turn else 0.0)
     q1__m = v37 + (m10 if v37 <= -half_turn else 0.0)
-    v38 = angle1__________ - offset2
-    v39 = angle1___________ - offset2
-    v40 = angle1____________ - offset2
-    v41 = angle1_____________ - offset2
+    v38 = angle11 - offset2
+    v39 = angle12 - offset2
+    v40 = angle13 - offset2
+    v41 = angle14 - offset2
     q2_ppp = v38 + (m10 if v38 <= -half_turn else 0.0)
     q2_pmp = v39 + (m10 if v39 <= -half_turn else 0.0)
     q2_mpp = v40 + (m10 if v40 <= -half_turn else 0.0)
     q2_mmp = v41 + (m10 if v41 <= -half_turn else 0.0)
-    v42 = angle1______________ - offset5
-    v43 = offset5 + angle1______________
-    v44 = angle1_______________ - offset5
-    v45 = offset5 + angle1_______________
-    v46 = angle1________________ - offset5
-    v47 = offset5 + angle1________________
-    v48 = angle1_________________ - offset5
-    v49 = offset5 + angle1_________________
+    v42 = angle15 - offset5
+    v43 = offset5 + angle15
+    v44 = angle16 - offset5
+    v45 = offset5 + angle16
+    v46 = angle17 - offset5
+    v47 = offset5 + angle17
+    v48 = angle18 - offset5
+    v49 = offset5 + angle18
     q5_ppp = v42 + (m10 if v42 <= -half_turn else 0.0)
     q5_ppm = (m10 if -v43 <= -half_turn else 0.0) - v43
     q5_pmp = v44 + (m10 if v44 <= -half_turn else 0.0)
@@ -747,17 +747,13 @@ def _regular(pose, q, status):
     v55 = v53 or (v50 or (q2_pmp < low2 or high2 < q2_pmp))
     v56 = v52 or (v51 or (q2_mpp < low2 or high2 < q2_mpp))
     v57 = v53 or (v51 or (q2_mmp < low2 or high2 < q2_mmp))
-    outside_ppp = q5_ppp < low5 or high5 < q5_ppp or (v54 or (angle1_ < low4 or high4 < angle1_))
+    outside_ppp = q5_ppp < low5 or high5 < q5_ppp or (v54 or (angle2 < low4 or high4 < angle2))
     outside_ppm = q5_ppm < low5 or high5 < q5_ppm or (v54 or (q4_ppm < low4 or high4 < q4_ppm))
-    outside_pmp = q5_pmp < low5 or high5 < q5_pmp or (v55 or (angle1__ < low4 or high4 < angle1__))
+    outside_pmp = q5_pmp < low5 or high5 < q5_pmp or (v55 or (angle3 < low4 or high4 < angle3))
     outside_pmm = q5_pmm < low5 or high5 < q5_pmm or (v55 or (q4_pmm < low4 or high4 < q4_pmm))
-    outside_mpp = (
-        q5_mpp < low5 or high5 < q5_mpp or (v56 or (angle1___ < low4 or high4 < angle1___))
-    )
+    outside_mpp = q5_mpp < low5 or high5 < q5_mpp or (v56 or (angle4 < low4 or high4 < angle4))
     outside_mpm = q5_mpm < low5 or high5 < q5_mpm or (v56 or (q4_mpm < low4 or high4 < q4_mpm))
-    outside_mmp = (
-        q5_mmp < low5 or high5 < q5_mmp or (v57 or (angle1____ < low4 or high4 < angle1____))
-    )
+    outside_mmp = q5_mmp < low5 or high5 < q5_mmp or (v57 or (angle5 < low4 or high4 < angle5))
     outside_mmm = q5_mmm < low5 or high5 < q5_mmm or (v57 or (q4_mmm < low4 or high4 < q4_mmm))
 
     # a joint is free, or branches meet
@@ -766,9 +762,9 @@ def _regular(pose, q, status):
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp
-    q[0, 3] = angle1_
+    q[0, 3] = angle2
     q[0, 4] = q5_ppp
-    q[0, 5] = angle1_____
+    q[0, 5] = angle6
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
     q[1, 0] = q1_ppp
     q[1, 1] = q2_ppp
@@ -780,9 +776,9 @@ def _regular(pose, q, status):
     q[2, 0] = q1_ppp
     q[2, 1] = q2_pmp
     q[2, 2] = q3_pmp
-    q[2, 3] = angle1__
+    q[2, 3] = angle3
     q[2, 4] = q5_pmp
-    q[2, 5] = angle1______
+    q[2, 5] = angle7
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
@@ -794,9 +790,9 @@ def _regular(pose, q, status):
     q[4, 0] = q1_mpp
     q[4, 1] = q2_mpp
     q[4, 2] = q3_ppp
-    q[4, 3] = angle1___
+    q[4, 3] = angle4
     q[4, 4] = q5_mpp
-    q[4, 5] = angle1_______
+    q[4, 5] = angle8
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
     q[5, 0] = q1_mpp
     q[5, 1] = q2_mpp
@@ -808,9 +804,9 @@ def _regular(pose, q, status):
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
     q[6, 2] = q3_pmp
-    q[6, 3] = angle1____
+    q[6, 3] = angle5
     q[6, 4] = q5_mmp
-    q[6, 5] = angle1________
+    q[6, 5] = angle9
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
@@ -1157,53 +1153,53 @@ def _in_tiles(T, q, status):
             v35 = work[768 + k]
             doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
-            angle1_ = work[864 + k]
-            angle1__ = work[896 + k]
-            angle1___ = work[928 + k]
-            angle1____ = work[960 + k]
-            angle1_____ = work[992 + k]
-            angle1______ = work[1024 + k]
-            angle1_______ = work[1056 + k]
-            angle1________ = work[1088 + k]
-            angle1_________ = work[1120 + k]
-            angle1__________ = work[1152 + k]
-            angle1___________ = work[1184 + k]
-            angle1____________ = work[1216 + k]
-            angle1_____________ = work[1248 + k]
-            angle1______________ = work[1280 + k]
-            angle1_______________ = work[1312 + k]
-            angle1________________ = work[1344 + k]
-            angle1_________________ = work[1376 + k]
+            angle2 = work[864 + k]
+            angle3 = work[896 + k]
+            angle4 = work[928 + k]
+            angle5 = work[960 + k]
+            angle6 = work[992 + k]
+            angle7 = work[1024 + k]
+            angle8 = work[1056 + k]
+            angle9 = work[1088 + k]
+            angle10 = work[1120 + k]
+            angle11 = work[1152 + k]
+            angle12 = work[1184 + k]
+            angle13 = work[1216 + k]
+            angle14 = work[1248 + k]
+            angle15 = work[1280 + k]
+            angle16 = work[1312 + k]
+            angle17 = work[1344 + k]
+            angle18 = work[1376 + k]
             q3__p = angle1 - turn1
             v8 = turn1 + angle1
-            q4_ppm = angle1_ - v26
-            q4_pmm = angle1__ - v26
-            q4_mpm = angle1___ - v27
-            q4_mmm = angle1____ - v27
-            q6_ppm = angle1_____ - h1 * math.copysign(half_turn, v32)
-            q6_pmm = angle1______ - h1 * math.copysign(half_turn, v33)
-            q6_mpm = angle1_______ - h1 * math.copysign(half_turn, v34)
-            q6_mmm = angle1________ - h1 * math.copysign(half_turn, v35)
-            v36 = angle1_________ - offset1
-            v37 = angle1_________ - h1 * math.copysign(half_turn, t24) - offset1
+            q4_ppm = angle2 - v26
+            q4_pmm = angle3 - v26
+            q4_mpm = angle4 - v27
+            q4_mmm = angle5 - v27
+            q6_ppm = angle6 - h1 * math.copysign(half_turn, v32)
+            q6_pmm = angle7 - h1 * math.copysign(half_turn, v33)
+            q6_mpm = angle8 - h1 * math.copysign(half_turn, v34)
+            q6_mmm = angle9 - h1 * math.copysign(half_turn, v35)
+            v36 = angle10 - offset1
+            v37 = angle10 - h1 * math.copysign(half_turn, t24) - offset1
             q1__p = v36 + (m10 if v36 <= -half_turn else 0.0)
             q1__m = v37 + (m10 if v37 <= -half_turn else 0.0)
-            v38 = angle1__________ - offset2
-            v39 = angle1___________ - offset2
-            v40 = angle1____________ - offset2
-            v41 = angle1_____________ - offset2
+            v38 = angle11 - offset2
+            v39 = angle12 - offset2
+            v40 = angle13 - offset2
+            v41 = angle14 - offset2
             q2_ppp = v38 + (m10 if v38 <= -half_turn else 0.0)
             q2_pmp = v39 + (m10 if v39 <= -half_turn else 0.0)
             q2_mpp = v40 + (m10 if v40 <= -half_turn else 0.0)
             q2_mmp = v41 + (m10 if v41 <= -half_turn else 0.0)
-            v42 = angle1______________ - offset5
-            v43 = offset5 + angle1______________
-            v44 = angle1_______________ - offset5
-            v45 = offset5 + angle1_______________
-            v46 = angle1________________ - offset5
-            v47 = offset5 + angle1________________
-            v48 = angle1_________________ - offset5
-            v49 = offset5 + angle1_________________
+            v42 = angle15 - offset5
+            v43 = offset5 + angle15
+            v44 = angle16 - offset5
+            v45 = offset5 + angle16
+            v46 = angle17 - offset5
+            v47 = offset5 + angle17
+            v48 = angle18 - offset5
+            v49 = offset5 + angle18
             q5_ppp = v42 + (m10 if v42 <= -half_turn else 0.0)
             q5_ppm = (m10 if -v43 <= -half_turn else 0.0) - v43
             q5_pmp = v44 + (m10 if v44 <= -half_turn else 0.0)
@@ -1225,26 +1221,25 @@ def _in_tiles(T, q, status):
             v56 = v52 or (v51 or (q2_mpp < low2 or high2 < q2_mpp))
             v57 = v53 or (v51 or (q2_mmp < low2 or high2 < q2_mmp))
             outside_ppp = (
-                q5_ppp < low5 or high5 < q5_ppp or (v54 or (angle1_ < low4 or high4 < angle1_))
+                q5_ppp < low5 or high5 < q5_ppp or (v54 or (angle2 < low4 or high4 < angle2))
             )
             outside_ppm = (
                 q5_ppm < low5 or high5 < q5_ppm or (v54 or (q4_ppm < low4 or high4 < q4_ppm))
             )
             outside_pmp = (
-                q5_pmp < low5 or high5 < q5_pmp or (v55 or (angle1__ < low4 or high4 < angle1__))
+                q5_pmp < low5 or high5 < q5_pmp or (v55 or (angle3 < low4 or high4 < angle3))
             )
             outside_pmm = (
                 q5_pmm < low5 or high5 < q5_pmm or (v55 or (q4_pmm < low4 or high4 < q4_pmm))
             )
             outside_mpp = (
-                q5_mpp < low5 or high5 < q5_mpp or (v56 or (angle1___ < low4 or high4 < angle1___))
+                q5_mpp < low5 or high5 < q5_mpp or (v56 or (angle4 < low4 or high4 < angle4))
             )
             outside_mpm = (
                 q5_mpm < low5 or high5 < q5_mpm or (v56 or (q4_mpm < low4 or high4 < q4_mpm))
             )
             outside_mmp = (
-                q5_mmp < low5 or high5 < q5_mmp or (v57 or (angle1____ < low4 or high4 <
-                angle1____))
+                q5_mmp < low5 or high5 < q5_mmp or (v57 or (angle5 < low4 or high4 < angle5))
             )
             outside_mmm = (
                 q5_mmm < low5 or high5 < q5_mmm or (v57 or (q4_mmm < low4 or high4 < q4_mmm))
@@ -1255,11 +1250,11 @@ def _in_tiles(T, q, status):
             work[2016 + k] = _2016
             _2048 = q3_ppp
             work[2048 + k] = _2048
-            _2080 = angle1_
+            _2080 = angle2
             work[2080 + k] = _2080
             _2112 = q5_ppp
             work[2112 + k] = _2112
-            _2144 = angle1_____
+            _2144 = angle6
             work[2144 + k] = _2144
             _2176 = q4_ppm
             work[2176 + k] = _2176
@@ -1271,11 +1266,11 @@ def _in_tiles(T, q, status):
             work[2272 + k] = _2272
             _2304 = q3_pmp
             work[2304 + k] = _2304
-            _2336 = angle1__
+            _2336 = angle3
             work[2336 + k] = _2336
             _2368 = q5_pmp
             work[2368 + k] = _2368
-            _2400 = angle1______
+            _2400 = angle7
             work[2400 + k] = _2400
             _2432 = q4_pmm
             work[2432 + k] = _2432
@@ -1287,11 +1282,11 @@ def _in_tiles(T, q, status):
             work[2528 + k] = _2528
             _2560 = q2_mpp
             work[2560 + k] = _2560
-            _2592 = angle1___
+            _2592 = angle4
             work[2592 + k] = _2592
             _2624 = q5_mpp
             work[2624 + k] = _2624
-            _2656 = angle1_______
+            _2656 = angle8
             work[2656 + k] = _2656
             _2688 = q4_mpm
             work[2688 + k] = _2688
@@ -1301,11 +1296,11 @@ def _in_tiles(T, q, status):
             work[2752 + k] = _2752
             _2784 = q2_mmp
             work[2784 + k] = _2784
-            _2816 = angle1____
+            _2816 = angle5
             work[2816 + k] = _2816
             _2848 = q5_mmp
             work[2848 + k] = _2848
-            _2880 = angle1________
+            _2880 = angle9
             work[2880 + k] = _2880
             _2912 = q4_mmm
             work[2912 + k] = _2912

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef ABB_IRB1600_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -628,83 +598,83 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48;
     const wide v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52));
     const wide v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52));
-    const wide angle1_ = atan2_wide(v55, v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41);
-    const wide angle1__ = atan2_wide(v56, v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41);
-    const wide angle1___ = atan2_wide(v57, X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45)));
-    const wide angle1____ = atan2_wide(v58, X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45)));
-    const wide q6_ppm = angle1_ - copysign_wide(all_wide(half_turn), v55) * h1;
-    const wide q6_pmm = angle1__ - copysign_wide(all_wide(half_turn), v56) * h1;
-    const wide q6_mpm = angle1___ - copysign_wide(all_wide(half_turn), v57) * h1;
-    const wide q6_mmm = angle1____ - copysign_wide(all_wide(half_turn), v58) * h1;
+    const wide angle2 = atan2_wide(v55, v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41);
+    const wide angle3 = atan2_wide(v56, v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41);
+    const wide angle4 = atan2_wide(v57, X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45)));
+    const wide angle5 = atan2_wide(v58, X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45)));
+    const wide q6_ppm = angle2 - copysign_wide(all_wide(half_turn), v55) * h1;
+    const wide q6_pmm = angle3 - copysign_wide(all_wide(half_turn), v56) * h1;
+    const wide q6_mpm = angle4 - copysign_wide(all_wide(half_turn), v57) * h1;
+    const wide q6_mmm = angle5 - copysign_wide(all_wide(half_turn), v58) * h1;
 
     /* joint values */
     const wide v59 = w3_p * (m3 * v4);
-    const wide angle1_____ = atan2_wide(v59 - v11, -(v15 + w3_p * v13));
-    const wide v60 = angle1_____ - offset2;
-    const wide angle1______ = atan2_wide(-(v11 + v59), -(v15 + w3_p * v14));
-    const wide v61 = angle1______ - offset2;
-    const wide angle1_______ = atan2_wide(w3_m * (m3 * v5) - v12, -(v16 + w3_m * v13));
-    const wide v62 = angle1_______ - offset2;
-    const wide angle1________ = atan2_wide(w3_m * (m3 * -v5) - v12, -(v16 + w3_m * v14));
-    const wide v63 = angle1________ - offset2;
-    const wide q2_ppp = v60 - pick_wide(half_turn < v60, all_wide(m8), all_wide(0.0));
-    const wide q2_pmp = v61 - pick_wide(half_turn < v61, all_wide(m8), all_wide(0.0));
-    const wide q2_mpp = v62 - pick_wide(half_turn < v62, all_wide(m8), all_wide(0.0));
-    const wide q2_mmp = v63 - pick_wide(half_turn < v63, all_wide(m8), all_wide(0.0));
-    const wide angle1_________ = atan2_wide(v7, -(k1 * w3_p));
-    const wide angle1__________ = atan2_wide(v8, -(k1 * w3_m));
-    const wide v64 = angle1_________ - offset3;
-    const wide v65 = h1 * copysign_wide(all_wide(half_turn), v7) - angle1_________ - offset3;
-    const wide v66 = angle1__________ - offset3;
-    const wide v67 = h1 * copysign_wide(all_wide(half_turn), v8) - angle1__________ - offset3;
-    const wide q3_ppp = v64 + pick_wide(v64 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q3_pmp = v65 + pick_wide(v65 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q3_mpp = v66 + pick_wide(v66 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q3_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide angle1___________ = atan2_wide(-v29, -v31);
-    const wide angle1____________ = atan2_wide(-v29, -v32);
-    const wide angle1_____________ = atan2_wide(v29, -v33);
-    const wide angle1______________ = atan2_wide(v29, -v34);
+    const wide angle6 = atan2_wide(v59 - v11, -(v15 + w3_p * v13));
+    const wide v60 = angle6 - offset2;
+    const wide angle7 = atan2_wide(-(v11 + v59), -(v15 + w3_p * v14));
+    const wide v61 = angle7 - offset2;
+    const wide angle8 = atan2_wide(w3_m * (m3 * v5) - v12, -(v16 + w3_m * v13));
+    const wide v62 = angle8 - offset2;
+    const wide angle9 = atan2_wide(w3_m * (m3 * -v5) - v12, -(v16 + w3_m * v14));
+    const wide v63 = angle9 - offset2;
+    const wide q2_ppp = v60 - only_wide(half_turn < v60, m8);
+    const wide q2_pmp = v61 - only_wide(half_turn < v61, m8);
+    const wide q2_mpp = v62 - only_wide(half_turn < v62, m8);
+    const wide q2_mmp = v63 - only_wide(half_turn < v63, m8);
+    const wide angle10 = atan2_wide(v7, -(k1 * w3_p));
+    const wide angle11 = atan2_wide(v8, -(k1 * w3_m));
+    const wide v64 = angle10 - offset3;
+    const wide v65 = h1 * copysign_wide(all_wide(half_turn), v7) - angle10 - offset3;
+    const wide v66 = angle11 - offset3;
+    const wide v67 = h1 * copysign_wide(all_wide(half_turn), v8) - angle11 - offset3;
+    const wide q3_ppp = v64 + only_wide(v64 <= -half_turn, m8);
+    const wide q3_pmp = v65 + only_wide(v65 <= -half_turn, m8);
+    const wide q3_mpp = v66 + only_wide(v66 <= -half_turn, m8);
+    const wide q3_mmp = v67 + only_wide(v67 <= -half_turn, m8);
+    const wide angle12 = atan2_wide(-v29, -v31);
+    const wide angle13 = atan2_wide(-v29, -v32);
+    const wide angle14 = atan2_wide(v29, -v33);
+    const wide angle15 = atan2_wide(v29, -v34);
     const wide v68 = h1 * copysign_wide(all_wide(half_turn), -v29);
     const wide v69 = h1 * copysign_wide(all_wide(half_turn), v29);
-    const wide v70 = angle1___________ - offset4;
-    const wide v71 = angle1___________ - v68 - offset4;
-    const wide v72 = angle1____________ - offset4;
-    const wide v73 = angle1____________ - v68 - offset4;
-    const wide v74 = angle1_____________ - offset4;
-    const wide v75 = angle1_____________ - v69 - offset4;
-    const wide v76 = angle1______________ - offset4;
-    const wide v77 = angle1______________ - v69 - offset4;
-    const wide q4_ppp = v70 + pick_wide(v70 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_ppm = v71 + pick_wide(v71 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_pmp = v72 + pick_wide(v72 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_pmm = v73 + pick_wide(v73 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mpp = v74 + pick_wide(v74 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mpm = v75 + pick_wide(v75 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mmp = v76 + pick_wide(v76 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mmm = v77 + pick_wide(v77 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide v70 = angle12 - offset4;
+    const wide v71 = angle12 - v68 - offset4;
+    const wide v72 = angle13 - offset4;
+    const wide v73 = angle13 - v68 - offset4;
+    const wide v74 = angle14 - offset4;
+    const wide v75 = angle14 - v69 - offset4;
+    const wide v76 = angle15 - offset4;
+    const wide v77 = angle15 - v69 - offset4;
+    const wide q4_ppp = v70 + only_wide(v70 <= -half_turn, m8);
+    const wide q4_ppm = v71 + only_wide(v71 <= -half_turn, m8);
+    const wide q4_pmp = v72 + only_wide(v72 <= -half_turn, m8);
+    const wide q4_pmm = v73 + only_wide(v73 <= -half_turn, m8);
+    const wide q4_mpp = v74 + only_wide(v74 <= -half_turn, m8);
+    const wide q4_mpm = v75 + only_wide(v75 <= -half_turn, m8);
+    const wide q4_mmp = v76 + only_wide(v76 <= -half_turn, m8);
+    const wide q4_mmm = v77 + only_wide(v77 <= -half_turn, m8);
     const wide v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v35), factor2_p * (v39 - v78));
-    const wide angle1________________ = atan2_wide(sqrt_wide(v36), factor2_p * (v39 + v78));
+    const wide angle16 = atan2_wide(sqrt_wide(v35), factor2_p * (v39 - v78));
+    const wide angle17 = atan2_wide(sqrt_wide(v36), factor2_p * (v39 + v78));
     const wide v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5));
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v37), factor2_m * (v40 - v79));
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v38), factor2_m * (v40 + v79));
-    const wide v80 = angle1_______________ - offset5;
-    const wide v81 = offset5 + angle1_______________;
-    const wide v82 = angle1________________ - offset5;
-    const wide v83 = offset5 + angle1________________;
-    const wide v84 = angle1_________________ - offset5;
-    const wide v85 = offset5 + angle1_________________;
-    const wide v86 = angle1__________________ - offset5;
-    const wide v87 = offset5 + angle1__________________;
-    const wide q5_ppp = v80 + pick_wide(v80 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v81 <= -half_turn, all_wide(m8), all_wide(0.0)) - v81;
-    const wide q5_pmp = v82 + pick_wide(v82 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v83 <= -half_turn, all_wide(m8), all_wide(0.0)) - v83;
-    const wide q5_mpp = v84 + pick_wide(v84 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v85 <= -half_turn, all_wide(m8), all_wide(0.0)) - v85;
-    const wide q5_mmp = v86 + pick_wide(v86 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v87 <= -half_turn, all_wide(m8), all_wide(0.0)) - v87;
+    const wide angle18 = atan2_wide(sqrt_wide(v37), factor2_m * (v40 - v79));
+    const wide angle19 = atan2_wide(sqrt_wide(v38), factor2_m * (v40 + v79));
+    const wide v80 = angle16 - offset5;
+    const wide v81 = offset5 + angle16;
+    const wide v82 = angle17 - offset5;
+    const wide v83 = offset5 + angle17;
+    const wide v84 = angle18 - offset5;
+    const wide v85 = offset5 + angle18;
+    const wide v86 = angle19 - offset5;
+    const wide v87 = offset5 + angle19;
+    const wide q5_ppp = v80 + only_wide(v80 <= -half_turn, m8);
+    const wide q5_ppm = only_wide(-v81 <= -half_turn, m8) - v81;
+    const wide q5_pmp = v82 + only_wide(v82 <= -half_turn, m8);
+    const wide q5_pmm = only_wide(-v83 <= -half_turn, m8) - v83;
+    const wide q5_mpp = v84 + only_wide(v84 <= -half_turn, m8);
+    const wide q5_mpm = only_wide(-v85 <= -half_turn, m8) - v85;
+    const wide q5_mmp = v86 + only_wide(v86 <= -half_turn, m8);
+    const wide q5_mmm = only_wide(-v87 <= -half_turn, m8) - v87;
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
     const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
@@ -718,7 +688,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[2] = q3_ppp;
     q[3] = q4_ppp;
     q[4] = q5_ppp;
-    q[5] = angle1_;
+    q[5] = angle2;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -732,7 +702,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[14] = q3_pmp;
     q[15] = q4_pmp;
     q[16] = q5_pmp;
-    q[17] = angle1__;
+    q[17] = angle3;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -746,7 +716,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[26] = q3_mpp;
     q[27] = q4_mpp;
     q[28] = q5_mpp;
-    q[29] = angle1___;
+    q[29] = angle4;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -760,7 +730,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[38] = q3_mmp;
     q[39] = q4_mmp;
     q[40] = q5_mmp;
-    q[41] = angle1____;
+    q[41] = angle5;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -852,33 +822,33 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1_ = atan2_four(v36, e1 * (v20 * (v30 + w3 * (m5 * (e2 * v29))) - X4 * v26));
-    const four angle1__ = atan2_four(w3 * (m3 * (e2 * v5)) - v9, -(v11 + w3 * v10));
-    const four angle1____ = atan2_four(-(e1 * v20), -v22);
-    const four angle1_____ = atan2_four(sqrt_four(v23), factor2 * (v25 - w3 * (m5 * (e2 * v24))));
+    const four angle2 = atan2_four(v36, e1 * (v20 * (v30 + w3 * (m5 * (e2 * v29))) - X4 * v26));
+    const four angle3 = atan2_four(w3 * (m3 * (e2 * v5)) - v9, -(v11 + w3 * v10));
+    const four angle5 = atan2_four(-(e1 * v20), -v22);
+    const four angle6 = atan2_four(sqrt_four(v23), factor2 * (v25 - w3 * (m5 * (e2 * v24))));
     const four packed5 = atan2_four(__builtin_shufflevector(v7, all_four(Y1), 0, 5, 2, 3),
         __builtin_shufflevector(-(k1 * w3), all_four(-wx), 0, 5, 2, 3));
-    const four angle1___ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle4 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q6_m = angle1_ - copysign_four(all_four(half_turn), v36) * h1;
-    const four v37 = angle1__ - offset2;
-    const four q2_p = v37 - pick_four(half_turn < v37, all_four(m8), all_four(0.0));
-    const four v40 = e2 * angle1___ + v38 * v39 - offset3;
-    const four q3_p = v40 + pick_four(v40 <= -half_turn, all_four(m8), all_four(0.0));
-    const four v42 = angle1____ - offset4;
-    const four v43 = angle1____ - v41 - offset4;
-    const four q4_p = v42 + pick_four(v42 <= -half_turn, all_four(m8), all_four(0.0));
-    const four q4_m = v43 + pick_four(v43 <= -half_turn, all_four(m8), all_four(0.0));
-    const four v44 = angle1_____ - offset5;
-    const four v45 = offset5 + angle1_____;
-    const four q5_p = v44 + pick_four(v44 <= -half_turn, all_four(m8), all_four(0.0));
-    const four q5_m = pick_four(-v45 <= -half_turn, all_four(m8), all_four(0.0)) - v45;
+    const four q6_m = angle2 - copysign_four(all_four(half_turn), v36) * h1;
+    const four v37 = angle3 - offset2;
+    const four q2_p = v37 - only_four(half_turn < v37, m8);
+    const four v40 = e2 * angle4 + v38 * v39 - offset3;
+    const four q3_p = v40 + only_four(v40 <= -half_turn, m8);
+    const four v42 = angle5 - offset4;
+    const four v43 = angle5 - v41 - offset4;
+    const four q4_p = v42 + only_four(v42 <= -half_turn, m8);
+    const four q4_m = v43 + only_four(v43 <= -half_turn, m8);
+    const four v44 = angle6 - offset5;
+    const four v45 = offset5 + angle6;
+    const four q5_p = v44 + only_four(v44 <= -half_turn, m8);
+    const four q5_m = only_four(-v45 <= -half_turn, m8) - v45;
     const four q1_p = angle1 + v4 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1_);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle2);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &

@@ -684,56 +684,56 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle1_ - math.copysign(half_turn, v55) * h1
-    q6_pmm = angle1__ - math.copysign(half_turn, v56) * h1
-    q6_mpm = angle1___ - math.copysign(half_turn, v57) * h1
-    q6_mmm = angle1____ - math.copysign(half_turn, v58) * h1
+    q6_ppm = angle2 - math.copysign(half_turn, v55) * h1
+    q6_pmm = angle3 - math.copysign(half_turn, v56) * h1
+    q6_mpm = angle4 - math.copysign(half_turn, v57) * h1
+    q6_mmm = angle5 - math.copysign(half_turn, v58) * h1
 
     # joint values
-    v60 = angle1_____ - offset2
-    v61 = angle1______ - offset2
-    v62 = angle1_______ - offset2
-    v63 = angle1________ - offset2
+    v60 = angle6 - offset2
+    v61 = angle7 - offset2
+    v62 = angle8 - offset2
+    v63 = angle9 - offset2
     q2_ppp = v60 - (m8 if half_turn < v60 else 0.0)
     q2_pmp = v61 - (m8 if half_turn < v61 else 0.0)
     q2_mpp = v62 - (m8 if half_turn < v62 else 0.0)
     q2_mmp = v63 - (m8 if half_turn < v63 else 0.0)
-    v64 = angle1_________ - offset3
-    v65 = h1 * math.copysign(half_turn, v7) - angle1_________ - offset3
-    v66 = angle1__________ - offset3
-    v67 = h1 * math.copysign(half_turn, v8) - angle1__________ - offset3
+    v64 = angle10 - offset3
+    v65 = h1 * math.copysign(half_turn, v7) - angle10 - offset3
+    v66 = angle11 - offset3
+    v67 = h1 * math.copysign(half_turn, v8) - angle11 - offset3
     q3_ppp = v64 + (m8 if v64 <= -half_turn else 0.0)
     q3_pmp = v65 + (m8 if v65 <= -half_turn else 0.0)
     q3_mpp = v66 + (m8 if v66 <= -half_turn else 0.0)
     q3_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
-    v70 = angle1___________ - offset4
-    v71 = angle1___________ - v68 - offset4
-    v72 = angle1____________ - offset4
-    v73 = angle1____________ - v68 - offset4
-    v74 = angle1_____________ - offset4
-    v75 = angle1_____________ - v69 - offset4
-    v76 = angle1______________ - offset4
-    v77 = angle1______________ - v69 - offset4
+    v70 = angle12 - offset4
+    v71 = angle12 - v68 - offset4
+    v72 = angle13 - offset4
+    v73 = angle13 - v68 - offset4
+    v74 = angle14 - offset4
+    v75 = angle14 - v69 - offset4
+    v76 = angle15 - offset4
+    v77 = angle15 - v69 - offset4
     q4_ppp = v70 + (m8 if v70 <= -half_turn else 0.0)
     q4_ppm = v71 + (m8 if v71 <= -half_turn else 0.0)
     q4_pmp = v72 + (m8 if v72 <= -half_turn else 0.0)
@@ -742,14 +742,14 @@ def _regular(pose, q, status):
     q4_mpm = v75 + (m8 if v75 <= -half_turn else 0.0)
     q4_mmp = v76 + (m8 if v76 <= -half_turn else 0.0)
     q4_mmm = v77 + (m8 if v77 <= -half_turn else 0.0)
-    v80 = angle1_______________ - offset5
-    v81 = offset5 + angle1_______________
-    v82 = angle1________________ - offset5
-    v83 = offset5 + angle1________________
-    v84 = angle1_________________ - offset5
-    v85 = offset5 + angle1_________________
-    v86 = angle1__________________ - offset5
-    v87 = offset5 + angle1__________________
+    v80 = angle16 - offset5
+    v81 = offset5 + angle16
+    v82 = angle17 - offset5
+    v83 = offset5 + angle17
+    v84 = angle18 - offset5
+    v85 = offset5 + angle18
+    v86 = angle19 - offset5
+    v87 = offset5 + angle19
     q5_ppp = v80 + (m8 if v80 <= -half_turn else 0.0)
     q5_ppm = (m8 if -v81 <= -half_turn else 0.0) - v81
     q5_pmp = v82 + (m8 if v82 <= -half_turn else 0.0)
@@ -769,7 +769,7 @@ def _regular(pose, q, status):
     q[0, 2] = q3_ppp
     q[0, 3] = q4_ppp
     q[0, 4] = q5_ppp
-    q[0, 5] = angle1_
+    q[0, 5] = angle2
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_ppp
     q[1, 1] = q2_ppp
@@ -783,7 +783,7 @@ def _regular(pose, q, status):
     q[2, 2] = q3_pmp
     q[2, 3] = q4_pmp
     q[2, 4] = q5_pmp
-    q[2, 5] = angle1__
+    q[2, 5] = angle3
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
@@ -797,7 +797,7 @@ def _regular(pose, q, status):
     q[4, 2] = q3_mpp
     q[4, 3] = q4_mpp
     q[4, 4] = q5_mpp
-    q[4, 5] = angle1___
+    q[4, 5] = angle4
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
     q[5, 0] = q1_mpp
     q[5, 1] = q2_mpp
@@ -811,7 +811,7 @@ def _regular(pose, q, status):
     q[6, 2] = q3_mmp
     q[6, 3] = q4_mmp
     q[6, 4] = q5_mmp
-    q[6, 5] = angle1____
+    q[6, 5] = angle5
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
@@ -1183,52 +1183,52 @@ def _in_tiles(T, q, status):
             v69 = work[864 + k]
             doubt1 = work[896 + k] != 0.0
             angle1 = work[928 + k]
-            angle1_ = work[960 + k]
-            angle1__ = work[992 + k]
-            angle1___ = work[1024 + k]
-            angle1____ = work[1056 + k]
-            angle1_____ = work[1088 + k]
-            angle1______ = work[1120 + k]
-            angle1_______ = work[1152 + k]
-            angle1________ = work[1184 + k]
-            angle1_________ = work[1216 + k]
-            angle1__________ = work[1248 + k]
-            angle1___________ = work[1280 + k]
-            angle1____________ = work[1312 + k]
-            angle1_____________ = work[1344 + k]
-            angle1______________ = work[1376 + k]
-            angle1_______________ = work[1408 + k]
-            angle1________________ = work[1440 + k]
-            angle1_________________ = work[1472 + k]
-            angle1__________________ = work[1504 + k]
-            q6_ppm = angle1_ - math.copysign(half_turn, v55) * h1
-            q6_pmm = angle1__ - math.copysign(half_turn, v56) * h1
-            q6_mpm = angle1___ - math.copysign(half_turn, v57) * h1
-            q6_mmm = angle1____ - math.copysign(half_turn, v58) * h1
-            v60 = angle1_____ - offset2
-            v61 = angle1______ - offset2
-            v62 = angle1_______ - offset2
-            v63 = angle1________ - offset2
+            angle2 = work[960 + k]
+            angle3 = work[992 + k]
+            angle4 = work[1024 + k]
+            angle5 = work[1056 + k]
+            angle6 = work[1088 + k]
+            angle7 = work[1120 + k]
+            angle8 = work[1152 + k]
+            angle9 = work[1184 + k]
+            angle10 = work[1216 + k]
+            angle11 = work[1248 + k]
+            angle12 = work[1280 + k]
+            angle13 = work[1312 + k]
+            angle14 = work[1344 + k]
+            angle15 = work[1376 + k]
+            angle16 = work[1408 + k]
+            angle17 = work[1440 + k]
+            angle18 = work[1472 + k]
+            angle19 = work[1504 + k]
+            q6_ppm = angle2 - math.copysign(half_turn, v55) * h1
+            q6_pmm = angle3 - math.copysign(half_turn, v56) * h1
+            q6_mpm = angle4 - math.copysign(half_turn, v57) * h1
+            q6_mmm = angle5 - math.copysign(half_turn, v58) * h1
+            v60 = angle6 - offset2
+            v61 = angle7 - offset2
+            v62 = angle8 - offset2
+            v63 = angle9 - offset2
             q2_ppp = v60 - (m8 if half_turn < v60 else 0.0)
             q2_pmp = v61 - (m8 if half_turn < v61 else 0.0)
             q2_mpp = v62 - (m8 if half_turn < v62 else 0.0)
             q2_mmp = v63 - (m8 if half_turn < v63 else 0.0)
-            v64 = angle1_________ - offset3
-            v65 = h1 * math.copysign(half_turn, v7) - angle1_________ - offset3
-            v66 = angle1__________ - offset3
-            v67 = h1 * math.copysign(half_turn, v8) - angle1__________ - offset3
+            v64 = angle10 - offset3
+            v65 = h1 * math.copysign(half_turn, v7) - angle10 - offset3
+            v66 = angle11 - offset3
+            v67 = h1 * math.copysign(half_turn, v8) - angle11 - offset3
             q3_ppp = v64 + (m8 if v64 <= -half_turn else 0.0)
             q3_pmp = v65 + (m8 if v65 <= -half_turn else 0.0)
             q3_mpp = v66 + (m8 if v66 <= -half_turn else 0.0)
             q3_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
-            v70 = angle1___________ - offset4
-            v71 = angle1___________ - v68 - offset4
-            v72 = angle1____________ - offset4
-            v73 = angle1____________ - v68 - offset4
-            v74 = angle1_____________ - offset4
-            v75 = angle1_____________ - v69 - offset4
-            v76 = angle1______________ - offset4
-            v77 = angle1______________ - v69 - offset4
+            v70 = angle12 - offset4
+            v71 = angle12 - v68 - offset4
+            v72 = angle13 - offset4
+            v73 = angle13 - v68 - offset4
+            v74 = angle14 - offset4
+            v75 = angle14 - v69 - offset4
+            v76 = angle15 - offset4
+            v77 = angle15 - v69 - offset4
             q4_ppp = v70 + (m8 if v70 <= -half_turn else 0.0)
             q4_ppm = v71 + (m8 if v71 <= -half_turn else 0.0)
             q4_pmp = v72 + (m8 if v72 <= -half_turn else 0.0)
@@ -1237,14 +1237,14 @@ def _in_tiles(T, q, status):
             q4_mpm = v75 + (m8 if v75 <= -half_turn else 0.0)
             q4_mmp = v76 + (m8 if v76 <= -half_turn else 0.0)
             q4_mmm = v77 + (m8 if v77 <= -half_turn else 0.0)
-            v80 = angle1_______________ - offset5
-            v81 = offset5 + angle1_______________
-            v82 = angle1________________ - offset5
-            v83 = offset5 + angle1________________
-            v84 = angle1_________________ - offset5
-            v85 = offset5 + angle1_________________
-            v86 = angle1__________________ - offset5
-            v87 = offset5 + angle1__________________
+            v80 = angle16 - offset5
+            v81 = offset5 + angle16
+            v82 = angle17 - offset5
+            v83 = offset5 + angle17
+            v84 = angle18 - offset5
+            v85 = offset5 + angle18
+            v86 = angle19 - offset5
+            v87 = offset5 + angle19
             q5_ppp = v80 + (m8 if v80 <= -half_turn else 0.0)
             q5_ppm = (m8 if -v81 <= -half_turn else 0.0) - v81
             q5_pmp = v82 + (m8 if v82 <= -half_turn else 0.0)
@@ -1265,7 +1265,7 @@ def _in_tiles(T, q, status):
             work[2240 + k] = _2240
             _2272 = q5_ppp
             work[2272 + k] = _2272
-            _2304 = angle1_
+            _2304 = angle2
             work[2304 + k] = _2304
             _2336 = q4_ppm
             work[2336 + k] = _2336
@@ -1281,7 +1281,7 @@ def _in_tiles(T, q, status):
             work[2496 + k] = _2496
             _2528 = q5_pmp
             work[2528 + k] = _2528
-            _2560 = angle1__
+            _2560 = angle3
             work[2560 + k] = _2560
             _2592 = q4_pmm
             work[2592 + k] = _2592
@@ -1299,7 +1299,7 @@ def _in_tiles(T, q, status):
             work[2784 + k] = _2784
             _2816 = q5_mpp
             work[2816 + k] = _2816
-            _2848 = angle1___
+            _2848 = angle4
             work[2848 + k] = _2848
             _2880 = q4_mpm
             work[2880 + k] = _2880
@@ -1315,7 +1315,7 @@ def _in_tiles(T, q, status):
             work[3040 + k] = _3040
             _3072 = q5_mmp
             work[3072 + k] = _3072
-            _3104 = angle1____
+            _3104 = angle5
             work[3104 + k] = _3104
             _3136 = q4_mmm
             work[3136 + k] = _3136

@@ -26,6 +26,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -65,6 +89,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -76,29 +105,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -107,6 +113,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -120,28 +131,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -149,37 +139,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef ABB_IRB4600_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -561,12 +531,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide N3_m = v5 + v4 * v4;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle1_ = atan2_wide(w3_p, N3_p - k3);
-    const wide angle1__ = atan2_wide(w3_m, N3_m - k3);
-    const wide q3__pp = angle1_ - turn1;
-    const wide v6 = turn1 + angle1_;
-    const wide q3__mp = angle1__ - turn1;
-    const wide v7 = turn1 + angle1__;
+    const wide angle2 = atan2_wide(w3_p, N3_p - k3);
+    const wide angle3 = atan2_wide(w3_m, N3_m - k3);
+    const wide q3__pp = angle2 - turn1;
+    const wide v6 = turn1 + angle2;
+    const wide q3__mp = angle3 - turn1;
+    const wide v7 = turn1 + angle3;
 
     /* theta2 */
     const wide X1_2_p = m3 * N3_p - m4;
@@ -580,10 +550,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide factor2_p = 1.0 / N3_p;
     const wide factor2_m = 1.0 / N3_m;
     const wide v14 = w3_p * (m3 * v3);
-    const wide angle1___ = atan2_wide(-(v8 + w3_p * v10), v12 - v14);
-    const wide angle1____ = atan2_wide(-(v8 + w3_p * v11), v12 + v14);
-    const wide angle1_____ = atan2_wide(-(v9 + w3_m * v10), v13 - w3_m * (m3 * v4));
-    const wide angle1______ = atan2_wide(-(v9 + w3_m * v11), v13 - w3_m * (m3 * -v4));
+    const wide angle4 = atan2_wide(-(v8 + w3_p * v10), v12 - v14);
+    const wide angle5 = atan2_wide(-(v8 + w3_p * v11), v12 + v14);
+    const wide angle6 = atan2_wide(-(v9 + w3_m * v10), v13 - w3_m * (m3 * v4));
+    const wide angle7 = atan2_wide(-(v9 + w3_m * v11), v13 - w3_m * (m3 * -v4));
 
     /* theta4 */
     const wide v15 = m5 * Z1_3;
@@ -619,22 +589,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v33 = v31 + X4_pm * X4_pm;
     const wide v34 = v31 + X4_mp * X4_mp;
     const wide v35 = v31 + X4_mm * X4_mm;
-    const wide angle1_______ = atan2_wide(-v30, -X4_pp);
-    const wide angle1________ = atan2_wide(-v30, -X4_pm);
-    const wide angle1_________ = atan2_wide(v30, -X4_mp);
-    const wide angle1__________ = atan2_wide(v30, -X4_mm);
+    const wide angle8 = atan2_wide(-v30, -X4_pp);
+    const wide angle9 = atan2_wide(-v30, -X4_pm);
+    const wide angle10 = atan2_wide(v30, -X4_mp);
+    const wide angle11 = atan2_wide(v30, -X4_mm);
     const wide v36 = copysign_wide(all_wide(half_turn), -v30) * h1;
     const wide v37 = copysign_wide(all_wide(half_turn), v30) * h1;
-    const wide q4_ppm = angle1_______ - v36;
-    const wide q4_pmm = angle1________ - v36;
-    const wide q4_mpm = angle1_________ - v37;
-    const wide q4_mmm = angle1__________ - v37;
+    const wide q4_ppm = angle8 - v36;
+    const wide q4_pmm = angle9 - v36;
+    const wide q4_mpm = angle10 - v37;
+    const wide q4_mmm = angle11 - v37;
 
     /* theta5 */
-    const wide angle1___________ = atan2_wide(sqrt_wide(v32), c23_pp * v29 - T33 * s23_pp);
-    const wide angle1____________ = atan2_wide(sqrt_wide(v33), c23_pm * v29 - T33 * s23_pm);
-    const wide angle1_____________ = atan2_wide(sqrt_wide(v34), -(c23_mp * v29 + T33 * s23_mp));
-    const wide angle1______________ = atan2_wide(sqrt_wide(v35), -(c23_mm * v29 + T33 * s23_mm));
+    const wide angle12 = atan2_wide(sqrt_wide(v32), c23_pp * v29 - T33 * s23_pp);
+    const wide angle13 = atan2_wide(sqrt_wide(v33), c23_pm * v29 - T33 * s23_pm);
+    const wide angle14 = atan2_wide(sqrt_wide(v34), -(c23_mp * v29 + T33 * s23_mp));
+    const wide angle15 = atan2_wide(sqrt_wide(v35), -(c23_mm * v29 + T33 * s23_mm));
 
     /* theta6 */
     const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12));
@@ -645,28 +615,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41);
     const wide v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40;
     const wide v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40;
-    const wide angle1_______________ = atan2_wide(v42, X4_pp * v38 - v30 * (c23_pp * T32 + s23_pp *
-        v39));
-    const wide angle1________________ = atan2_wide(v43, X4_pm * v38 - v30 * (c23_pm * T32 + s23_pm *
-        v39));
-    const wide angle1_________________ = atan2_wide(v44, v30 * (c23_mp * T32 - s23_mp * v39) - X4_mp
-        * v38);
-    const wide angle1__________________ = atan2_wide(v45, v30 * (c23_mm * T32 - s23_mm * v39) -
-        X4_mm * v38);
-    const wide q6_ppm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_pmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v43);
-    const wide q6_mpm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v44);
-    const wide q6_mmm = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide angle16 = atan2_wide(v42, X4_pp * v38 - v30 * (c23_pp * T32 + s23_pp * v39));
+    const wide angle17 = atan2_wide(v43, X4_pm * v38 - v30 * (c23_pm * T32 + s23_pm * v39));
+    const wide angle18 = atan2_wide(v44, v30 * (c23_mp * T32 - s23_mp * v39) - X4_mp * v38);
+    const wide angle19 = atan2_wide(v45, v30 * (c23_mm * T32 - s23_mm * v39) - X4_mm * v38);
+    const wide q6_ppm = angle16 - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_pmm = angle17 - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide q6_mpm = angle18 - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide q6_mmm = angle19 - h1 * copysign_wide(all_wide(half_turn), v45);
 
     /* joint values */
-    const wide v46 = q3__pp + pick_wide(q3__pp <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide v47 = pick_wide(-v6 <= -half_turn, all_wide(m10), all_wide(0.0)) - v6;
-    const wide v48 = q3__mp + pick_wide(q3__mp <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide v49 = pick_wide(-v7 <= -half_turn, all_wide(m10), all_wide(0.0)) - v7;
-    const wide v50 = v46 - pick_wide(high3 < v46, all_wide(whole_turn), all_wide(0.0));
-    const wide v51 = v47 - pick_wide(high3 < v47, all_wide(whole_turn), all_wide(0.0));
-    const wide v52 = v48 - pick_wide(high3 < v48, all_wide(whole_turn), all_wide(0.0));
-    const wide v53 = v49 - pick_wide(high3 < v49, all_wide(whole_turn), all_wide(0.0));
+    const wide v46 = q3__pp + only_wide(q3__pp <= -half_turn, m10);
+    const wide v47 = only_wide(-v6 <= -half_turn, m10) - v6;
+    const wide v48 = q3__mp + only_wide(q3__mp <= -half_turn, m10);
+    const wide v49 = only_wide(-v7 <= -half_turn, m10) - v7;
+    const wide v50 = v46 - only_wide(high3 < v46, whole_turn);
+    const wide v51 = v47 - only_wide(high3 < v47, whole_turn);
+    const wide v52 = v48 - only_wide(high3 < v48, whole_turn);
+    const wide v53 = v49 - only_wide(high3 < v49, whole_turn);
     const wide_mask v54 = (v50 < low3) | (high3 < v50);
     const wide_mask v55 = (v51 < low3) | (high3 < v51);
     const wide_mask v56 = (v52 < low3) | (high3 < v52);
@@ -677,25 +643,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q3_mmp = pick_wide(v57, v49, v53);
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask v58 = v54 | ((angle1___ < low2) | (high2 < angle1___));
-    const wide_mask v59 = v55 | ((angle1____ < low2) | (high2 < angle1____));
-    const wide_mask v60 = v56 | ((angle1_____ < low2) | (high2 < angle1_____));
-    const wide_mask v61 = v57 | ((angle1______ < low2) | (high2 < angle1______));
-    const wide_mask outside_ppp = v58 | ((angle1___________ < low5) | (high5 < angle1___________));
-    const wide_mask outside_ppm = v58 | ((-angle1___________ < low5) | (high5 <
-        -angle1___________));
-    const wide_mask outside_pmp = v59 | ((angle1____________ < low5) | (high5 <
-        angle1____________));
-    const wide_mask outside_pmm = v59 | ((-angle1____________ < low5) | (high5 <
-        -angle1____________));
-    const wide_mask outside_mpp = v60 | ((angle1_____________ < low5) | (high5 <
-        angle1_____________));
-    const wide_mask outside_mpm = v60 | ((-angle1_____________ < low5) | (high5 <
-        -angle1_____________));
-    const wide_mask outside_mmp = v61 | ((angle1______________ < low5) | (high5 <
-        angle1______________));
-    const wide_mask outside_mmm = v61 | ((-angle1______________ < low5) | (high5 <
-        -angle1______________));
+    const wide_mask v58 = v54 | ((angle4 < low2) | (high2 < angle4));
+    const wide_mask v59 = v55 | ((angle5 < low2) | (high2 < angle5));
+    const wide_mask v60 = v56 | ((angle6 < low2) | (high2 < angle6));
+    const wide_mask v61 = v57 | ((angle7 < low2) | (high2 < angle7));
+    const wide_mask outside_ppp = v58 | ((angle12 < low5) | (high5 < angle12));
+    const wide_mask outside_ppm = v58 | ((-angle12 < low5) | (high5 < -angle12));
+    const wide_mask outside_pmp = v59 | ((angle13 < low5) | (high5 < angle13));
+    const wide_mask outside_pmm = v59 | ((-angle13 < low5) | (high5 < -angle13));
+    const wide_mask outside_mpp = v60 | ((angle14 < low5) | (high5 < angle14));
+    const wide_mask outside_mpm = v60 | ((-angle14 < low5) | (high5 < -angle14));
+    const wide_mask outside_mmp = v61 | ((angle15 < low5) | (high5 < angle15));
+    const wide_mask outside_mmm = v61 | ((-angle15 < low5) | (high5 < -angle15));
     const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
         longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
         free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
@@ -703,59 +662,59 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         ((v33 <= m9) | ((v1 <= m1) | (v32 <= m9))))))));
 
     q[0] = q1_ppp;
-    q[1] = angle1___;
+    q[1] = angle4;
     q[2] = q3_ppp;
-    q[3] = angle1_______;
-    q[4] = angle1___________;
-    q[5] = angle1_______________;
+    q[3] = angle8;
+    q[4] = angle12;
+    q[5] = angle16;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
-    q[7] = angle1___;
+    q[7] = angle4;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -angle1___________;
+    q[10] = -angle12;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp;
-    q[13] = angle1____;
+    q[13] = angle5;
     q[14] = q3_pmp;
-    q[15] = angle1________;
-    q[16] = angle1____________;
-    q[17] = angle1________________;
+    q[15] = angle9;
+    q[16] = angle13;
+    q[17] = angle17;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
-    q[19] = angle1____;
+    q[19] = angle5;
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -angle1____________;
+    q[22] = -angle13;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
     q[24] = q1_mpp;
-    q[25] = angle1_____;
+    q[25] = angle6;
     q[26] = q3_mpp;
-    q[27] = angle1_________;
-    q[28] = angle1_____________;
-    q[29] = angle1_________________;
+    q[27] = angle10;
+    q[28] = angle14;
+    q[29] = angle18;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
-    q[31] = angle1_____;
+    q[31] = angle6;
     q[32] = q3_mpp;
     q[33] = q4_mpm;
-    q[34] = -angle1_____________;
+    q[34] = -angle14;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp;
-    q[37] = angle1______;
+    q[37] = angle7;
     q[38] = q3_mmp;
-    q[39] = angle1__________;
-    q[40] = angle1______________;
-    q[41] = angle1__________________;
+    q[39] = angle11;
+    q[40] = angle15;
+    q[41] = angle19;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
-    q[43] = angle1______;
+    q[43] = angle7;
     q[44] = q3_mmp;
     q[45] = q4_mmm;
-    q[46] = -angle1______________;
+    q[46] = -angle15;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -827,33 +786,32 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1__ = atan2_four(-(v6 + w3 * v7), v8 - w3 * (m3 * (e2 * v4)));
-    const four angle1___ = atan2_four(-(e1 * v18), -X4);
-    const four angle1____ = atan2_four(sqrt_four(v20), e1 * (c23 * v17) - T33 * s23);
-    const four angle1_____ = atan2_four(v26, e1 * (X4 * v22 - v18 * (c23 * T32 + e1 * (s23 *
-        v23))));
+    const four angle3 = atan2_four(-(v6 + w3 * v7), v8 - w3 * (m3 * (e2 * v4)));
+    const four angle4 = atan2_four(-(e1 * v18), -X4);
+    const four angle5 = atan2_four(sqrt_four(v20), e1 * (c23 * v17) - T33 * s23);
+    const four angle6 = atan2_four(v26, e1 * (X4 * v22 - v18 * (c23 * T32 + e1 * (s23 * v23))));
     const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
         __builtin_shufflevector(N3 - k3, all_four(-t14), 0, 5, 2, 3));
-    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_ = e2 * angle1_ - turn1;
-    const four q4_m = angle1___ - v21;
-    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v26);
-    const four v27 = q3_ + pick_four(q3_ <= -half_turn, all_four(m10), all_four(0.0));
-    const four v28 = v27 - pick_four(high3 < v27, all_four(whole_turn), all_four(0.0));
+    const four q3_ = e2 * angle2 - turn1;
+    const four q4_m = angle4 - v21;
+    const four q6_m = angle6 - h1 * copysign_four(all_four(half_turn), v26);
+    const four v27 = q3_ + only_four(q3_ <= -half_turn, m10);
+    const four v28 = v27 - only_four(high3 < v27, whole_turn);
     const four_mask v29 = (v28 < low3) | (high3 < v28);
     const four q3_p = pick_four(v29, v27, v28);
     const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
-    const four_mask v30 = v29 | ((angle1__ < low2) | (high2 < angle1__));
-    const four_mask outside_p = v30 | ((angle1____ < low5) | (high5 < angle1____));
-    const four_mask outside_m = v30 | ((-angle1____ < low5) | (high5 < -angle1____));
+    const four_mask v30 = v29 | ((angle3 < low2) | (high2 < angle3));
+    const four_mask outside_p = v30 | ((angle5 < low5) | (high5 < angle5));
+    const four_mask outside_m = v30 | ((-angle5 < low5) | (high5 < -angle5));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1__, q3_p, angle1___);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1____, angle1_____);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1__, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1____, q6_m);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle3, q3_p, angle4);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle5, angle6);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle3, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle5, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef ABB_IRB6640_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -569,12 +539,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide N3_m = v5 + v4 * v4;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle1_ = atan2_wide(w3_p, N3_p - k3);
-    const wide angle1__ = atan2_wide(w3_m, N3_m - k3);
-    const wide q3__pp = angle1_ - turn1;
-    const wide v6 = turn1 + angle1_;
-    const wide q3__mp = angle1__ - turn1;
-    const wide v7 = turn1 + angle1__;
+    const wide angle2 = atan2_wide(w3_p, N3_p - k3);
+    const wide angle3 = atan2_wide(w3_m, N3_m - k3);
+    const wide q3__pp = angle2 - turn1;
+    const wide v6 = turn1 + angle2;
+    const wide q3__mp = angle3 - turn1;
+    const wide v7 = turn1 + angle3;
 
     /* theta2 */
     const wide Y1_2_p = m3 * N3_p - m4;
@@ -622,16 +592,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v31 = v29 + X4_pm * X4_pm;
     const wide v32 = v29 + X4_mp * X4_mp;
     const wide v33 = v29 + X4_mm * X4_mm;
-    const wide angle1___ = atan2_wide(Y4, -X4_pp);
-    const wide angle1____ = atan2_wide(Y4, -X4_pm);
-    const wide angle1_____ = atan2_wide(-Y4, -X4_mp);
-    const wide angle1______ = atan2_wide(-Y4, -X4_mm);
+    const wide angle4 = atan2_wide(Y4, -X4_pp);
+    const wide angle5 = atan2_wide(Y4, -X4_pm);
+    const wide angle6 = atan2_wide(-Y4, -X4_mp);
+    const wide angle7 = atan2_wide(-Y4, -X4_mm);
     const wide v34 = h1 * copysign_wide(all_wide(half_turn), Y4);
     const wide v35 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle1___ - v34;
-    const wide q4_pmm = angle1____ - v34;
-    const wide q4_mpm = angle1_____ - v35;
-    const wide q4_mmm = angle1______ - v35;
+    const wide q4_ppm = angle4 - v34;
+    const wide q4_pmm = angle5 - v34;
+    const wide q4_mpm = angle6 - v35;
+    const wide q4_mmm = angle7 - v35;
 
     /* theta6 */
     const wide v36 = w1 * (v2 * (wx * T22 + Y1 * T12));
@@ -642,59 +612,59 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v41 = Y4 * (c23_pm * v39 - s23_pm * T31) - -X4_pm * v38;
     const wide v42 = Y4 * (c23_mp * v39 + s23_mp * T31) - X4_mp * v38;
     const wide v43 = Y4 * (c23_mm * v39 + s23_mm * T31) - X4_mm * v38;
-    const wide angle1_______ = atan2_wide(v40, Y4 * (c23_pp * v37 - s23_pp * T32) - -X4_pp * v36);
-    const wide angle1________ = atan2_wide(v41, Y4 * (c23_pm * v37 - s23_pm * T32) - -X4_pm * v36);
-    const wide angle1_________ = atan2_wide(v42, Y4 * (c23_mp * v37 + s23_mp * T32) - X4_mp * v36);
-    const wide angle1__________ = atan2_wide(v43, Y4 * (c23_mm * v37 + s23_mm * T32) - X4_mm * v36);
-    const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v40);
-    const wide q6_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v41);
-    const wide q6_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide angle8 = atan2_wide(v40, Y4 * (c23_pp * v37 - s23_pp * T32) - -X4_pp * v36);
+    const wide angle9 = atan2_wide(v41, Y4 * (c23_pm * v37 - s23_pm * T32) - -X4_pm * v36);
+    const wide angle10 = atan2_wide(v42, Y4 * (c23_mp * v37 + s23_mp * T32) - X4_mp * v36);
+    const wide angle11 = atan2_wide(v43, Y4 * (c23_mm * v37 + s23_mm * T32) - X4_mm * v36);
+    const wide q6_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), v40);
+    const wide q6_pmm = angle9 - h1 * copysign_wide(all_wide(half_turn), v41);
+    const wide q6_mpm = angle10 - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_mmm = angle11 - h1 * copysign_wide(all_wide(half_turn), v43);
 
     /* joint values */
     const wide v44 = w3_p * (m3 * v3);
-    const wide angle1___________ = atan2_wide(v8 + v44, -(v10 + w3_p * v12));
-    const wide v45 = angle1___________ - offset2;
-    const wide angle1____________ = atan2_wide(v8 - v44, -(v10 + w3_p * v13));
-    const wide v46 = angle1____________ - offset2;
-    const wide angle1_____________ = atan2_wide(v9 + w3_m * (m3 * v4), -(v11 + w3_m * v12));
-    const wide v47 = angle1_____________ - offset2;
-    const wide angle1______________ = atan2_wide(v9 + w3_m * (m3 * -v4), -(v11 + w3_m * v13));
-    const wide v48 = angle1______________ - offset2;
-    const wide q2_ppp = v45 - pick_wide(half_turn < v45, all_wide(m10), all_wide(0.0));
-    const wide q2_pmp = v46 - pick_wide(half_turn < v46, all_wide(m10), all_wide(0.0));
-    const wide q2_mpp = v47 - pick_wide(half_turn < v47, all_wide(m10), all_wide(0.0));
-    const wide q2_mmp = v48 - pick_wide(half_turn < v48, all_wide(m10), all_wide(0.0));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v30), T33 * c23_pp + s23_pp * v28);
-    const wide angle1________________ = atan2_wide(sqrt_wide(v31), T33 * c23_pm + s23_pm * v28);
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v32), T33 * c23_mp - s23_mp * v28);
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v33), T33 * c23_mm - s23_mm * v28);
-    const wide v49 = angle1_______________ - offset5;
-    const wide v50 = offset5 + angle1_______________;
-    const wide v51 = angle1________________ - offset5;
-    const wide v52 = offset5 + angle1________________;
-    const wide v53 = angle1_________________ - offset5;
-    const wide v54 = offset5 + angle1_________________;
-    const wide v55 = angle1__________________ - offset5;
-    const wide v56 = offset5 + angle1__________________;
-    const wide q5_ppp = v49 + pick_wide(v49 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v50 <= -half_turn, all_wide(m10), all_wide(0.0)) - v50;
-    const wide q5_pmp = v51 + pick_wide(v51 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v52 <= -half_turn, all_wide(m10), all_wide(0.0)) - v52;
-    const wide q5_mpp = v53 + pick_wide(v53 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v54 <= -half_turn, all_wide(m10), all_wide(0.0)) - v54;
-    const wide q5_mmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v56 <= -half_turn, all_wide(m10), all_wide(0.0)) - v56;
-    const wide v57 = q3__pp + pick_wide(q3__pp <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide v58 = pick_wide(-v6 <= -half_turn, all_wide(m10), all_wide(0.0)) - v6;
-    const wide v59 = q3__mp + pick_wide(q3__mp <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide v60 = pick_wide(-v7 <= -half_turn, all_wide(m10), all_wide(0.0)) - v7;
+    const wide angle12 = atan2_wide(v8 + v44, -(v10 + w3_p * v12));
+    const wide v45 = angle12 - offset2;
+    const wide angle13 = atan2_wide(v8 - v44, -(v10 + w3_p * v13));
+    const wide v46 = angle13 - offset2;
+    const wide angle14 = atan2_wide(v9 + w3_m * (m3 * v4), -(v11 + w3_m * v12));
+    const wide v47 = angle14 - offset2;
+    const wide angle15 = atan2_wide(v9 + w3_m * (m3 * -v4), -(v11 + w3_m * v13));
+    const wide v48 = angle15 - offset2;
+    const wide q2_ppp = v45 - only_wide(half_turn < v45, m10);
+    const wide q2_pmp = v46 - only_wide(half_turn < v46, m10);
+    const wide q2_mpp = v47 - only_wide(half_turn < v47, m10);
+    const wide q2_mmp = v48 - only_wide(half_turn < v48, m10);
+    const wide angle16 = atan2_wide(sqrt_wide(v30), T33 * c23_pp + s23_pp * v28);
+    const wide angle17 = atan2_wide(sqrt_wide(v31), T33 * c23_pm + s23_pm * v28);
+    const wide angle18 = atan2_wide(sqrt_wide(v32), T33 * c23_mp - s23_mp * v28);
+    const wide angle19 = atan2_wide(sqrt_wide(v33), T33 * c23_mm - s23_mm * v28);
+    const wide v49 = angle16 - offset5;
+    const wide v50 = offset5 + angle16;
+    const wide v51 = angle17 - offset5;
+    const wide v52 = offset5 + angle17;
+    const wide v53 = angle18 - offset5;
+    const wide v54 = offset5 + angle18;
+    const wide v55 = angle19 - offset5;
+    const wide v56 = offset5 + angle19;
+    const wide q5_ppp = v49 + only_wide(v49 <= -half_turn, m10);
+    const wide q5_ppm = only_wide(-v50 <= -half_turn, m10) - v50;
+    const wide q5_pmp = v51 + only_wide(v51 <= -half_turn, m10);
+    const wide q5_pmm = only_wide(-v52 <= -half_turn, m10) - v52;
+    const wide q5_mpp = v53 + only_wide(v53 <= -half_turn, m10);
+    const wide q5_mpm = only_wide(-v54 <= -half_turn, m10) - v54;
+    const wide q5_mmp = v55 + only_wide(v55 <= -half_turn, m10);
+    const wide q5_mmm = only_wide(-v56 <= -half_turn, m10) - v56;
+    const wide v57 = q3__pp + only_wide(q3__pp <= -half_turn, m10);
+    const wide v58 = only_wide(-v6 <= -half_turn, m10) - v6;
+    const wide v59 = q3__mp + only_wide(q3__mp <= -half_turn, m10);
+    const wide v60 = only_wide(-v7 <= -half_turn, m10) - v7;
     const wide_mask v61 = (angle1 < low1) | (high1 < angle1);
     const wide_mask v62 = (q1__m < low1) | (high1 < q1__m);
-    const wide v63 = v57 - pick_wide(high3 < v57, all_wide(whole_turn), all_wide(0.0));
-    const wide v64 = v58 - pick_wide(high3 < v58, all_wide(whole_turn), all_wide(0.0));
-    const wide v65 = v59 - pick_wide(high3 < v59, all_wide(whole_turn), all_wide(0.0));
-    const wide v66 = v60 - pick_wide(high3 < v60, all_wide(whole_turn), all_wide(0.0));
+    const wide v63 = v57 - only_wide(high3 < v57, whole_turn);
+    const wide v64 = v58 - only_wide(high3 < v58, whole_turn);
+    const wide v65 = v59 - only_wide(high3 < v59, whole_turn);
+    const wide v66 = v60 - only_wide(high3 < v60, whole_turn);
     const wide_mask v67 = (v63 < low3) | (high3 < v63);
     const wide_mask v68 = (v64 < low3) | (high3 < v64);
     const wide_mask v69 = (v65 < low3) | (high3 < v65);
@@ -726,9 +696,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = angle1___;
+    q[3] = angle4;
     q[4] = q5_ppp;
-    q[5] = angle1_______;
+    q[5] = angle8;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -740,9 +710,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[12] = q1_ppp;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = angle1____;
+    q[15] = angle5;
     q[16] = q5_pmp;
-    q[17] = angle1________;
+    q[17] = angle9;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -754,9 +724,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_mpp;
-    q[27] = angle1_____;
+    q[27] = angle6;
     q[28] = q5_mpp;
-    q[29] = angle1_________;
+    q[29] = angle10;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -768,9 +738,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_mmp;
-    q[39] = angle1______;
+    q[39] = angle7;
     q[40] = q5_mmp;
-    q[41] = angle1__________;
+    q[41] = angle11;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -849,27 +819,27 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1__ = atan2_four(v20, -X4);
-    const four angle1___ = atan2_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) - -X4 * v22));
-    const four angle1____ = atan2_four(v6 + w3 * (m3 * (e2 * v4)), -(v7 + w3 * v8));
-    const four angle1_____ = atan2_four(sqrt_four(v19), T33 * c23 + e1 * (s23 * v17));
+    const four angle3 = atan2_four(v20, -X4);
+    const four angle4 = atan2_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) - -X4 * v22));
+    const four angle5 = atan2_four(v6 + w3 * (m3 * (e2 * v4)), -(v7 + w3 * v8));
+    const four angle6 = atan2_four(sqrt_four(v19), T33 * c23 + e1 * (s23 * v17));
     const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
         __builtin_shufflevector(N3 - k3, all_four(-wx), 0, 5, 2, 3));
-    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0));
-    const four q3_ = e2 * angle1_ - turn1;
-    const four q4_m = angle1__ - v21;
-    const four q6_m = angle1___ - h1 * copysign_four(all_four(half_turn), v26);
-    const four v27 = angle1____ - offset2;
-    const four q2_p = v27 - pick_four(half_turn < v27, all_four(m10), all_four(0.0));
-    const four v28 = angle1_____ - offset5;
-    const four v29 = offset5 + angle1_____;
-    const four q5_p = v28 + pick_four(v28 <= -half_turn, all_four(m10), all_four(0.0));
-    const four q5_m = pick_four(-v29 <= -half_turn, all_four(m10), all_four(0.0)) - v29;
-    const four v30 = q3_ + pick_four(q3_ <= -half_turn, all_four(m10), all_four(0.0));
+    const four q3_ = e2 * angle2 - turn1;
+    const four q4_m = angle3 - v21;
+    const four q6_m = angle4 - h1 * copysign_four(all_four(half_turn), v26);
+    const four v27 = angle5 - offset2;
+    const four q2_p = v27 - only_four(half_turn < v27, m10);
+    const four v28 = angle6 - offset5;
+    const four v29 = offset5 + angle6;
+    const four q5_p = v28 + only_four(v28 <= -half_turn, m10);
+    const four q5_m = only_four(-v29 <= -half_turn, m10) - v29;
+    const four v30 = q3_ + only_four(q3_ <= -half_turn, m10);
     const four_mask v31 = (q1_ < low1) | (high1 < q1_);
-    const four v32 = v30 - pick_four(high3 < v30, all_four(whole_turn), all_four(0.0));
+    const four v32 = v30 - only_four(high3 < v30, whole_turn);
     const four_mask v33 = (v32 < low3) | (high3 < v32);
     const four q3_p = pick_four(v33, v30, v32);
     const four q1_p = q1_ + (w3 - w3);
@@ -879,8 +849,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1__);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1___);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle3);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle4);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &

@@ -378,10 +378,10 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
+    angle2 = room[1]
 
     # joint values
-    v11 = angle1_ - angle1
+    v11 = angle2 - angle1
     q1 = v10 + (angle1 + v9)
     q2 = v10 + (v9 + (v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)))
 
@@ -640,8 +640,8 @@ def _in_tiles(T, q, status):
             doubt1 = work[608 + k] != 0.0
             q3 = work[640 + k]
             angle1 = work[672 + k]
-            angle1_ = work[704 + k]
-            v11 = angle1_ - angle1
+            angle2 = work[704 + k]
+            v11 = angle2 - angle1
             q1 = v10 + (angle1 + v9)
             q2 = (
                 v10 + (v9 + (v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else

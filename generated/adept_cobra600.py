@@ -427,17 +427,17 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
 
     # joint values
-    v11 = angle1_ + angle1__ - angle1
-    v12 = angle1___ - angle1_ - angle1
-    q1_p = v10 + (angle1__ + v9)
-    q1_m = v10 + (angle1___ + v9)
-    q2_p = v10 + (angle1_ + v9)
-    q2_m = v10 + (v9 - angle1_)
+    v11 = angle2 + angle3 - angle1
+    v12 = angle4 - angle2 - angle1
+    q1_p = v10 + (angle3 + v9)
+    q1_m = v10 + (angle4 + v9)
+    q2_p = v10 + (angle2 + v9)
+    q2_m = v10 + (v9 - angle2)
     q4_p = (
         v10 + (v9 + (v11 - (m4 if half_turn < v11 else 0.0) + (m4 if v11 <= -half_turn else 0.0)))
     )
@@ -709,15 +709,15 @@ def _in_tiles(T, q, status):
             q3_p = work[608 + k]
             doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
-            angle1_ = work[704 + k]
-            angle1__ = work[736 + k]
-            angle1___ = work[768 + k]
-            v11 = angle1_ + angle1__ - angle1
-            v12 = angle1___ - angle1_ - angle1
-            q1_p = v10 + (angle1__ + v9)
-            q1_m = v10 + (angle1___ + v9)
-            q2_p = v10 + (angle1_ + v9)
-            q2_m = v10 + (v9 - angle1_)
+            angle2 = work[704 + k]
+            angle3 = work[736 + k]
+            angle4 = work[768 + k]
+            v11 = angle2 + angle3 - angle1
+            v12 = angle4 - angle2 - angle1
+            q1_p = v10 + (angle3 + v9)
+            q1_m = v10 + (angle4 + v9)
+            q2_p = v10 + (angle2 + v9)
+            q2_m = v10 + (v9 - angle2)
             q4_p = (
                 v10 + (v9 + (v11 - (m4 if half_turn < v11 else 0.0) + (m4 if v11 <= -half_turn else
                 0.0)))

@@ -25,6 +25,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -64,6 +88,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -75,29 +104,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -106,6 +112,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -119,28 +130,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -148,37 +138,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef ARM_3R_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -402,8 +372,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide N3 = v1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
     const wide v2 = w3 - w3;
-    const wide angle1_ = atan2_wide(-(k1 * (N3 - k2)), k1 * w3);
-    const wide q3_pm = copysign_wide(all_wide(half_turn), -(k1 * (N3 - k2))) * h1 - angle1_;
+    const wide angle2 = atan2_wide(-(k1 * (N3 - k2)), k1 * w3);
+    const wide q3_pm = copysign_wide(all_wide(half_turn), -(k1 * (N3 - k2))) * h1 - angle2;
 
     /* theta2 */
     const wide v3 = m4 + m3 * N3;
@@ -420,10 +390,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide v13 = v8 - v9;
     const wide v14 = S2_pp * S2_pp;
     const wide v15 = v6 * v6;
-    const wide angle1__ = atan2_wide(S2_pp, -v10);
-    const wide angle1___ = atan2_wide(-v6, -v11);
-    const wide angle1____ = atan2_wide(-v6, -v12);
-    const wide angle1_____ = atan2_wide(S2_pp, -v13);
+    const wide angle3 = atan2_wide(S2_pp, -v10);
+    const wide angle4 = atan2_wide(-v6, -v11);
+    const wide angle5 = atan2_wide(-v6, -v12);
+    const wide angle6 = atan2_wide(S2_pp, -v13);
 
     /* joint values */
     const wide q1_pp = angle1 + v2;
@@ -433,19 +403,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
         <= m5) | ((v15 + v12 * v12 <= m5) | ((v14 + v10 * v10 <= m5) | (v15 + v11 * v11 <= m5)))));
 
     q[0] = q1_pp;
-    q[1] = angle1__;
-    q[2] = angle1_;
+    q[1] = angle3;
+    q[2] = angle2;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[3] = q1_pp;
-    q[4] = angle1___;
+    q[4] = angle4;
     q[5] = q3_pm;
     kind[1] = kind_of(q[3] != q[3], 0);
     q[6] = q1_mp;
-    q[7] = angle1____;
-    q[8] = angle1_;
+    q[7] = angle5;
+    q[8] = angle2;
     kind[2] = kind_of(q[6] != q[6], 0);
     q[9] = q1_mp;
-    q[10] = angle1_____;
+    q[10] = angle6;
     q[11] = q3_pm;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -489,17 +459,17 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
 
-    const four angle1__ = atan2_four(S2, -v9);
+    const four angle3 = atan2_four(S2, -v9);
     const four packed2 = atan2_four((four){ -T24, -(k1 * (N3 - k2)), -T24, -T24 }, (four){ -T14, k1
         * w3, -T14, -T14 });
     const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four angle1_ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four q3 = e2 * angle1_ + v4 * (m2 * (1.0 - e2));
+    const four angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four q3 = e2 * angle2 + v4 * (m2 * (1.0 - e2));
     const four q1 = v3 + (angle1 + v2 * (m2 * (e1 - 1.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, angle1__);
+    store_2(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, angle3);
     store_1(&q[0][2], &q[1][2], &q[2][2], &q[3][2], q3);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
     const unsigned long long kind1 = none1 * ARM_3R_UNREACHABLE;

@@ -391,14 +391,14 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle1_
+    q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle2
 
     # joint values
     q1_pp = angle1 + v2
@@ -408,19 +408,19 @@ def _regular(pose, q, status):
     if doubt1:
         return False
     q[0, 0] = q1_pp
-    q[0, 1] = angle1__
-    q[0, 2] = angle1_
+    q[0, 1] = angle3
+    q[0, 2] = angle2
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_pp
-    q[1, 1] = angle1___
+    q[1, 1] = angle4
     q[1, 2] = q3_pm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_mp
-    q[2, 1] = angle1____
-    q[2, 2] = angle1_
+    q[2, 1] = angle5
+    q[2, 2] = angle2
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_mp
-    q[3, 1] = angle1_____
+    q[3, 1] = angle6
     q[3, 2] = q3_pm
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
     return True
@@ -658,29 +658,29 @@ def _in_tiles(T, q, status):
             v2 = work[576 + k]
             doubt1 = work[608 + k] != 0.0
             angle1 = work[640 + k]
-            angle1_ = work[672 + k]
-            angle1__ = work[704 + k]
-            angle1___ = work[736 + k]
-            angle1____ = work[768 + k]
-            angle1_____ = work[800 + k]
-            q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle1_
+            angle2 = work[672 + k]
+            angle3 = work[704 + k]
+            angle4 = work[736 + k]
+            angle5 = work[768 + k]
+            angle6 = work[800 + k]
+            q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle2
             q1_pp = angle1 + v2
             q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
             _1024 = q1_pp
             work[1024 + k] = _1024
-            _1056 = angle1__
+            _1056 = angle3
             work[1056 + k] = _1056
-            _1088 = angle1_
+            _1088 = angle2
             work[1088 + k] = _1088
-            _1120 = angle1___
+            _1120 = angle4
             work[1120 + k] = _1120
             _1152 = q3_pm
             work[1152 + k] = _1152
             _1184 = q1_mp
             work[1184 + k] = _1184
-            _1216 = angle1____
+            _1216 = angle5
             work[1216 + k] = _1216
-            _1248 = angle1_____
+            _1248 = angle6
             work[1248 + k] = _1248
             work[1280 + k] = UNREACHABLE if _1024 != _1024 else OK
             work[1312 + k] = UNREACHABLE if _1024 != _1024 else OK

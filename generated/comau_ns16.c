@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef COMAU_NS16_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -579,7 +549,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s1_p = v2 + w1 * (wy * inverse1);
     const wide s1_m = v2 + w1 * (inverse1 * -wy);
     const wide angle1 = atan2_wide(s1_p, c1_p);
-    const wide angle1_ = atan2_wide(s1_m, c1_m);
+    const wide angle2 = atan2_wide(s1_m, c1_m);
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34);
@@ -656,104 +626,96 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide v40 = w3_p * v9;
-    const wide angle1__ = atan2_wide(v5 + w3_p * (m1 * Z2_3_p), v7 - v40);
-    const wide v41 = angle1__ - offset2;
-    const wide angle1___ = atan2_wide(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40);
-    const wide v42 = angle1___ - offset2;
+    const wide angle3 = atan2_wide(v5 + w3_p * (m1 * Z2_3_p), v7 - v40);
+    const wide v41 = angle3 - offset2;
+    const wide angle4 = atan2_wide(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40);
+    const wide v42 = angle4 - offset2;
     const wide v43 = w3_m * (m1 * v3);
     const wide v44 = w3_m * v9;
-    const wide angle1____ = atan2_wide(v6 - v43, -(v8 + v44));
-    const wide v45 = angle1____ - offset2;
-    const wide angle1_____ = atan2_wide(v6 + v43, v44 - v8);
-    const wide v46 = angle1_____ - offset2;
-    const wide q2_ppp = v41 - pick_wide(half_turn < v41, all_wide(m8), all_wide(0.0));
-    const wide q2_pmp = v42 - pick_wide(half_turn < v42, all_wide(m8), all_wide(0.0));
-    const wide q2_mpp = v45 - pick_wide(half_turn < v45, all_wide(m8), all_wide(0.0));
-    const wide q2_mmp = v46 - pick_wide(half_turn < v46, all_wide(m8), all_wide(0.0));
-    const wide angle1______ = atan2_wide(w3_p, N3_p - k6);
-    const wide angle1_______ = atan2_wide(w3_m, N3_m - k6);
-    const wide v47 = angle1______ - turn1 - offset3;
-    const wide v48 = offset3 + (turn1 + angle1______);
-    const wide v49 = angle1_______ - turn1 - offset3;
-    const wide v50 = offset3 + (turn1 + angle1_______);
-    const wide q3_ppp = v47 + pick_wide(v47 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q3_pmp = pick_wide(-v48 <= -half_turn, all_wide(m8), all_wide(0.0)) - v48;
-    const wide q3_mpp = v49 + pick_wide(v49 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q3_mmp = pick_wide(-v50 <= -half_turn, all_wide(m8), all_wide(0.0)) - v50;
-    const wide angle1________ = atan2_wide(Y4_p, -X4_pp);
-    const wide angle1_________ = atan2_wide(Y4_p, -X4_pm);
-    const wide angle1__________ = atan2_wide(Y4_m, -X4_mp);
-    const wide angle1___________ = atan2_wide(Y4_m, -X4_mm);
+    const wide angle5 = atan2_wide(v6 - v43, -(v8 + v44));
+    const wide v45 = angle5 - offset2;
+    const wide angle6 = atan2_wide(v6 + v43, v44 - v8);
+    const wide v46 = angle6 - offset2;
+    const wide q2_ppp = v41 - only_wide(half_turn < v41, m8);
+    const wide q2_pmp = v42 - only_wide(half_turn < v42, m8);
+    const wide q2_mpp = v45 - only_wide(half_turn < v45, m8);
+    const wide q2_mmp = v46 - only_wide(half_turn < v46, m8);
+    const wide angle7 = atan2_wide(w3_p, N3_p - k6);
+    const wide angle8 = atan2_wide(w3_m, N3_m - k6);
+    const wide v47 = angle7 - turn1 - offset3;
+    const wide v48 = offset3 + (turn1 + angle7);
+    const wide v49 = angle8 - turn1 - offset3;
+    const wide v50 = offset3 + (turn1 + angle8);
+    const wide q3_ppp = v47 + only_wide(v47 <= -half_turn, m8);
+    const wide q3_pmp = only_wide(-v48 <= -half_turn, m8) - v48;
+    const wide q3_mpp = v49 + only_wide(v49 <= -half_turn, m8);
+    const wide q3_mmp = only_wide(-v50 <= -half_turn, m8) - v50;
+    const wide angle9 = atan2_wide(Y4_p, -X4_pp);
+    const wide angle10 = atan2_wide(Y4_p, -X4_pm);
+    const wide angle11 = atan2_wide(Y4_m, -X4_mp);
+    const wide angle12 = atan2_wide(Y4_m, -X4_mm);
     const wide v51 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
     const wide v52 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
-    const wide v53 = angle1________ - offset4;
-    const wide v54 = angle1________ - v51 - offset4;
-    const wide v55 = angle1_________ - offset4;
-    const wide v56 = angle1_________ - v51 - offset4;
-    const wide v57 = angle1__________ - offset4;
-    const wide v58 = angle1__________ - v52 - offset4;
-    const wide v59 = angle1___________ - offset4;
-    const wide v60 = angle1___________ - v52 - offset4;
-    const wide q4_ppp = v53 + pick_wide(v53 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_ppm = v54 + pick_wide(v54 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_pmp = v55 + pick_wide(v55 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_pmm = v56 + pick_wide(v56 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mpp = v57 + pick_wide(v57 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mpm = v58 + pick_wide(v58 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q4_mmm = v60 + pick_wide(v60 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v28), T33 * c2m3_pp + s2m3_pp * v24);
-    const wide angle1_____________ = atan2_wide(-sqrt_wide(v29), T33 * c2m3_pm + s2m3_pm * v24);
-    const wide angle1______________ = atan2_wide(-sqrt_wide(v30), T33 * c2m3_mp + s2m3_mp * v25);
-    const wide angle1_______________ = atan2_wide(-sqrt_wide(v31), T33 * c2m3_mm + s2m3_mm * v25);
-    const wide v61 = angle1____________ - offset5;
-    const wide v62 = offset5 + angle1____________;
-    const wide v63 = angle1_____________ - offset5;
-    const wide v64 = offset5 + angle1_____________;
-    const wide v65 = angle1______________ - offset5;
-    const wide v66 = offset5 + angle1______________;
-    const wide v67 = angle1_______________ - offset5;
-    const wide v68 = offset5 + angle1_______________;
-    const wide q5_ppp = v61 + pick_wide(v61 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v62 <= -half_turn, all_wide(m8), all_wide(0.0)) - v62;
-    const wide q5_pmp = v63 + pick_wide(v63 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v64 <= -half_turn, all_wide(m8), all_wide(0.0)) - v64;
-    const wide q5_mpp = v65 + pick_wide(v65 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v66 <= -half_turn, all_wide(m8), all_wide(0.0)) - v66;
-    const wide q5_mmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v68 <= -half_turn, all_wide(m8), all_wide(0.0)) - v68;
-    const wide angle1________________ = atan2_wide(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 -
-        s2m3_pp * T32));
-    const wide angle1_________________ = atan2_wide(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 -
-        s2m3_pm * T32));
-    const wide angle1__________________ = atan2_wide(s6_mp, v33 * -X4_mp - Y4_m * (c2m3_mp * v35 -
-        s2m3_mp * T32));
-    const wide angle1___________________ = atan2_wide(s6_mm, v33 * -X4_mm - Y4_m * (c2m3_mm * v35 -
-        s2m3_mm * T32));
-    const wide v69 = angle1________________ - offset6;
-    const wide v70 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), s6_pp) -
-        offset6;
-    const wide v71 = angle1_________________ - offset6;
-    const wide v72 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), s6_pm) -
-        offset6;
-    const wide v73 = angle1__________________ - offset6;
-    const wide v74 = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), s6_mp) -
-        offset6;
-    const wide v75 = angle1___________________ - offset6;
-    const wide v76 = angle1___________________ - h1 * copysign_wide(all_wide(half_turn), s6_mm) -
-        offset6;
-    const wide q6_ppp = v69 + pick_wide(v69 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q6_ppm = v70 + pick_wide(v70 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q6_pmp = v71 + pick_wide(v71 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q6_pmm = v72 + pick_wide(v72 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q6_mpp = v73 + pick_wide(v73 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q6_mpm = v74 + pick_wide(v74 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q6_mmp = v75 + pick_wide(v75 <= -half_turn, all_wide(m8), all_wide(0.0));
-    const wide q6_mmm = v76 + pick_wide(v76 <= -half_turn, all_wide(m8), all_wide(0.0));
+    const wide v53 = angle9 - offset4;
+    const wide v54 = angle9 - v51 - offset4;
+    const wide v55 = angle10 - offset4;
+    const wide v56 = angle10 - v51 - offset4;
+    const wide v57 = angle11 - offset4;
+    const wide v58 = angle11 - v52 - offset4;
+    const wide v59 = angle12 - offset4;
+    const wide v60 = angle12 - v52 - offset4;
+    const wide q4_ppp = v53 + only_wide(v53 <= -half_turn, m8);
+    const wide q4_ppm = v54 + only_wide(v54 <= -half_turn, m8);
+    const wide q4_pmp = v55 + only_wide(v55 <= -half_turn, m8);
+    const wide q4_pmm = v56 + only_wide(v56 <= -half_turn, m8);
+    const wide q4_mpp = v57 + only_wide(v57 <= -half_turn, m8);
+    const wide q4_mpm = v58 + only_wide(v58 <= -half_turn, m8);
+    const wide q4_mmp = v59 + only_wide(v59 <= -half_turn, m8);
+    const wide q4_mmm = v60 + only_wide(v60 <= -half_turn, m8);
+    const wide angle13 = atan2_wide(-sqrt_wide(v28), T33 * c2m3_pp + s2m3_pp * v24);
+    const wide angle14 = atan2_wide(-sqrt_wide(v29), T33 * c2m3_pm + s2m3_pm * v24);
+    const wide angle15 = atan2_wide(-sqrt_wide(v30), T33 * c2m3_mp + s2m3_mp * v25);
+    const wide angle16 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_mm + s2m3_mm * v25);
+    const wide v61 = angle13 - offset5;
+    const wide v62 = offset5 + angle13;
+    const wide v63 = angle14 - offset5;
+    const wide v64 = offset5 + angle14;
+    const wide v65 = angle15 - offset5;
+    const wide v66 = offset5 + angle15;
+    const wide v67 = angle16 - offset5;
+    const wide v68 = offset5 + angle16;
+    const wide q5_ppp = v61 + only_wide(v61 <= -half_turn, m8);
+    const wide q5_ppm = only_wide(-v62 <= -half_turn, m8) - v62;
+    const wide q5_pmp = v63 + only_wide(v63 <= -half_turn, m8);
+    const wide q5_pmm = only_wide(-v64 <= -half_turn, m8) - v64;
+    const wide q5_mpp = v65 + only_wide(v65 <= -half_turn, m8);
+    const wide q5_mpm = only_wide(-v66 <= -half_turn, m8) - v66;
+    const wide q5_mmp = v67 + only_wide(v67 <= -half_turn, m8);
+    const wide q5_mmm = only_wide(-v68 <= -half_turn, m8) - v68;
+    const wide angle17 = atan2_wide(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32));
+    const wide angle18 = atan2_wide(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32));
+    const wide angle19 = atan2_wide(s6_mp, v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32));
+    const wide angle20 = atan2_wide(s6_mm, v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32));
+    const wide v69 = angle17 - offset6;
+    const wide v70 = angle17 - h1 * copysign_wide(all_wide(half_turn), s6_pp) - offset6;
+    const wide v71 = angle18 - offset6;
+    const wide v72 = angle18 - h1 * copysign_wide(all_wide(half_turn), s6_pm) - offset6;
+    const wide v73 = angle19 - offset6;
+    const wide v74 = angle19 - h1 * copysign_wide(all_wide(half_turn), s6_mp) - offset6;
+    const wide v75 = angle20 - offset6;
+    const wide v76 = angle20 - h1 * copysign_wide(all_wide(half_turn), s6_mm) - offset6;
+    const wide q6_ppp = v69 + only_wide(v69 <= -half_turn, m8);
+    const wide q6_ppm = v70 + only_wide(v70 <= -half_turn, m8);
+    const wide q6_pmp = v71 + only_wide(v71 <= -half_turn, m8);
+    const wide q6_pmm = v72 + only_wide(v72 <= -half_turn, m8);
+    const wide q6_mpp = v73 + only_wide(v73 <= -half_turn, m8);
+    const wide q6_mpm = v74 + only_wide(v74 <= -half_turn, m8);
+    const wide q6_mmp = v75 + only_wide(v75 <= -half_turn, m8);
+    const wide q6_mmm = v76 + only_wide(v76 <= -half_turn, m8);
     const wide_mask v77 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v78 = (angle1_ < low1) | (high1 < angle1_);
+    const wide_mask v78 = (angle2 < low1) | (high1 < angle2);
     const wide q1_ppp = angle1 + (w3_p - w3_p);
-    const wide q1_mpp = angle1_ + (w3_m - w3_m);
+    const wide q1_mpp = angle2 + (w3_m - w3_m);
     const wide_mask v79 = ((q3_ppp < low3) | (high3 < q3_ppp)) | (v77 | ((q2_ppp < low2) | (high2 <
         q2_ppp)));
     const wide_mask v80 = ((q3_pmp < low3) | (high3 < q3_pmp)) | (v77 | ((q2_pmp < low2) | (high2 <
@@ -905,30 +867,30 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1_ = atan2_four(v4 + w3 * (m1 * (e2 * Z2_3)), v5 - w3 * v6);
-    const four angle1___ = atan2_four(Y4, -X4);
-    const four angle1____ = atan2_four(-sqrt_four(v17), T33 * c2m3 + s2m3 * v15);
-    const four angle1_____ = atan2_four(s6, v18 * -X4 - Y4 * (c2m3 * v19 - s2m3 * T32));
+    const four angle2 = atan2_four(v4 + w3 * (m1 * (e2 * Z2_3)), v5 - w3 * v6);
+    const four angle4 = atan2_four(Y4, -X4);
+    const four angle5 = atan2_four(-sqrt_four(v17), T33 * c2m3 + s2m3 * v15);
+    const four angle6 = atan2_four(s6, v18 * -X4 - Y4 * (c2m3 * v19 - s2m3 * T32));
     const four packed5 = atan2_four(__builtin_shufflevector(s1, w3, 0, 5, 2, 7),
         __builtin_shufflevector(c1, N3 - k6, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four v22 = angle1_ - offset2;
-    const four q2_p = v22 - pick_four(half_turn < v22, all_four(m8), all_four(0.0));
-    const four v23 = e2 * angle1__ - turn1 - offset3;
-    const four q3_p = v23 + pick_four(v23 <= -half_turn, all_four(m8), all_four(0.0));
-    const four v25 = angle1___ - offset4;
-    const four v26 = angle1___ - v24 - offset4;
-    const four q4_p = v25 + pick_four(v25 <= -half_turn, all_four(m8), all_four(0.0));
-    const four q4_m = v26 + pick_four(v26 <= -half_turn, all_four(m8), all_four(0.0));
-    const four v27 = angle1____ - offset5;
-    const four v28 = offset5 + angle1____;
-    const four q5_p = v27 + pick_four(v27 <= -half_turn, all_four(m8), all_four(0.0));
-    const four q5_m = pick_four(-v28 <= -half_turn, all_four(m8), all_four(0.0)) - v28;
-    const four v29 = angle1_____ - offset6;
-    const four v30 = angle1_____ - h1 * copysign_four(all_four(half_turn), s6) - offset6;
-    const four q6_p = v29 + pick_four(v29 <= -half_turn, all_four(m8), all_four(0.0));
-    const four q6_m = v30 + pick_four(v30 <= -half_turn, all_four(m8), all_four(0.0));
+    const four angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four v22 = angle2 - offset2;
+    const four q2_p = v22 - only_four(half_turn < v22, m8);
+    const four v23 = e2 * angle3 - turn1 - offset3;
+    const four q3_p = v23 + only_four(v23 <= -half_turn, m8);
+    const four v25 = angle4 - offset4;
+    const four v26 = angle4 - v24 - offset4;
+    const four q4_p = v25 + only_four(v25 <= -half_turn, m8);
+    const four q4_m = v26 + only_four(v26 <= -half_turn, m8);
+    const four v27 = angle5 - offset5;
+    const four v28 = offset5 + angle5;
+    const four q5_p = v27 + only_four(v27 <= -half_turn, m8);
+    const four q5_m = only_four(-v28 <= -half_turn, m8) - v28;
+    const four v29 = angle6 - offset6;
+    const four v30 = angle6 - h1 * copysign_four(all_four(half_turn), s6) - offset6;
+    const four q6_p = v29 + only_four(v29 <= -half_turn, m8);
+    const four q6_m = v30 + only_four(v30 <= -half_turn, m8);
     const four_mask v31 = (angle1 < low1) | (high1 < angle1);
     const four q1_p = angle1 + (w3 - w3);
     const four_mask v32 = ((q3_p < low3) | (high3 < q3_p)) | (v31 | ((q2_p < low2) | (high2 <

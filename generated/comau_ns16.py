@@ -717,51 +717,51 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
-    angle1___________________ = room[19]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
+    angle20 = room[19]
 
     # joint values
-    v41 = angle1__ - offset2
-    v42 = angle1___ - offset2
-    v45 = angle1____ - offset2
-    v46 = angle1_____ - offset2
+    v41 = angle3 - offset2
+    v42 = angle4 - offset2
+    v45 = angle5 - offset2
+    v46 = angle6 - offset2
     q2_ppp = v41 - (m8 if half_turn < v41 else 0.0)
     q2_pmp = v42 - (m8 if half_turn < v42 else 0.0)
     q2_mpp = v45 - (m8 if half_turn < v45 else 0.0)
     q2_mmp = v46 - (m8 if half_turn < v46 else 0.0)
-    v47 = angle1______ - turn1 - offset3
-    v48 = offset3 + (turn1 + angle1______)
-    v49 = angle1_______ - turn1 - offset3
-    v50 = offset3 + (turn1 + angle1_______)
+    v47 = angle7 - turn1 - offset3
+    v48 = offset3 + (turn1 + angle7)
+    v49 = angle8 - turn1 - offset3
+    v50 = offset3 + (turn1 + angle8)
     q3_ppp = v47 + (m8 if v47 <= -half_turn else 0.0)
     q3_pmp = (m8 if -v48 <= -half_turn else 0.0) - v48
     q3_mpp = v49 + (m8 if v49 <= -half_turn else 0.0)
     q3_mmp = (m8 if -v50 <= -half_turn else 0.0) - v50
-    v53 = angle1________ - offset4
-    v54 = angle1________ - v51 - offset4
-    v55 = angle1_________ - offset4
-    v56 = angle1_________ - v51 - offset4
-    v57 = angle1__________ - offset4
-    v58 = angle1__________ - v52 - offset4
-    v59 = angle1___________ - offset4
-    v60 = angle1___________ - v52 - offset4
+    v53 = angle9 - offset4
+    v54 = angle9 - v51 - offset4
+    v55 = angle10 - offset4
+    v56 = angle10 - v51 - offset4
+    v57 = angle11 - offset4
+    v58 = angle11 - v52 - offset4
+    v59 = angle12 - offset4
+    v60 = angle12 - v52 - offset4
     q4_ppp = v53 + (m8 if v53 <= -half_turn else 0.0)
     q4_ppm = v54 + (m8 if v54 <= -half_turn else 0.0)
     q4_pmp = v55 + (m8 if v55 <= -half_turn else 0.0)
@@ -770,14 +770,14 @@ def _regular(pose, q, status):
     q4_mpm = v58 + (m8 if v58 <= -half_turn else 0.0)
     q4_mmp = v59 + (m8 if v59 <= -half_turn else 0.0)
     q4_mmm = v60 + (m8 if v60 <= -half_turn else 0.0)
-    v61 = angle1____________ - offset5
-    v62 = offset5 + angle1____________
-    v63 = angle1_____________ - offset5
-    v64 = offset5 + angle1_____________
-    v65 = angle1______________ - offset5
-    v66 = offset5 + angle1______________
-    v67 = angle1_______________ - offset5
-    v68 = offset5 + angle1_______________
+    v61 = angle13 - offset5
+    v62 = offset5 + angle13
+    v63 = angle14 - offset5
+    v64 = offset5 + angle14
+    v65 = angle15 - offset5
+    v66 = offset5 + angle15
+    v67 = angle16 - offset5
+    v68 = offset5 + angle16
     q5_ppp = v61 + (m8 if v61 <= -half_turn else 0.0)
     q5_ppm = (m8 if -v62 <= -half_turn else 0.0) - v62
     q5_pmp = v63 + (m8 if v63 <= -half_turn else 0.0)
@@ -786,14 +786,14 @@ def _regular(pose, q, status):
     q5_mpm = (m8 if -v66 <= -half_turn else 0.0) - v66
     q5_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
     q5_mmm = (m8 if -v68 <= -half_turn else 0.0) - v68
-    v69 = angle1________________ - offset6
-    v70 = angle1________________ - h1 * math.copysign(half_turn, s6_pp) - offset6
-    v71 = angle1_________________ - offset6
-    v72 = angle1_________________ - h1 * math.copysign(half_turn, s6_pm) - offset6
-    v73 = angle1__________________ - offset6
-    v74 = angle1__________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
-    v75 = angle1___________________ - offset6
-    v76 = angle1___________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
+    v69 = angle17 - offset6
+    v70 = angle17 - h1 * math.copysign(half_turn, s6_pp) - offset6
+    v71 = angle18 - offset6
+    v72 = angle18 - h1 * math.copysign(half_turn, s6_pm) - offset6
+    v73 = angle19 - offset6
+    v74 = angle19 - h1 * math.copysign(half_turn, s6_mp) - offset6
+    v75 = angle20 - offset6
+    v76 = angle20 - h1 * math.copysign(half_turn, s6_mm) - offset6
     q6_ppp = v69 + (m8 if v69 <= -half_turn else 0.0)
     q6_ppm = v70 + (m8 if v70 <= -half_turn else 0.0)
     q6_pmp = v71 + (m8 if v71 <= -half_turn else 0.0)
@@ -803,9 +803,9 @@ def _regular(pose, q, status):
     q6_mmp = v75 + (m8 if v75 <= -half_turn else 0.0)
     q6_mmm = v76 + (m8 if v76 <= -half_turn else 0.0)
     v77 = angle1 < low1 or high1 < angle1
-    v78 = angle1_ < low1 or high1 < angle1_
+    v78 = angle2 < low1 or high1 < angle2
     q1_ppp = angle1 + (w3_p - w3_p)
-    q1_mpp = angle1_ + (w3_m - w3_m)
+    q1_mpp = angle2 + (w3_m - w3_m)
     v79 = q3_ppp < low3 or high3 < q3_ppp or (v77 or (q2_ppp < low2 or high2 < q2_ppp))
     v80 = q3_pmp < low3 or high3 < q3_pmp or (v77 or (q2_pmp < low2 or high2 < q2_pmp))
     v81 = q3_mpp < low3 or high3 < q3_mpp or (v78 or (q2_mpp < low2 or high2 < q2_mpp))
@@ -1241,49 +1241,49 @@ def _in_tiles(T, q, status):
             v52 = work[768 + k]
             doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
-            angle1_ = work[864 + k]
-            angle1__ = work[896 + k]
-            angle1___ = work[928 + k]
-            angle1____ = work[960 + k]
-            angle1_____ = work[992 + k]
-            angle1______ = work[1024 + k]
-            angle1_______ = work[1056 + k]
-            angle1________ = work[1088 + k]
-            angle1_________ = work[1120 + k]
-            angle1__________ = work[1152 + k]
-            angle1___________ = work[1184 + k]
-            angle1____________ = work[1216 + k]
-            angle1_____________ = work[1248 + k]
-            angle1______________ = work[1280 + k]
-            angle1_______________ = work[1312 + k]
-            angle1________________ = work[1344 + k]
-            angle1_________________ = work[1376 + k]
-            angle1__________________ = work[1408 + k]
-            angle1___________________ = work[1440 + k]
-            v41 = angle1__ - offset2
-            v42 = angle1___ - offset2
-            v45 = angle1____ - offset2
-            v46 = angle1_____ - offset2
+            angle2 = work[864 + k]
+            angle3 = work[896 + k]
+            angle4 = work[928 + k]
+            angle5 = work[960 + k]
+            angle6 = work[992 + k]
+            angle7 = work[1024 + k]
+            angle8 = work[1056 + k]
+            angle9 = work[1088 + k]
+            angle10 = work[1120 + k]
+            angle11 = work[1152 + k]
+            angle12 = work[1184 + k]
+            angle13 = work[1216 + k]
+            angle14 = work[1248 + k]
+            angle15 = work[1280 + k]
+            angle16 = work[1312 + k]
+            angle17 = work[1344 + k]
+            angle18 = work[1376 + k]
+            angle19 = work[1408 + k]
+            angle20 = work[1440 + k]
+            v41 = angle3 - offset2
+            v42 = angle4 - offset2
+            v45 = angle5 - offset2
+            v46 = angle6 - offset2
             q2_ppp = v41 - (m8 if half_turn < v41 else 0.0)
             q2_pmp = v42 - (m8 if half_turn < v42 else 0.0)
             q2_mpp = v45 - (m8 if half_turn < v45 else 0.0)
             q2_mmp = v46 - (m8 if half_turn < v46 else 0.0)
-            v47 = angle1______ - turn1 - offset3
-            v48 = offset3 + (turn1 + angle1______)
-            v49 = angle1_______ - turn1 - offset3
-            v50 = offset3 + (turn1 + angle1_______)
+            v47 = angle7 - turn1 - offset3
+            v48 = offset3 + (turn1 + angle7)
+            v49 = angle8 - turn1 - offset3
+            v50 = offset3 + (turn1 + angle8)
             q3_ppp = v47 + (m8 if v47 <= -half_turn else 0.0)
             q3_pmp = (m8 if -v48 <= -half_turn else 0.0) - v48
             q3_mpp = v49 + (m8 if v49 <= -half_turn else 0.0)
             q3_mmp = (m8 if -v50 <= -half_turn else 0.0) - v50
-            v53 = angle1________ - offset4
-            v54 = angle1________ - v51 - offset4
-            v55 = angle1_________ - offset4
-            v56 = angle1_________ - v51 - offset4
-            v57 = angle1__________ - offset4
-            v58 = angle1__________ - v52 - offset4
-            v59 = angle1___________ - offset4
-            v60 = angle1___________ - v52 - offset4
+            v53 = angle9 - offset4
+            v54 = angle9 - v51 - offset4
+            v55 = angle10 - offset4
+            v56 = angle10 - v51 - offset4
+            v57 = angle11 - offset4
+            v58 = angle11 - v52 - offset4
+            v59 = angle12 - offset4
+            v60 = angle12 - v52 - offset4
             q4_ppp = v53 + (m8 if v53 <= -half_turn else 0.0)
             q4_ppm = v54 + (m8 if v54 <= -half_turn else 0.0)
             q4_pmp = v55 + (m8 if v55 <= -half_turn else 0.0)
@@ -1292,14 +1292,14 @@ def _in_tiles(T, q, status):
             q4_mpm = v58 + (m8 if v58 <= -half_turn else 0.0)
             q4_mmp = v59 + (m8 if v59 <= -half_turn else 0.0)
             q4_mmm = v60 + (m8 if v60 <= -half_turn else 0.0)
-            v61 = angle1____________ - offset5
-            v62 = offset5 + angle1____________
-            v63 = angle1_____________ - offset5
-            v64 = offset5 + angle1_____________
-            v65 = angle1______________ - offset5
-            v66 = offset5 + angle1______________
-            v67 = angle1_______________ - offset5
-            v68 = offset5 + angle1_______________
+            v61 = angle13 - offset5
+            v62 = offset5 + angle13
+            v63 = angle14 - offset5
+            v64 = offset5 + angle14
+            v65 = angle15 - offset5
+            v66 = offset5 + angle15
+            v67 = angle16 - offset5
+            v68 = offset5 + angle16
             q5_ppp = v61 + (m8 if v61 <= -half_turn else 0.0)
             q5_ppm = (m8 if -v62 <= -half_turn else 0.0) - v62
             q5_pmp = v63 + (m8 if v63 <= -half_turn else 0.0)
@@ -1308,14 +1308,14 @@ def _in_tiles(T, q, status):
             q5_mpm = (m8 if -v66 <= -half_turn else 0.0) - v66
             q5_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
             q5_mmm = (m8 if -v68 <= -half_turn else 0.0) - v68
-            v69 = angle1________________ - offset6
-            v70 = angle1________________ - h1 * math.copysign(half_turn, s6_pp) - offset6
-            v71 = angle1_________________ - offset6
-            v72 = angle1_________________ - h1 * math.copysign(half_turn, s6_pm) - offset6
-            v73 = angle1__________________ - offset6
-            v74 = angle1__________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
-            v75 = angle1___________________ - offset6
-            v76 = angle1___________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
+            v69 = angle17 - offset6
+            v70 = angle17 - h1 * math.copysign(half_turn, s6_pp) - offset6
+            v71 = angle18 - offset6
+            v72 = angle18 - h1 * math.copysign(half_turn, s6_pm) - offset6
+            v73 = angle19 - offset6
+            v74 = angle19 - h1 * math.copysign(half_turn, s6_mp) - offset6
+            v75 = angle20 - offset6
+            v76 = angle20 - h1 * math.copysign(half_turn, s6_mm) - offset6
             q6_ppp = v69 + (m8 if v69 <= -half_turn else 0.0)
             q6_ppm = v70 + (m8 if v70 <= -half_turn else 0.0)
             q6_pmp = v71 + (m8 if v71 <= -half_turn else 0.0)
@@ -1325,9 +1325,9 @@ def _in_tiles(T, q, status):
             q6_mmp = v75 + (m8 if v75 <= -half_turn else 0.0)
             q6_mmm = v76 + (m8 if v76 <= -half_turn else 0.0)
             v77 = angle1 < low1 or high1 < angle1
-            v78 = angle1_ < low1 or high1 < angle1_
+            v78 = angle2 < low1 or high1 < angle2
             q1_ppp = angle1 + (w3_p - w3_p)
-            q1_mpp = angle1_ + (w3_m - w3_m)
+            q1_mpp = angle2 + (w3_m - w3_m)
             v79 = q3_ppp < low3 or high3 < q3_ppp or (v77 or (q2_ppp < low2 or high2 < q2_ppp))
             v80 = q3_pmp < low3 or high3 < q3_pmp or (v77 or (q2_pmp < low2 or high2 < q2_pmp))
             v81 = q3_mpp < low3 or high3 < q3_mpp or (v78 or (q2_mpp < low2 or high2 < q2_mpp))

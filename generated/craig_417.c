@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef CRAIG_417_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -550,8 +520,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide c3_m = C3_m * factor3_m;
     const wide v42 = v36 * factor3_p;
     const wide v43 = v37 * factor3_m;
-    const wide angle1_ = atan2_wide(-v42, c3_p);
-    const wide angle1__ = atan2_wide(-v43, c3_m);
+    const wide angle2 = atan2_wide(-v42, c3_p);
+    const wide angle3 = atan2_wide(-v43, c3_m);
 
     /* is the pose one that the arm can take? */
     const wide v44 = c1_p * c2;
@@ -601,22 +571,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         s34_m * v60)))))))))) <= pose_slack, all_wide(0.0), all_wide(v66));
 
     /* joint values */
-    const wide angle1___ = atan2_wide(v22, v26);
-    const wide v71 = angle1___ - angle1_;
-    const wide angle1____ = atan2_wide(v23, v27);
-    const wide v72 = angle1____ - angle1__;
-    const wide angle1_____ = atan2_wide(-v13, c1_p);
-    const wide q1_p = v69 + (v67 + angle1_____);
-    const wide angle1______ = atan2_wide(-v14, c1_m);
-    const wide q1_m = v70 + (v68 + angle1______);
+    const wide angle4 = atan2_wide(v22, v26);
+    const wide v71 = angle4 - angle2;
+    const wide angle5 = atan2_wide(v23, v27);
+    const wide v72 = angle5 - angle3;
+    const wide angle6 = atan2_wide(-v13, c1_p);
+    const wide q1_p = v69 + (v67 + angle6);
+    const wide angle7 = atan2_wide(-v14, c1_m);
+    const wide q1_m = v70 + (v68 + angle7);
     const wide q2_p = v69 + (angle1 + v67);
     const wide q2_m = v70 + (v68 - angle1);
-    const wide q3_p = v69 + (angle1_ + v67);
-    const wide q3_m = v70 + (angle1__ + v68);
-    const wide q4_p = v69 + (v67 + (v71 - pick_wide(half_turn < v71, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v71 <= -half_turn, all_wide(m6), all_wide(0.0))));
-    const wide q4_m = v70 + (v68 + (v72 - pick_wide(half_turn < v72, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v72 <= -half_turn, all_wide(m6), all_wide(0.0))));
+    const wide q3_p = v69 + (angle2 + v67);
+    const wide q3_m = v70 + (angle3 + v68);
+    const wide q4_p = v69 + (v67 + (v71 - only_wide(half_turn < v71, m6) + only_wide(v71 <=
+        -half_turn, m6)));
+    const wide q4_m = v70 + (v68 + (v72 - only_wide(half_turn < v72, m6) + only_wide(v72 <=
+        -half_turn, m6)));
     const wide_mask doubt1 = ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))) | (free1 | ((v41 <= m5) |
         ((v29 <= m1) | ((v40 <= m5) | ((v28 <= m1) | (v16 <= m1))))));
 
@@ -731,18 +701,18 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     const four packed1 = atan2_four(__builtin_shufflevector(-v31, v18, 0, 1, 6, 7),
         __builtin_shufflevector(c3, v21, 0, 1, 6, 7));
-    const four angle1_ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
-    const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
+    const four angle2 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
+    const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
     const four packed2 = atan2_four(__builtin_shufflevector(-v9, all_four(-S2), 0, 1, 6, 3),
         __builtin_shufflevector(c1, all_four(v10), 0, 1, 6, 3));
-    const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
+    const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four v49 = angle1__ - angle1_;
-    const four q1 = v48 + (v47 + angle1___);
+    const four v49 = angle3 - angle2;
+    const four q1 = v48 + (v47 + angle4);
     const four q2 = v48 + (v47 + e1 * angle1);
-    const four q3 = v48 + (angle1_ + v47);
-    const four q4 = v48 + (v47 + (v49 - pick_four(half_turn < v49, all_four(m6), all_four(0.0)) +
-        pick_four(v49 <= -half_turn, all_four(m6), all_four(0.0))));
+    const four q3 = v48 + (angle2 + v47);
+    const four q4 = v48 + (v47 + (v49 - only_four(half_turn < v49, m6) + only_four(v49 <=
+        -half_turn, m6)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

@@ -590,22 +590,22 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
 
     # joint values
-    v71 = angle1___ - angle1_
-    v72 = angle1____ - angle1__
-    q1_p = v69 + (v67 + angle1_____)
-    q1_m = v70 + (v68 + angle1______)
+    v71 = angle4 - angle2
+    v72 = angle5 - angle3
+    q1_p = v69 + (v67 + angle6)
+    q1_m = v70 + (v68 + angle7)
     q2_p = v69 + (angle1 + v67)
     q2_m = v70 + (v68 - angle1)
-    q3_p = v69 + (angle1_ + v67)
-    q3_m = v70 + (angle1__ + v68)
+    q3_p = v69 + (angle2 + v67)
+    q3_m = v70 + (angle3 + v68)
     q4_p = (
         v69 + (v67 + (v71 - (m6 if half_turn < v71 else 0.0) + (m6 if v71 <= -half_turn else 0.0)))
     )
@@ -977,20 +977,20 @@ def _in_tiles(T, q, status):
             v70 = work[640 + k]
             doubt1 = work[672 + k] != 0.0
             angle1 = work[704 + k]
-            angle1_ = work[736 + k]
-            angle1__ = work[768 + k]
-            angle1___ = work[800 + k]
-            angle1____ = work[832 + k]
-            angle1_____ = work[864 + k]
-            angle1______ = work[896 + k]
-            v71 = angle1___ - angle1_
-            v72 = angle1____ - angle1__
-            q1_p = v69 + (v67 + angle1_____)
-            q1_m = v70 + (v68 + angle1______)
+            angle2 = work[736 + k]
+            angle3 = work[768 + k]
+            angle4 = work[800 + k]
+            angle5 = work[832 + k]
+            angle6 = work[864 + k]
+            angle7 = work[896 + k]
+            v71 = angle4 - angle2
+            v72 = angle5 - angle3
+            q1_p = v69 + (v67 + angle6)
+            q1_m = v70 + (v68 + angle7)
             q2_p = v69 + (angle1 + v67)
             q2_m = v70 + (v68 - angle1)
-            q3_p = v69 + (angle1_ + v67)
-            q3_m = v70 + (angle1__ + v68)
+            q3_p = v69 + (angle2 + v67)
+            q3_m = v70 + (angle3 + v68)
             q4_p = (
                 v69 + (v67 + (v71 - (m6 if half_turn < v71 else 0.0) + (m6 if v71 <= -half_turn else
                 0.0)))

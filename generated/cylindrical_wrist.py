@@ -429,21 +429,21 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
 
     # theta1, r3, type 4: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
     q1_mp = angle1 - math.copysign(half_turn, s1) * h1
 
     # theta4, type 2: U4[3, 3]
-    q4_pm = angle1_ - h1 * math.copysign(half_turn, T33)
+    q4_pm = angle2 - h1 * math.copysign(half_turn, T33)
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    q5_mp = h1 * math.copysign(half_turn, -math.sqrt(v3)) - angle1__
+    q5_mp = h1 * math.copysign(half_turn, -math.sqrt(v3)) - angle3
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_pm = angle1___ - h1 * math.copysign(half_turn, v4)
+    q6_pm = angle4 - h1 * math.copysign(half_turn, v4)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -451,15 +451,15 @@ def _regular(pose, q, status):
     q[0, 0] = angle1
     q[0, 1] = q2_pp
     q[0, 2] = q3_pp
-    q[0, 3] = angle1_
-    q[0, 4] = angle1__
-    q[0, 5] = angle1___
+    q[0, 3] = angle2
+    q[0, 4] = angle3
+    q[0, 5] = angle4
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = angle1
     q[1, 1] = q2_pp
     q[1, 2] = q3_pp
     q[1, 3] = q4_pm
-    q[1, 4] = -angle1__
+    q[1, 4] = -angle3
     q[1, 5] = q6_pm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_mp
@@ -472,9 +472,9 @@ def _regular(pose, q, status):
     q[3, 0] = q1_mp
     q[3, 1] = q2_pp
     q[3, 2] = -q3_pp
-    q[3, 3] = -angle1_
+    q[3, 3] = -angle2
     q[3, 4] = -q5_mp
-    q[3, 5] = angle1___
+    q[3, 5] = angle4
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
     return True
 
@@ -721,28 +721,28 @@ def _in_tiles(T, q, status):
             v4 = work[672 + k]
             doubt1 = work[704 + k] != 0.0
             angle1 = work[736 + k]
-            angle1_ = work[768 + k]
-            angle1__ = work[800 + k]
-            angle1___ = work[832 + k]
+            angle2 = work[768 + k]
+            angle3 = work[800 + k]
+            angle4 = work[832 + k]
             q1_mp = angle1 - math.copysign(half_turn, s1) * h1
-            q4_pm = angle1_ - h1 * math.copysign(half_turn, T33)
-            q5_mp = h1 * math.copysign(half_turn, -math.sqrt(v3)) - angle1__
-            q6_pm = angle1___ - h1 * math.copysign(half_turn, v4)
+            q4_pm = angle2 - h1 * math.copysign(half_turn, T33)
+            q5_mp = h1 * math.copysign(half_turn, -math.sqrt(v3)) - angle3
+            q6_pm = angle4 - h1 * math.copysign(half_turn, v4)
             _992 = angle1
             work[992 + k] = _992
             _1024 = q2_pp
             work[1024 + k] = _1024
             _1056 = q3_pp
             work[1056 + k] = _1056
-            _1088 = angle1_
+            _1088 = angle2
             work[1088 + k] = _1088
-            _1120 = angle1__
+            _1120 = angle3
             work[1120 + k] = _1120
-            _1152 = angle1___
+            _1152 = angle4
             work[1152 + k] = _1152
             _1184 = q4_pm
             work[1184 + k] = _1184
-            _1216 = -angle1__
+            _1216 = -angle3
             work[1216 + k] = _1216
             _1248 = q6_pm
             work[1248 + k] = _1248
@@ -754,7 +754,7 @@ def _in_tiles(T, q, status):
             work[1344 + k] = _1344
             _1376 = q5_mp
             work[1376 + k] = _1376
-            _1408 = -angle1_
+            _1408 = -angle2
             work[1408 + k] = _1408
             _1440 = -q5_mp
             work[1440 + k] = _1440

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef DENSO_VS060_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -614,15 +584,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v22 = v15 + factor2 * (c4_mp * v18);
     const wide v23 = v15 + factor2 * (c4_mm * v19);
     const wide angle1 = atan2_wide(-v14, v16);
-    const wide angle1_ = atan2_wide(-v14, v17);
-    const wide angle1__ = atan2_wide(v14, v18);
-    const wide angle1___ = atan2_wide(v14, v19);
+    const wide angle2 = atan2_wide(-v14, v17);
+    const wide angle3 = atan2_wide(v14, v18);
+    const wide angle4 = atan2_wide(v14, v19);
     const wide v24 = copysign_wide(all_wide(half_turn), -v14) * h1;
     const wide v25 = copysign_wide(all_wide(half_turn), v14) * h1;
     const wide q4_ppm = angle1 - v24;
-    const wide q4_pmm = angle1_ - v24;
-    const wide q4_mpm = angle1__ - v25;
-    const wide q4_mmm = angle1___ - v25;
+    const wide q4_pmm = angle2 - v24;
+    const wide q4_mpm = angle3 - v25;
+    const wide q4_mmm = angle4 - v25;
 
     /* theta6 */
     const wide v26 = w1 * (v2 * (X1 * T22 + wy * T12));
@@ -633,66 +603,62 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29);
     const wide v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28;
     const wide v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28;
-    const wide angle1____ = atan2_wide(v30, c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27));
-    const wide angle1_____ = atan2_wide(v31, c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27));
-    const wide angle1______ = atan2_wide(v32, v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26);
-    const wide angle1_______ = atan2_wide(v33, v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26);
-    const wide q6_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v30);
-    const wide q6_pmm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v31);
-    const wide q6_mpm = angle1______ - h1 * copysign_wide(all_wide(half_turn), v32);
-    const wide q6_mmm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v33);
+    const wide angle5 = atan2_wide(v30, c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27));
+    const wide angle6 = atan2_wide(v31, c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27));
+    const wide angle7 = atan2_wide(v32, v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26);
+    const wide angle8 = atan2_wide(v33, v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26);
+    const wide q6_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v30);
+    const wide q6_pmm = angle6 - h1 * copysign_wide(all_wide(half_turn), v31);
+    const wide q6_mpm = angle7 - h1 * copysign_wide(all_wide(half_turn), v32);
+    const wide q6_mmm = angle8 - h1 * copysign_wide(all_wide(half_turn), v33);
 
     /* joint values */
-    const wide angle1________ = atan2_wide(wy, -X1);
-    const wide v34 = angle1________ - offset1;
-    const wide v35 = angle1________ - h1 * copysign_wide(all_wide(half_turn), wy) - offset1;
-    const wide q1__p = v34 + pick_wide(v34 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q1__m = v35 + pick_wide(v35 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide angle1_________ = atan2_wide(S2_pp, C2_pp);
-    const wide v36 = angle1_________ - offset2;
-    const wide angle1__________ = atan2_wide(S2_pm, C2_pm);
-    const wide v37 = angle1__________ - offset2;
-    const wide angle1___________ = atan2_wide(S2_pm, C2_mp);
-    const wide v38 = angle1___________ - offset2;
-    const wide angle1____________ = atan2_wide(S2_pp, C2_mm);
-    const wide v39 = angle1____________ - offset2;
-    const wide q2_ppp = v36 + pick_wide(v36 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q2_pmp = v37 + pick_wide(v37 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q2_mpp = v38 + pick_wide(v38 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q2_mmp = v39 + pick_wide(v39 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide angle1_____________ = atan2_wide(w3, N3 - k3);
-    const wide v40 = angle1_____________ - turn1 - offset3;
-    const wide v41 = offset3 + (turn1 + angle1_____________);
-    const wide q3_ppp = v40 - pick_wide(half_turn < v40, all_wide(m10), all_wide(0.0));
-    const wide angle1______________ = atan2_wide(sqrt_wide(v20), factor2 * (s23_pp * v13 - T33 *
-        c23_pp));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v21), factor2 * (s23_pm * v13 - T33 *
-        c23_pm));
-    const wide angle1________________ = atan2_wide(sqrt_wide(v22), -(factor2 * (s23_mp * v13 + T33 *
-        c23_mp)));
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v23), -(factor2 * (s23_mm * v13 + T33
-        * c23_mm)));
-    const wide v42 = angle1______________ - offset5;
-    const wide v43 = offset5 + angle1______________;
-    const wide v44 = angle1_______________ - offset5;
-    const wide v45 = offset5 + angle1_______________;
-    const wide v46 = angle1________________ - offset5;
-    const wide v47 = offset5 + angle1________________;
-    const wide v48 = angle1_________________ - offset5;
-    const wide v49 = offset5 + angle1_________________;
-    const wide q5_ppp = v42 + pick_wide(v42 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v43 <= -half_turn, all_wide(m10), all_wide(0.0)) - v43;
-    const wide q5_pmp = v44 + pick_wide(v44 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v45 <= -half_turn, all_wide(m10), all_wide(0.0)) - v45;
-    const wide q5_mpp = v46 + pick_wide(v46 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v47 <= -half_turn, all_wide(m10), all_wide(0.0)) - v47;
-    const wide q5_mmp = v48 + pick_wide(v48 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v49 <= -half_turn, all_wide(m10), all_wide(0.0)) - v49;
+    const wide angle9 = atan2_wide(wy, -X1);
+    const wide v34 = angle9 - offset1;
+    const wide v35 = angle9 - h1 * copysign_wide(all_wide(half_turn), wy) - offset1;
+    const wide q1__p = v34 + only_wide(v34 <= -half_turn, m10);
+    const wide q1__m = v35 + only_wide(v35 <= -half_turn, m10);
+    const wide angle10 = atan2_wide(S2_pp, C2_pp);
+    const wide v36 = angle10 - offset2;
+    const wide angle11 = atan2_wide(S2_pm, C2_pm);
+    const wide v37 = angle11 - offset2;
+    const wide angle12 = atan2_wide(S2_pm, C2_mp);
+    const wide v38 = angle12 - offset2;
+    const wide angle13 = atan2_wide(S2_pp, C2_mm);
+    const wide v39 = angle13 - offset2;
+    const wide q2_ppp = v36 + only_wide(v36 <= -half_turn, m10);
+    const wide q2_pmp = v37 + only_wide(v37 <= -half_turn, m10);
+    const wide q2_mpp = v38 + only_wide(v38 <= -half_turn, m10);
+    const wide q2_mmp = v39 + only_wide(v39 <= -half_turn, m10);
+    const wide angle14 = atan2_wide(w3, N3 - k3);
+    const wide v40 = angle14 - turn1 - offset3;
+    const wide v41 = offset3 + (turn1 + angle14);
+    const wide q3_ppp = v40 - only_wide(half_turn < v40, m10);
+    const wide angle15 = atan2_wide(sqrt_wide(v20), factor2 * (s23_pp * v13 - T33 * c23_pp));
+    const wide angle16 = atan2_wide(sqrt_wide(v21), factor2 * (s23_pm * v13 - T33 * c23_pm));
+    const wide angle17 = atan2_wide(sqrt_wide(v22), -(factor2 * (s23_mp * v13 + T33 * c23_mp)));
+    const wide angle18 = atan2_wide(sqrt_wide(v23), -(factor2 * (s23_mm * v13 + T33 * c23_mm)));
+    const wide v42 = angle15 - offset5;
+    const wide v43 = offset5 + angle15;
+    const wide v44 = angle16 - offset5;
+    const wide v45 = offset5 + angle16;
+    const wide v46 = angle17 - offset5;
+    const wide v47 = offset5 + angle17;
+    const wide v48 = angle18 - offset5;
+    const wide v49 = offset5 + angle18;
+    const wide q5_ppp = v42 + only_wide(v42 <= -half_turn, m10);
+    const wide q5_ppm = only_wide(-v43 <= -half_turn, m10) - v43;
+    const wide q5_pmp = v44 + only_wide(v44 <= -half_turn, m10);
+    const wide q5_pmm = only_wide(-v45 <= -half_turn, m10) - v45;
+    const wide q5_mpp = v46 + only_wide(v46 <= -half_turn, m10);
+    const wide q5_mpm = only_wide(-v47 <= -half_turn, m10) - v47;
+    const wide q5_mmp = v48 + only_wide(v48 <= -half_turn, m10);
+    const wide q5_mmm = only_wide(-v49 <= -half_turn, m10) - v49;
     const wide_mask v50 = (q1__p < low1) | (high1 < q1__p);
     const wide_mask v51 = (q1__m < low1) | (high1 < q1__m);
     const wide_mask v52 = (q3_ppp < low3) | (high3 < q3_ppp);
-    const wide_mask v53 = (-(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0))) <
-        low3) | (high3 < -(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0))));
+    const wide_mask v53 = (-(v41 + only_wide(half_turn < -v41, m10)) < low3) | (high3 < -(v41 +
+        only_wide(half_turn < -v41, m10)));
     const wide q1_ppp = v3 + q1__p;
     const wide q1_mpp = v3 + q1__m;
     const wide_mask v54 = v52 | (v50 | ((q2_ppp < low2) | (high2 < q2_ppp)));
@@ -716,7 +682,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[2] = q3_ppp;
     q[3] = angle1;
     q[4] = q5_ppp;
-    q[5] = angle1____;
+    q[5] = angle5;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -727,14 +693,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp;
     q[13] = q2_pmp;
-    q[14] = -(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0)));
-    q[15] = angle1_;
+    q[14] = -(v41 + only_wide(half_turn < -v41, m10));
+    q[15] = angle2;
     q[16] = q5_pmp;
-    q[17] = angle1_____;
+    q[17] = angle6;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
-    q[20] = -(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0)));
+    q[20] = -(v41 + only_wide(half_turn < -v41, m10));
     q[21] = q4_pmm;
     q[22] = q5_pmm;
     q[23] = q6_pmm;
@@ -742,9 +708,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_ppp;
-    q[27] = angle1__;
+    q[27] = angle3;
     q[28] = q5_mpp;
-    q[29] = angle1______;
+    q[29] = angle7;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -755,14 +721,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp;
     q[37] = q2_mmp;
-    q[38] = -(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0)));
-    q[39] = angle1___;
+    q[38] = -(v41 + only_wide(half_turn < -v41, m10));
+    q[39] = angle4;
     q[40] = q5_mmp;
-    q[41] = angle1_______;
+    q[41] = angle8;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
-    q[44] = -(v41 + pick_wide(half_turn < -v41, all_wide(m10), all_wide(0.0)));
+    q[44] = -(v41 + only_wide(half_turn < -v41, m10));
     q[45] = q4_mmm;
     q[46] = q5_mmm;
     q[47] = q6_mmm;
@@ -834,24 +800,24 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | (v1 <= m1));
 
     const four angle1 = atan2_four(-(e1 * v10), v12);
-    const four angle1_ = atan2_four(v19, e1 * (c4 * v15 - v10 * (s23 * T32 + e1 * (c23 * v16))));
-    const four angle1___ = atan2_four(S2, C2);
-    const four angle1_____ = atan2_four(sqrt_four(v13), factor2 * (e1 * (s23 * v9) - T33 * c23));
+    const four angle2 = atan2_four(v19, e1 * (c4 * v15 - v10 * (s23 * T32 + e1 * (c23 * v16))));
+    const four angle4 = atan2_four(S2, C2);
+    const four angle6 = atan2_four(sqrt_four(v13), factor2 * (e1 * (s23 * v9) - T33 * c23));
     const four packed5 = atan2_four((four){ wy, w3, wy, wy }, (four){ -X1, N3 - k3, -X1, -X1 });
-    const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
-    const four angle1____ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
+    const four angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q4_m = angle1 - v14;
-    const four q6_m = angle1_ - h1 * copysign_four(all_four(half_turn), v19);
-    const four v21 = angle1__ + v20 * (m9 * (e1 - 1.0)) - offset1;
-    const four q1_ = v21 + pick_four(v21 <= -half_turn, all_four(m10), all_four(0.0));
-    const four v22 = angle1___ - offset2;
-    const four q2_p = v22 + pick_four(v22 <= -half_turn, all_four(m10), all_four(0.0));
-    const four v23 = e2 * angle1____ - turn1 - offset3;
-    const four q3_p = v23 - pick_four(half_turn < v23, all_four(m10), all_four(0.0));
-    const four v24 = angle1_____ - offset5;
-    const four v25 = offset5 + angle1_____;
-    const four q5_p = v24 + pick_four(v24 <= -half_turn, all_four(m10), all_four(0.0));
-    const four q5_m = pick_four(-v25 <= -half_turn, all_four(m10), all_four(0.0)) - v25;
+    const four q6_m = angle2 - h1 * copysign_four(all_four(half_turn), v19);
+    const four v21 = angle3 + v20 * (m9 * (e1 - 1.0)) - offset1;
+    const four q1_ = v21 + only_four(v21 <= -half_turn, m10);
+    const four v22 = angle4 - offset2;
+    const four q2_p = v22 + only_four(v22 <= -half_turn, m10);
+    const four v23 = e2 * angle5 - turn1 - offset3;
+    const four q3_p = v23 - only_four(half_turn < v23, m10);
+    const four v24 = angle6 - offset5;
+    const four v25 = offset5 + angle6;
+    const four q5_p = v24 + only_four(v24 <= -half_turn, m10);
+    const four q5_m = only_four(-v25 <= -half_turn, m10) - v25;
     const four_mask v26 = (q1_ < low1) | (high1 < q1_);
     const four_mask v27 = (q3_p < low3) | (high3 < q3_p);
     const four q1_p = v3 + q1_;
@@ -862,7 +828,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1_);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle2);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef DOOSAN_M1013_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -645,78 +615,78 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp;
     const wide s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm;
     const wide angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp);
-    const wide angle1_ = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm);
-    const wide angle1__ = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp);
-    const wide angle1___ = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm);
+    const wide angle2 = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm);
+    const wide angle3 = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp);
+    const wide angle4 = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm);
     const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
-    const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), s6_pm) * h1;
-    const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), s6_mp) * h1;
-    const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), s6_mm) * h1;
+    const wide q6_pmm = angle2 - copysign_wide(all_wide(half_turn), s6_pm) * h1;
+    const wide q6_mpm = angle3 - copysign_wide(all_wide(half_turn), s6_mp) * h1;
+    const wide q6_mmm = angle4 - copysign_wide(all_wide(half_turn), s6_mm) * h1;
 
     /* joint values */
-    const wide angle1____ = atan2_wide(S2_pp, C2_pp);
-    const wide v58 = angle1____ - offset2;
-    const wide angle1_____ = atan2_wide(S2_pm, C2_pm);
-    const wide v59 = angle1_____ - offset2;
-    const wide angle1______ = atan2_wide(S2_pm, C2_mp);
-    const wide v60 = angle1______ - offset2;
-    const wide angle1_______ = atan2_wide(S2_pp, C2_mm);
-    const wide v61 = angle1_______ - offset2;
-    const wide q2_ppp = v58 + pick_wide(v58 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_pmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_mpp = v60 + pick_wide(v60 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_mmp = v61 + pick_wide(v61 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide angle1________ = atan2_wide(v7, -v8);
-    const wide v62 = angle1________ - offset3;
-    const wide v63 = h1 * copysign_wide(all_wide(half_turn), v7) - angle1________ - offset3;
-    const wide angle1_________ = atan2_wide(Y4_p, -X4_pp);
-    const wide angle1__________ = atan2_wide(Y4_p, -X4_pm);
-    const wide angle1___________ = atan2_wide(Y4_m, -X4_mp);
-    const wide angle1____________ = atan2_wide(Y4_m, -X4_mm);
+    const wide angle5 = atan2_wide(S2_pp, C2_pp);
+    const wide v58 = angle5 - offset2;
+    const wide angle6 = atan2_wide(S2_pm, C2_pm);
+    const wide v59 = angle6 - offset2;
+    const wide angle7 = atan2_wide(S2_pm, C2_mp);
+    const wide v60 = angle7 - offset2;
+    const wide angle8 = atan2_wide(S2_pp, C2_mm);
+    const wide v61 = angle8 - offset2;
+    const wide q2_ppp = v58 + only_wide(v58 <= -half_turn, m6);
+    const wide q2_pmp = v59 + only_wide(v59 <= -half_turn, m6);
+    const wide q2_mpp = v60 + only_wide(v60 <= -half_turn, m6);
+    const wide q2_mmp = v61 + only_wide(v61 <= -half_turn, m6);
+    const wide angle9 = atan2_wide(v7, -v8);
+    const wide v62 = angle9 - offset3;
+    const wide v63 = h1 * copysign_wide(all_wide(half_turn), v7) - angle9 - offset3;
+    const wide angle10 = atan2_wide(Y4_p, -X4_pp);
+    const wide angle11 = atan2_wide(Y4_p, -X4_pm);
+    const wide angle12 = atan2_wide(Y4_m, -X4_mp);
+    const wide angle13 = atan2_wide(Y4_m, -X4_mm);
     const wide v64 = h1 * copysign_wide(all_wide(half_turn), Y4_p);
     const wide v65 = h1 * copysign_wide(all_wide(half_turn), Y4_m);
-    const wide v66 = angle1_________ - offset4;
-    const wide v67 = angle1_________ - v64 - offset4;
-    const wide v68 = angle1__________ - offset4;
-    const wide v69 = angle1__________ - v64 - offset4;
-    const wide v70 = angle1___________ - offset4;
-    const wide v71 = angle1___________ - v65 - offset4;
-    const wide v72 = angle1____________ - offset4;
-    const wide v73 = angle1____________ - v65 - offset4;
-    const wide q4_ppp = v66 + pick_wide(v66 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_ppm = v67 + pick_wide(v67 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_pmp = v68 + pick_wide(v68 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_pmm = v69 + pick_wide(v69 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mpp = v70 + pick_wide(v70 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mpm = v71 + pick_wide(v71 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mmp = v72 + pick_wide(v72 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mmm = v73 + pick_wide(v73 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide angle1_____________ = atan2_wide(sqrt_wide(v46), -(T33 * v35 + s23_pp * v42));
-    const wide angle1______________ = atan2_wide(sqrt_wide(v47), -(T33 * v37 + s23_pm * v42));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v48), -(T33 * v38 + s23_mp * v43));
-    const wide angle1________________ = atan2_wide(sqrt_wide(v49), -(T33 * v39 + s23_mm * v43));
-    const wide v74 = angle1_____________ - offset5;
-    const wide v75 = offset5 + angle1_____________;
-    const wide v76 = angle1______________ - offset5;
-    const wide v77 = offset5 + angle1______________;
-    const wide v78 = angle1_______________ - offset5;
-    const wide v79 = offset5 + angle1_______________;
-    const wide v80 = angle1________________ - offset5;
-    const wide v81 = offset5 + angle1________________;
-    const wide q5_ppp = v74 + pick_wide(v74 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v75 <= -half_turn, all_wide(m6), all_wide(0.0)) - v75;
-    const wide q5_pmp = v76 + pick_wide(v76 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v77 <= -half_turn, all_wide(m6), all_wide(0.0)) - v77;
-    const wide q5_mpp = v78 + pick_wide(v78 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v79 <= -half_turn, all_wide(m6), all_wide(0.0)) - v79;
-    const wide q5_mmp = v80 + pick_wide(v80 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v81 <= -half_turn, all_wide(m6), all_wide(0.0)) - v81;
-    const wide angle1_________________ = atan2_wide(s1_p, -v3);
-    const wide q1_ppp = v6 + angle1_________________;
-    const wide angle1__________________ = atan2_wide(s1_m, -v4);
-    const wide q1_mpp = v6 + angle1__________________;
-    const wide q3_ppp = v1 + (v62 + pick_wide(v62 <= -half_turn, all_wide(m6), all_wide(0.0)));
-    const wide q3_pmp = v1 + (v63 + pick_wide(v63 <= -half_turn, all_wide(m6), all_wide(0.0)));
+    const wide v66 = angle10 - offset4;
+    const wide v67 = angle10 - v64 - offset4;
+    const wide v68 = angle11 - offset4;
+    const wide v69 = angle11 - v64 - offset4;
+    const wide v70 = angle12 - offset4;
+    const wide v71 = angle12 - v65 - offset4;
+    const wide v72 = angle13 - offset4;
+    const wide v73 = angle13 - v65 - offset4;
+    const wide q4_ppp = v66 + only_wide(v66 <= -half_turn, m6);
+    const wide q4_ppm = v67 + only_wide(v67 <= -half_turn, m6);
+    const wide q4_pmp = v68 + only_wide(v68 <= -half_turn, m6);
+    const wide q4_pmm = v69 + only_wide(v69 <= -half_turn, m6);
+    const wide q4_mpp = v70 + only_wide(v70 <= -half_turn, m6);
+    const wide q4_mpm = v71 + only_wide(v71 <= -half_turn, m6);
+    const wide q4_mmp = v72 + only_wide(v72 <= -half_turn, m6);
+    const wide q4_mmm = v73 + only_wide(v73 <= -half_turn, m6);
+    const wide angle14 = atan2_wide(sqrt_wide(v46), -(T33 * v35 + s23_pp * v42));
+    const wide angle15 = atan2_wide(sqrt_wide(v47), -(T33 * v37 + s23_pm * v42));
+    const wide angle16 = atan2_wide(sqrt_wide(v48), -(T33 * v38 + s23_mp * v43));
+    const wide angle17 = atan2_wide(sqrt_wide(v49), -(T33 * v39 + s23_mm * v43));
+    const wide v74 = angle14 - offset5;
+    const wide v75 = offset5 + angle14;
+    const wide v76 = angle15 - offset5;
+    const wide v77 = offset5 + angle15;
+    const wide v78 = angle16 - offset5;
+    const wide v79 = offset5 + angle16;
+    const wide v80 = angle17 - offset5;
+    const wide v81 = offset5 + angle17;
+    const wide q5_ppp = v74 + only_wide(v74 <= -half_turn, m6);
+    const wide q5_ppm = only_wide(-v75 <= -half_turn, m6) - v75;
+    const wide q5_pmp = v76 + only_wide(v76 <= -half_turn, m6);
+    const wide q5_pmm = only_wide(-v77 <= -half_turn, m6) - v77;
+    const wide q5_mpp = v78 + only_wide(v78 <= -half_turn, m6);
+    const wide q5_mpm = only_wide(-v79 <= -half_turn, m6) - v79;
+    const wide q5_mmp = v80 + only_wide(v80 <= -half_turn, m6);
+    const wide q5_mmm = only_wide(-v81 <= -half_turn, m6) - v81;
+    const wide angle18 = atan2_wide(s1_p, -v3);
+    const wide q1_ppp = v6 + angle18;
+    const wide angle19 = atan2_wide(s1_m, -v4);
+    const wide q1_mpp = v6 + angle19;
+    const wide q3_ppp = v1 + (v62 + only_wide(v62 <= -half_turn, m6));
+    const wide q3_pmp = v1 + (v63 + only_wide(v63 <= -half_turn, m6));
     const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((v49 <= m4) |
         ((v29 <= m3) | ((v48 <= m4) | ((v28 <= m3) | ((v47 <= m4) | ((v27 <= m3) | ((v46 <= m4) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
@@ -741,7 +711,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[14] = q3_pmp;
     q[15] = q4_pmp;
     q[16] = q5_pmp;
-    q[17] = angle1_;
+    q[17] = angle2;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -755,7 +725,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[26] = q3_ppp;
     q[27] = q4_mpp;
     q[28] = q5_mpp;
-    q[29] = angle1__;
+    q[29] = angle3;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -769,7 +739,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[38] = q3_pmp;
     q[39] = q4_mmp;
     q[40] = q5_mmp;
-    q[41] = angle1___;
+    q[41] = angle4;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -865,27 +835,27 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
     const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v25 * v30) - v29 * -X4);
-    const four angle1_ = atan2_four(S2, C2);
-    const four angle1___ = atan2_four(Y4, -X4);
-    const four angle1____ = atan2_four(sqrt_four(v28), -(T33 * v25 + s23 * v26));
+    const four angle2 = atan2_four(S2, C2);
+    const four angle4 = atan2_four(Y4, -X4);
+    const four angle5 = atan2_four(sqrt_four(v28), -(T33 * v25 + s23 * v26));
     const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
         __builtin_shufflevector(-v3, all_four(-v7), 0, 5, 2, 3));
-    const four angle1_____ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four angle6 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
-    const four v33 = angle1_ - offset2;
-    const four q2_p = v33 + pick_four(v33 <= -half_turn, all_four(m6), all_four(0.0));
-    const four v35 = e2 * angle1__ + v34 * (m5 * (1.0 - e2)) - offset3;
-    const four v37 = angle1___ - offset4;
-    const four v38 = angle1___ - v36 - offset4;
-    const four q4_p = v37 + pick_four(v37 <= -half_turn, all_four(m6), all_four(0.0));
-    const four q4_m = v38 + pick_four(v38 <= -half_turn, all_four(m6), all_four(0.0));
-    const four v39 = angle1____ - offset5;
-    const four v40 = offset5 + angle1____;
-    const four q5_p = v39 + pick_four(v39 <= -half_turn, all_four(m6), all_four(0.0));
-    const four q5_m = pick_four(-v40 <= -half_turn, all_four(m6), all_four(0.0)) - v40;
-    const four q1_p = v5 + angle1_____;
-    const four q3_p = v1 + (v35 + pick_four(v35 <= -half_turn, all_four(m6), all_four(0.0)));
+    const four v33 = angle2 - offset2;
+    const four q2_p = v33 + only_four(v33 <= -half_turn, m6);
+    const four v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3;
+    const four v37 = angle4 - offset4;
+    const four v38 = angle4 - v36 - offset4;
+    const four q4_p = v37 + only_four(v37 <= -half_turn, m6);
+    const four q4_m = v38 + only_four(v38 <= -half_turn, m6);
+    const four v39 = angle5 - offset5;
+    const four v40 = offset5 + angle5;
+    const four q5_p = v39 + only_four(v39 <= -half_turn, m6);
+    const four q5_m = only_four(-v40 <= -half_turn, m6) - v40;
+    const four q1_p = v5 + angle6;
+    const four q3_p = v1 + (v35 + only_four(v35 <= -half_turn, m6));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;

@@ -702,50 +702,50 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-    q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
-    q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
-    q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
+    q6_pmm = angle2 - math.copysign(half_turn, s6_pm) * h1
+    q6_mpm = angle3 - math.copysign(half_turn, s6_mp) * h1
+    q6_mmm = angle4 - math.copysign(half_turn, s6_mm) * h1
 
     # joint values
-    v58 = angle1____ - offset2
-    v59 = angle1_____ - offset2
-    v60 = angle1______ - offset2
-    v61 = angle1_______ - offset2
+    v58 = angle5 - offset2
+    v59 = angle6 - offset2
+    v60 = angle7 - offset2
+    v61 = angle8 - offset2
     q2_ppp = v58 + (m6 if v58 <= -half_turn else 0.0)
     q2_pmp = v59 + (m6 if v59 <= -half_turn else 0.0)
     q2_mpp = v60 + (m6 if v60 <= -half_turn else 0.0)
     q2_mmp = v61 + (m6 if v61 <= -half_turn else 0.0)
-    v62 = angle1________ - offset3
-    v63 = h1 * math.copysign(half_turn, v7) - angle1________ - offset3
-    v66 = angle1_________ - offset4
-    v67 = angle1_________ - v64 - offset4
-    v68 = angle1__________ - offset4
-    v69 = angle1__________ - v64 - offset4
-    v70 = angle1___________ - offset4
-    v71 = angle1___________ - v65 - offset4
-    v72 = angle1____________ - offset4
-    v73 = angle1____________ - v65 - offset4
+    v62 = angle9 - offset3
+    v63 = h1 * math.copysign(half_turn, v7) - angle9 - offset3
+    v66 = angle10 - offset4
+    v67 = angle10 - v64 - offset4
+    v68 = angle11 - offset4
+    v69 = angle11 - v64 - offset4
+    v70 = angle12 - offset4
+    v71 = angle12 - v65 - offset4
+    v72 = angle13 - offset4
+    v73 = angle13 - v65 - offset4
     q4_ppp = v66 + (m6 if v66 <= -half_turn else 0.0)
     q4_ppm = v67 + (m6 if v67 <= -half_turn else 0.0)
     q4_pmp = v68 + (m6 if v68 <= -half_turn else 0.0)
@@ -754,14 +754,14 @@ def _regular(pose, q, status):
     q4_mpm = v71 + (m6 if v71 <= -half_turn else 0.0)
     q4_mmp = v72 + (m6 if v72 <= -half_turn else 0.0)
     q4_mmm = v73 + (m6 if v73 <= -half_turn else 0.0)
-    v74 = angle1_____________ - offset5
-    v75 = offset5 + angle1_____________
-    v76 = angle1______________ - offset5
-    v77 = offset5 + angle1______________
-    v78 = angle1_______________ - offset5
-    v79 = offset5 + angle1_______________
-    v80 = angle1________________ - offset5
-    v81 = offset5 + angle1________________
+    v74 = angle14 - offset5
+    v75 = offset5 + angle14
+    v76 = angle15 - offset5
+    v77 = offset5 + angle15
+    v78 = angle16 - offset5
+    v79 = offset5 + angle16
+    v80 = angle17 - offset5
+    v81 = offset5 + angle17
     q5_ppp = v74 + (m6 if v74 <= -half_turn else 0.0)
     q5_ppm = (m6 if -v75 <= -half_turn else 0.0) - v75
     q5_pmp = v76 + (m6 if v76 <= -half_turn else 0.0)
@@ -770,8 +770,8 @@ def _regular(pose, q, status):
     q5_mpm = (m6 if -v79 <= -half_turn else 0.0) - v79
     q5_mmp = v80 + (m6 if v80 <= -half_turn else 0.0)
     q5_mmm = (m6 if -v81 <= -half_turn else 0.0) - v81
-    q1_ppp = v6 + angle1_________________
-    q1_mpp = v6 + angle1__________________
+    q1_ppp = v6 + angle18
+    q1_mpp = v6 + angle19
     q3_ppp = v1 + (v62 + (m6 if v62 <= -half_turn else 0.0))
     q3_pmp = v1 + (v63 + (m6 if v63 <= -half_turn else 0.0))
 
@@ -797,7 +797,7 @@ def _regular(pose, q, status):
     q[2, 2] = q3_pmp
     q[2, 3] = q4_pmp
     q[2, 4] = q5_pmp
-    q[2, 5] = angle1_
+    q[2, 5] = angle2
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
@@ -811,7 +811,7 @@ def _regular(pose, q, status):
     q[4, 2] = q3_ppp
     q[4, 3] = q4_mpp
     q[4, 4] = q5_mpp
-    q[4, 5] = angle1__
+    q[4, 5] = angle3
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
     q[5, 0] = q1_mpp
     q[5, 1] = q2_mpp
@@ -825,7 +825,7 @@ def _regular(pose, q, status):
     q[6, 2] = q3_pmp
     q[6, 3] = q4_mmp
     q[6, 4] = q5_mmp
-    q[6, 5] = angle1___
+    q[6, 5] = angle4
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
@@ -1211,46 +1211,46 @@ def _in_tiles(T, q, status):
             v65 = work[800 + k]
             doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
-            angle1_ = work[896 + k]
-            angle1__ = work[928 + k]
-            angle1___ = work[960 + k]
-            angle1____ = work[992 + k]
-            angle1_____ = work[1024 + k]
-            angle1______ = work[1056 + k]
-            angle1_______ = work[1088 + k]
-            angle1________ = work[1120 + k]
-            angle1_________ = work[1152 + k]
-            angle1__________ = work[1184 + k]
-            angle1___________ = work[1216 + k]
-            angle1____________ = work[1248 + k]
-            angle1_____________ = work[1280 + k]
-            angle1______________ = work[1312 + k]
-            angle1_______________ = work[1344 + k]
-            angle1________________ = work[1376 + k]
-            angle1_________________ = work[1408 + k]
-            angle1__________________ = work[1440 + k]
+            angle2 = work[896 + k]
+            angle3 = work[928 + k]
+            angle4 = work[960 + k]
+            angle5 = work[992 + k]
+            angle6 = work[1024 + k]
+            angle7 = work[1056 + k]
+            angle8 = work[1088 + k]
+            angle9 = work[1120 + k]
+            angle10 = work[1152 + k]
+            angle11 = work[1184 + k]
+            angle12 = work[1216 + k]
+            angle13 = work[1248 + k]
+            angle14 = work[1280 + k]
+            angle15 = work[1312 + k]
+            angle16 = work[1344 + k]
+            angle17 = work[1376 + k]
+            angle18 = work[1408 + k]
+            angle19 = work[1440 + k]
             q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-            q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
-            q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
-            q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
-            v58 = angle1____ - offset2
-            v59 = angle1_____ - offset2
-            v60 = angle1______ - offset2
-            v61 = angle1_______ - offset2
+            q6_pmm = angle2 - math.copysign(half_turn, s6_pm) * h1
+            q6_mpm = angle3 - math.copysign(half_turn, s6_mp) * h1
+            q6_mmm = angle4 - math.copysign(half_turn, s6_mm) * h1
+            v58 = angle5 - offset2
+            v59 = angle6 - offset2
+            v60 = angle7 - offset2
+            v61 = angle8 - offset2
             q2_ppp = v58 + (m6 if v58 <= -half_turn else 0.0)
             q2_pmp = v59 + (m6 if v59 <= -half_turn else 0.0)
             q2_mpp = v60 + (m6 if v60 <= -half_turn else 0.0)
             q2_mmp = v61 + (m6 if v61 <= -half_turn else 0.0)
-            v62 = angle1________ - offset3
-            v63 = h1 * math.copysign(half_turn, v7) - angle1________ - offset3
-            v66 = angle1_________ - offset4
-            v67 = angle1_________ - v64 - offset4
-            v68 = angle1__________ - offset4
-            v69 = angle1__________ - v64 - offset4
-            v70 = angle1___________ - offset4
-            v71 = angle1___________ - v65 - offset4
-            v72 = angle1____________ - offset4
-            v73 = angle1____________ - v65 - offset4
+            v62 = angle9 - offset3
+            v63 = h1 * math.copysign(half_turn, v7) - angle9 - offset3
+            v66 = angle10 - offset4
+            v67 = angle10 - v64 - offset4
+            v68 = angle11 - offset4
+            v69 = angle11 - v64 - offset4
+            v70 = angle12 - offset4
+            v71 = angle12 - v65 - offset4
+            v72 = angle13 - offset4
+            v73 = angle13 - v65 - offset4
             q4_ppp = v66 + (m6 if v66 <= -half_turn else 0.0)
             q4_ppm = v67 + (m6 if v67 <= -half_turn else 0.0)
             q4_pmp = v68 + (m6 if v68 <= -half_turn else 0.0)
@@ -1259,14 +1259,14 @@ def _in_tiles(T, q, status):
             q4_mpm = v71 + (m6 if v71 <= -half_turn else 0.0)
             q4_mmp = v72 + (m6 if v72 <= -half_turn else 0.0)
             q4_mmm = v73 + (m6 if v73 <= -half_turn else 0.0)
-            v74 = angle1_____________ - offset5
-            v75 = offset5 + angle1_____________
-            v76 = angle1______________ - offset5
-            v77 = offset5 + angle1______________
-            v78 = angle1_______________ - offset5
-            v79 = offset5 + angle1_______________
-            v80 = angle1________________ - offset5
-            v81 = offset5 + angle1________________
+            v74 = angle14 - offset5
+            v75 = offset5 + angle14
+            v76 = angle15 - offset5
+            v77 = offset5 + angle15
+            v78 = angle16 - offset5
+            v79 = offset5 + angle16
+            v80 = angle17 - offset5
+            v81 = offset5 + angle17
             q5_ppp = v74 + (m6 if v74 <= -half_turn else 0.0)
             q5_ppm = (m6 if -v75 <= -half_turn else 0.0) - v75
             q5_pmp = v76 + (m6 if v76 <= -half_turn else 0.0)
@@ -1275,8 +1275,8 @@ def _in_tiles(T, q, status):
             q5_mpm = (m6 if -v79 <= -half_turn else 0.0) - v79
             q5_mmp = v80 + (m6 if v80 <= -half_turn else 0.0)
             q5_mmm = (m6 if -v81 <= -half_turn else 0.0) - v81
-            q1_ppp = v6 + angle1_________________
-            q1_mpp = v6 + angle1__________________
+            q1_ppp = v6 + angle18
+            q1_mpp = v6 + angle19
             q3_ppp = v1 + (v62 + (m6 if v62 <= -half_turn else 0.0))
             q3_pmp = v1 + (v63 + (m6 if v63 <= -half_turn else 0.0))
             _2080 = q1_ppp
@@ -1305,7 +1305,7 @@ def _in_tiles(T, q, status):
             work[2432 + k] = _2432
             _2464 = q5_pmp
             work[2464 + k] = _2464
-            _2496 = angle1_
+            _2496 = angle2
             work[2496 + k] = _2496
             _2528 = q4_pmm
             work[2528 + k] = _2528
@@ -1321,7 +1321,7 @@ def _in_tiles(T, q, status):
             work[2688 + k] = _2688
             _2720 = q5_mpp
             work[2720 + k] = _2720
-            _2752 = angle1__
+            _2752 = angle3
             work[2752 + k] = _2752
             _2784 = q4_mpm
             work[2784 + k] = _2784
@@ -1335,7 +1335,7 @@ def _in_tiles(T, q, status):
             work[2912 + k] = _2912
             _2944 = q5_mmp
             work[2944 + k] = _2944
-            _2976 = angle1___
+            _2976 = angle4
             work[2976 + k] = _2976
             _3008 = q4_mmm
             work[3008 + k] = _3008

@@ -423,23 +423,21 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
 
     # joint values
-    v9 = angle1_ + angle1__ - angle1
-    v10 = angle1___ - angle1_ - angle1
-    q1_p = angle1__ + v8
-    q1_m = angle1___ + v8
-    q2_p = angle1_ + v8
-    q2_m = v8 - angle1_
+    v9 = angle2 + angle3 - angle1
+    v10 = angle4 - angle2 - angle1
+    q1_p = angle3 + v8
+    q1_m = angle4 + v8
+    q2_p = angle2 + v8
+    q2_m = v8 - angle2
     q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
     q4_m = v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))
-    outside_p = v11 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
-    outside_m = (
-        v11 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 < -angle1_))
-    )
+    outside_p = v11 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
+    outside_m = v11 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -703,25 +701,24 @@ def _in_tiles(T, q, status):
             q3_p = work[608 + k]
             doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
-            angle1_ = work[704 + k]
-            angle1__ = work[736 + k]
-            angle1___ = work[768 + k]
-            v9 = angle1_ + angle1__ - angle1
-            v10 = angle1___ - angle1_ - angle1
-            q1_p = angle1__ + v8
-            q1_m = angle1___ + v8
-            q2_p = angle1_ + v8
-            q2_m = v8 - angle1_
+            angle2 = work[704 + k]
+            angle3 = work[736 + k]
+            angle4 = work[768 + k]
+            v9 = angle2 + angle3 - angle1
+            v10 = angle4 - angle2 - angle1
+            q1_p = angle3 + v8
+            q1_m = angle4 + v8
+            q2_p = angle2 + v8
+            q2_m = v8 - angle2
             q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
             q4_m = (
                 v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))
             )
             outside_p = (
-                v11 or (angle1__ < low1 or high1 < angle1__ or (angle1_ < low2 or high2 < angle1_))
+                v11 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
             )
             outside_m = (
-                v11 or (angle1___ < low1 or high1 < angle1___ or (-angle1_ < low2 or high2 <
-                -angle1_))
+                v11 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
             )
             _928 = q1_p
             work[928 + k] = _928

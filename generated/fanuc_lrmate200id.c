@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -72,6 +96,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -83,29 +112,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -114,6 +120,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -127,28 +138,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -156,37 +146,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef FANUC_LRMATE200ID_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -575,12 +545,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide N3_m = v5 + v4 * v4;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle1_ = atan2_wide(w3_p, N3_p - k3);
-    const wide angle1__ = atan2_wide(w3_m, N3_m - k3);
-    const wide q3__pp = angle1_ - turn1;
-    const wide v6 = turn1 + angle1_;
-    const wide q3__mp = angle1__ - turn1;
-    const wide v7 = turn1 + angle1__;
+    const wide angle2 = atan2_wide(w3_p, N3_p - k3);
+    const wide angle3 = atan2_wide(w3_m, N3_m - k3);
+    const wide q3__pp = angle2 - turn1;
+    const wide v6 = turn1 + angle2;
+    const wide q3__mp = angle3 - turn1;
+    const wide v7 = turn1 + angle3;
 
     /* theta2 */
     const wide Y1_2_p = m3 * N3_p - m4;
@@ -628,16 +598,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v33 = v31 + X4_pm * X4_pm;
     const wide v34 = v31 + v29 * v29;
     const wide v35 = v31 + v30 * v30;
-    const wide angle1___ = atan2_wide(Y4, -X4_pp);
-    const wide angle1____ = atan2_wide(Y4, -X4_pm);
-    const wide angle1_____ = atan2_wide(-Y4, v29);
-    const wide angle1______ = atan2_wide(-Y4, v30);
+    const wide angle4 = atan2_wide(Y4, -X4_pp);
+    const wide angle5 = atan2_wide(Y4, -X4_pm);
+    const wide angle6 = atan2_wide(-Y4, v29);
+    const wide angle7 = atan2_wide(-Y4, v30);
     const wide v36 = h1 * copysign_wide(all_wide(half_turn), Y4);
     const wide v37 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle1___ - v36;
-    const wide q4_pmm = angle1____ - v36;
-    const wide q4_mpm = angle1_____ - v37;
-    const wide q4_mmm = angle1______ - v37;
+    const wide q4_ppm = angle4 - v36;
+    const wide q4_pmm = angle5 - v36;
+    const wide q4_mpm = angle6 - v37;
+    const wide q4_mmm = angle7 - v37;
 
     /* theta6 */
     const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12));
@@ -648,60 +618,59 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40;
     const wide v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41);
     const wide v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41);
-    const wide angle1_______ = atan2_wide(v42, Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38);
-    const wide angle1________ = atan2_wide(v43, Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm *
-        v38);
-    const wide angle1_________ = atan2_wide(v44, v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39));
-    const wide angle1__________ = atan2_wide(v45, v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39));
-    const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v43);
-    const wide q6_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v44);
-    const wide q6_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide angle8 = atan2_wide(v42, Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38);
+    const wide angle9 = atan2_wide(v43, Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38);
+    const wide angle10 = atan2_wide(v44, v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39));
+    const wide angle11 = atan2_wide(v45, v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39));
+    const wide q6_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_pmm = angle9 - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide q6_mpm = angle10 - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide q6_mmm = angle11 - h1 * copysign_wide(all_wide(half_turn), v45);
 
     /* joint values */
     const wide v46 = w3_p * (m3 * v3);
-    const wide angle1___________ = atan2_wide(-(v8 + v46), v12 + w3_p * v10);
-    const wide v47 = angle1___________ - offset2;
-    const wide angle1____________ = atan2_wide(v46 - v8, v12 + w3_p * v11);
-    const wide v48 = angle1____________ - offset2;
-    const wide angle1_____________ = atan2_wide(-(v9 + w3_m * (m3 * v4)), v13 + w3_m * v10);
-    const wide v49 = angle1_____________ - offset2;
-    const wide angle1______________ = atan2_wide(-(v9 + w3_m * (m3 * -v4)), v13 + w3_m * v11);
-    const wide v50 = angle1______________ - offset2;
-    const wide q2_ppp = v47 - pick_wide(half_turn < v47, all_wide(m10), all_wide(0.0));
-    const wide q2_pmp = v48 - pick_wide(half_turn < v48, all_wide(m10), all_wide(0.0));
-    const wide q2_mpp = v49 - pick_wide(half_turn < v49, all_wide(m10), all_wide(0.0));
-    const wide q2_mmp = v50 - pick_wide(half_turn < v50, all_wide(m10), all_wide(0.0));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v32), T31 * c2m3_pp + s2m3_pp * v28);
-    const wide angle1________________ = atan2_wide(sqrt_wide(v33), T31 * c2m3_pm + s2m3_pm * v28);
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v34), T31 * c2m3_mp - s2m3_mp * v28);
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v35), T31 * c2m3_mm - s2m3_mm * v28);
-    const wide v51 = angle1_______________ - offset5;
-    const wide v52 = offset5 + angle1_______________;
-    const wide v53 = angle1________________ - offset5;
-    const wide v54 = offset5 + angle1________________;
-    const wide v55 = angle1_________________ - offset5;
-    const wide v56 = offset5 + angle1_________________;
-    const wide v57 = angle1__________________ - offset5;
-    const wide v58 = offset5 + angle1__________________;
-    const wide q5_ppp = v51 + pick_wide(v51 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v52 <= -half_turn, all_wide(m10), all_wide(0.0)) - v52;
-    const wide q5_pmp = v53 + pick_wide(v53 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v54 <= -half_turn, all_wide(m10), all_wide(0.0)) - v54;
-    const wide q5_mpp = v55 + pick_wide(v55 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v56 <= -half_turn, all_wide(m10), all_wide(0.0)) - v56;
-    const wide q5_mmp = v57 + pick_wide(v57 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v58 <= -half_turn, all_wide(m10), all_wide(0.0)) - v58;
-    const wide v59 = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m10), all_wide(0.0));
-    const wide v60 = v6 + pick_wide(half_turn < -v6, all_wide(m10), all_wide(0.0));
-    const wide v61 = q3__mp - pick_wide(half_turn < q3__mp, all_wide(m10), all_wide(0.0));
-    const wide v62 = v7 + pick_wide(half_turn < -v7, all_wide(m10), all_wide(0.0));
+    const wide angle12 = atan2_wide(-(v8 + v46), v12 + w3_p * v10);
+    const wide v47 = angle12 - offset2;
+    const wide angle13 = atan2_wide(v46 - v8, v12 + w3_p * v11);
+    const wide v48 = angle13 - offset2;
+    const wide angle14 = atan2_wide(-(v9 + w3_m * (m3 * v4)), v13 + w3_m * v10);
+    const wide v49 = angle14 - offset2;
+    const wide angle15 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), v13 + w3_m * v11);
+    const wide v50 = angle15 - offset2;
+    const wide q2_ppp = v47 - only_wide(half_turn < v47, m10);
+    const wide q2_pmp = v48 - only_wide(half_turn < v48, m10);
+    const wide q2_mpp = v49 - only_wide(half_turn < v49, m10);
+    const wide q2_mmp = v50 - only_wide(half_turn < v50, m10);
+    const wide angle16 = atan2_wide(sqrt_wide(v32), T31 * c2m3_pp + s2m3_pp * v28);
+    const wide angle17 = atan2_wide(sqrt_wide(v33), T31 * c2m3_pm + s2m3_pm * v28);
+    const wide angle18 = atan2_wide(sqrt_wide(v34), T31 * c2m3_mp - s2m3_mp * v28);
+    const wide angle19 = atan2_wide(sqrt_wide(v35), T31 * c2m3_mm - s2m3_mm * v28);
+    const wide v51 = angle16 - offset5;
+    const wide v52 = offset5 + angle16;
+    const wide v53 = angle17 - offset5;
+    const wide v54 = offset5 + angle17;
+    const wide v55 = angle18 - offset5;
+    const wide v56 = offset5 + angle18;
+    const wide v57 = angle19 - offset5;
+    const wide v58 = offset5 + angle19;
+    const wide q5_ppp = v51 + only_wide(v51 <= -half_turn, m10);
+    const wide q5_ppm = only_wide(-v52 <= -half_turn, m10) - v52;
+    const wide q5_pmp = v53 + only_wide(v53 <= -half_turn, m10);
+    const wide q5_pmm = only_wide(-v54 <= -half_turn, m10) - v54;
+    const wide q5_mpp = v55 + only_wide(v55 <= -half_turn, m10);
+    const wide q5_mpm = only_wide(-v56 <= -half_turn, m10) - v56;
+    const wide q5_mmp = v57 + only_wide(v57 <= -half_turn, m10);
+    const wide q5_mmm = only_wide(-v58 <= -half_turn, m10) - v58;
+    const wide v59 = q3__pp - only_wide(half_turn < q3__pp, m10);
+    const wide v60 = v6 + only_wide(half_turn < -v6, m10);
+    const wide v61 = q3__mp - only_wide(half_turn < q3__mp, m10);
+    const wide v62 = v7 + only_wide(half_turn < -v7, m10);
     const wide_mask v63 = (angle1 < low1) | (high1 < angle1);
     const wide_mask v64 = (q1__m < low1) | (high1 < q1__m);
-    const wide v65 = v59 + pick_wide(v59 < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v66 = pick_wide(-v60 < low3, all_wide(whole_turn), all_wide(0.0)) - v60;
-    const wide v67 = v61 + pick_wide(v61 < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v68 = pick_wide(-v62 < low3, all_wide(whole_turn), all_wide(0.0)) - v62;
+    const wide v65 = v59 + only_wide(v59 < low3, whole_turn);
+    const wide v66 = only_wide(-v60 < low3, whole_turn) - v60;
+    const wide v67 = v61 + only_wide(v61 < low3, whole_turn);
+    const wide v68 = only_wide(-v62 < low3, whole_turn) - v62;
     const wide_mask v69 = (v65 < low3) | (high3 < v65);
     const wide_mask v70 = (v66 < low3) | (high3 < v66);
     const wide_mask v71 = (v67 < low3) | (high3 < v67);
@@ -733,9 +702,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = angle1___;
+    q[3] = angle4;
     q[4] = q5_ppp;
-    q[5] = angle1_______;
+    q[5] = angle8;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -747,9 +716,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[12] = q1_ppp;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = angle1____;
+    q[15] = angle5;
     q[16] = q5_pmp;
-    q[17] = angle1________;
+    q[17] = angle9;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -761,9 +730,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_mpp;
-    q[27] = angle1_____;
+    q[27] = angle6;
     q[28] = q5_mpp;
-    q[29] = angle1_________;
+    q[29] = angle10;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -775,9 +744,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_mmp;
-    q[39] = angle1______;
+    q[39] = angle7;
     q[40] = q5_mmp;
-    q[41] = angle1__________;
+    q[41] = angle11;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -856,28 +825,27 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1__ = atan2_four(v20, -X4);
-    const four angle1___ = atan2_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) - -X4 *
-        v22));
-    const four angle1____ = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), v8 + w3 * v7);
-    const four angle1_____ = atan2_four(sqrt_four(v19), T31 * c2m3 + e1 * (s2m3 * v17));
+    const four angle3 = atan2_four(v20, -X4);
+    const four angle4 = atan2_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) - -X4 * v22));
+    const four angle5 = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), v8 + w3 * v7);
+    const four angle6 = atan2_four(sqrt_four(v19), T31 * c2m3 + e1 * (s2m3 * v17));
     const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
         __builtin_shufflevector(N3 - k3, all_four(-t14), 0, 5, 2, 3));
-    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0));
-    const four q3_ = e2 * angle1_ - turn1;
-    const four q4_m = angle1__ - v21;
-    const four q6_m = angle1___ - h1 * copysign_four(all_four(half_turn), v26);
-    const four v27 = angle1____ - offset2;
-    const four q2_p = v27 - pick_four(half_turn < v27, all_four(m10), all_four(0.0));
-    const four v28 = angle1_____ - offset5;
-    const four v29 = offset5 + angle1_____;
-    const four q5_p = v28 + pick_four(v28 <= -half_turn, all_four(m10), all_four(0.0));
-    const four q5_m = pick_four(-v29 <= -half_turn, all_four(m10), all_four(0.0)) - v29;
-    const four v30 = q3_ - pick_four(half_turn < q3_, all_four(m10), all_four(0.0));
+    const four q3_ = e2 * angle2 - turn1;
+    const four q4_m = angle3 - v21;
+    const four q6_m = angle4 - h1 * copysign_four(all_four(half_turn), v26);
+    const four v27 = angle5 - offset2;
+    const four q2_p = v27 - only_four(half_turn < v27, m10);
+    const four v28 = angle6 - offset5;
+    const four v29 = offset5 + angle6;
+    const four q5_p = v28 + only_four(v28 <= -half_turn, m10);
+    const four q5_m = only_four(-v29 <= -half_turn, m10) - v29;
+    const four v30 = q3_ - only_four(half_turn < q3_, m10);
     const four_mask v31 = (q1_ < low1) | (high1 < q1_);
-    const four v32 = v30 + pick_four(v30 < low3, all_four(whole_turn), all_four(0.0));
+    const four v32 = v30 + only_four(v30 < low3, whole_turn);
     const four_mask v33 = (v32 < low3) | (high3 < v32);
     const four q3_p = pick_four(v33, v30, v32);
     const four q1_p = q1_ + (w3 - w3);
@@ -887,8 +855,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1__);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1___);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle3);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle4);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &

@@ -677,63 +677,63 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
 
     # theta1, type 2: U1[3, 4]
     q1__m = angle1 - math.copysign(half_turn, Y1) * h1
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
-    q3__pp = angle1_ - turn1
-    v6 = turn1 + angle1_
-    q3__mp = angle1__ - turn1
-    v7 = turn1 + angle1__
+    q3__pp = angle2 - turn1
+    v6 = turn1 + angle2
+    q3__mp = angle3 - turn1
+    v7 = turn1 + angle3
 
     # theta4, type 2: U4[3, 3]
-    q4_ppm = angle1___ - v36
-    q4_pmm = angle1____ - v36
-    q4_mpm = angle1_____ - v37
-    q4_mmm = angle1______ - v37
+    q4_ppm = angle4 - v36
+    q4_pmm = angle5 - v36
+    q4_mpm = angle6 - v37
+    q4_mmm = angle7 - v37
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v42)
-    q6_pmm = angle1________ - h1 * math.copysign(half_turn, v43)
-    q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v44)
-    q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v45)
+    q6_ppm = angle8 - h1 * math.copysign(half_turn, v42)
+    q6_pmm = angle9 - h1 * math.copysign(half_turn, v43)
+    q6_mpm = angle10 - h1 * math.copysign(half_turn, v44)
+    q6_mmm = angle11 - h1 * math.copysign(half_turn, v45)
 
     # joint values
-    v47 = angle1___________ - offset2
-    v48 = angle1____________ - offset2
-    v49 = angle1_____________ - offset2
-    v50 = angle1______________ - offset2
+    v47 = angle12 - offset2
+    v48 = angle13 - offset2
+    v49 = angle14 - offset2
+    v50 = angle15 - offset2
     q2_ppp = v47 - (m10 if half_turn < v47 else 0.0)
     q2_pmp = v48 - (m10 if half_turn < v48 else 0.0)
     q2_mpp = v49 - (m10 if half_turn < v49 else 0.0)
     q2_mmp = v50 - (m10 if half_turn < v50 else 0.0)
-    v51 = angle1_______________ - offset5
-    v52 = offset5 + angle1_______________
-    v53 = angle1________________ - offset5
-    v54 = offset5 + angle1________________
-    v55 = angle1_________________ - offset5
-    v56 = offset5 + angle1_________________
-    v57 = angle1__________________ - offset5
-    v58 = offset5 + angle1__________________
+    v51 = angle16 - offset5
+    v52 = offset5 + angle16
+    v53 = angle17 - offset5
+    v54 = offset5 + angle17
+    v55 = angle18 - offset5
+    v56 = offset5 + angle18
+    v57 = angle19 - offset5
+    v58 = offset5 + angle19
     q5_ppp = v51 + (m10 if v51 <= -half_turn else 0.0)
     q5_ppm = (m10 if -v52 <= -half_turn else 0.0) - v52
     q5_pmp = v53 + (m10 if v53 <= -half_turn else 0.0)
@@ -781,9 +781,9 @@ def _regular(pose, q, status):
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
     q[0, 2] = q3_ppp
-    q[0, 3] = angle1___
+    q[0, 3] = angle4
     q[0, 4] = q5_ppp
-    q[0, 5] = angle1_______
+    q[0, 5] = angle8
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
     q[1, 0] = q1_ppp
     q[1, 1] = q2_ppp
@@ -795,9 +795,9 @@ def _regular(pose, q, status):
     q[2, 0] = q1_ppp
     q[2, 1] = q2_pmp
     q[2, 2] = q3_pmp
-    q[2, 3] = angle1____
+    q[2, 3] = angle5
     q[2, 4] = q5_pmp
-    q[2, 5] = angle1________
+    q[2, 5] = angle9
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
@@ -809,9 +809,9 @@ def _regular(pose, q, status):
     q[4, 0] = q1_mpp
     q[4, 1] = q2_mpp
     q[4, 2] = q3_mpp
-    q[4, 3] = angle1_____
+    q[4, 3] = angle6
     q[4, 4] = q5_mpp
-    q[4, 5] = angle1_________
+    q[4, 5] = angle10
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
     q[5, 0] = q1_mpp
     q[5, 1] = q2_mpp
@@ -823,9 +823,9 @@ def _regular(pose, q, status):
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
     q[6, 2] = q3_mmp
-    q[6, 3] = angle1______
+    q[6, 3] = angle7
     q[6, 4] = q5_mmp
-    q[6, 5] = angle1__________
+    q[6, 5] = angle11
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
@@ -1181,53 +1181,53 @@ def _in_tiles(T, q, status):
             v45 = work[800 + k]
             doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
-            angle1_ = work[896 + k]
-            angle1__ = work[928 + k]
-            angle1___ = work[960 + k]
-            angle1____ = work[992 + k]
-            angle1_____ = work[1024 + k]
-            angle1______ = work[1056 + k]
-            angle1_______ = work[1088 + k]
-            angle1________ = work[1120 + k]
-            angle1_________ = work[1152 + k]
-            angle1__________ = work[1184 + k]
-            angle1___________ = work[1216 + k]
-            angle1____________ = work[1248 + k]
-            angle1_____________ = work[1280 + k]
-            angle1______________ = work[1312 + k]
-            angle1_______________ = work[1344 + k]
-            angle1________________ = work[1376 + k]
-            angle1_________________ = work[1408 + k]
-            angle1__________________ = work[1440 + k]
+            angle2 = work[896 + k]
+            angle3 = work[928 + k]
+            angle4 = work[960 + k]
+            angle5 = work[992 + k]
+            angle6 = work[1024 + k]
+            angle7 = work[1056 + k]
+            angle8 = work[1088 + k]
+            angle9 = work[1120 + k]
+            angle10 = work[1152 + k]
+            angle11 = work[1184 + k]
+            angle12 = work[1216 + k]
+            angle13 = work[1248 + k]
+            angle14 = work[1280 + k]
+            angle15 = work[1312 + k]
+            angle16 = work[1344 + k]
+            angle17 = work[1376 + k]
+            angle18 = work[1408 + k]
+            angle19 = work[1440 + k]
             q1__m = angle1 - math.copysign(half_turn, Y1) * h1
-            q3__pp = angle1_ - turn1
-            v6 = turn1 + angle1_
-            q3__mp = angle1__ - turn1
-            v7 = turn1 + angle1__
-            q4_ppm = angle1___ - v36
-            q4_pmm = angle1____ - v36
-            q4_mpm = angle1_____ - v37
-            q4_mmm = angle1______ - v37
-            q6_ppm = angle1_______ - h1 * math.copysign(half_turn, v42)
-            q6_pmm = angle1________ - h1 * math.copysign(half_turn, v43)
-            q6_mpm = angle1_________ - h1 * math.copysign(half_turn, v44)
-            q6_mmm = angle1__________ - h1 * math.copysign(half_turn, v45)
-            v47 = angle1___________ - offset2
-            v48 = angle1____________ - offset2
-            v49 = angle1_____________ - offset2
-            v50 = angle1______________ - offset2
+            q3__pp = angle2 - turn1
+            v6 = turn1 + angle2
+            q3__mp = angle3 - turn1
+            v7 = turn1 + angle3
+            q4_ppm = angle4 - v36
+            q4_pmm = angle5 - v36
+            q4_mpm = angle6 - v37
+            q4_mmm = angle7 - v37
+            q6_ppm = angle8 - h1 * math.copysign(half_turn, v42)
+            q6_pmm = angle9 - h1 * math.copysign(half_turn, v43)
+            q6_mpm = angle10 - h1 * math.copysign(half_turn, v44)
+            q6_mmm = angle11 - h1 * math.copysign(half_turn, v45)
+            v47 = angle12 - offset2
+            v48 = angle13 - offset2
+            v49 = angle14 - offset2
+            v50 = angle15 - offset2
             q2_ppp = v47 - (m10 if half_turn < v47 else 0.0)
             q2_pmp = v48 - (m10 if half_turn < v48 else 0.0)
             q2_mpp = v49 - (m10 if half_turn < v49 else 0.0)
             q2_mmp = v50 - (m10 if half_turn < v50 else 0.0)
-            v51 = angle1_______________ - offset5
-            v52 = offset5 + angle1_______________
-            v53 = angle1________________ - offset5
-            v54 = offset5 + angle1________________
-            v55 = angle1_________________ - offset5
-            v56 = offset5 + angle1_________________
-            v57 = angle1__________________ - offset5
-            v58 = offset5 + angle1__________________
+            v51 = angle16 - offset5
+            v52 = offset5 + angle16
+            v53 = angle17 - offset5
+            v54 = offset5 + angle17
+            v55 = angle18 - offset5
+            v56 = offset5 + angle18
+            v57 = angle19 - offset5
+            v58 = offset5 + angle19
             q5_ppp = v51 + (m10 if v51 <= -half_turn else 0.0)
             q5_ppm = (m10 if -v52 <= -half_turn else 0.0) - v52
             q5_pmp = v53 + (m10 if v53 <= -half_turn else 0.0)
@@ -1274,11 +1274,11 @@ def _in_tiles(T, q, status):
             work[2112 + k] = _2112
             _2144 = q3_ppp
             work[2144 + k] = _2144
-            _2176 = angle1___
+            _2176 = angle4
             work[2176 + k] = _2176
             _2208 = q5_ppp
             work[2208 + k] = _2208
-            _2240 = angle1_______
+            _2240 = angle8
             work[2240 + k] = _2240
             _2272 = q4_ppm
             work[2272 + k] = _2272
@@ -1290,11 +1290,11 @@ def _in_tiles(T, q, status):
             work[2368 + k] = _2368
             _2400 = q3_pmp
             work[2400 + k] = _2400
-            _2432 = angle1____
+            _2432 = angle5
             work[2432 + k] = _2432
             _2464 = q5_pmp
             work[2464 + k] = _2464
-            _2496 = angle1________
+            _2496 = angle9
             work[2496 + k] = _2496
             _2528 = q4_pmm
             work[2528 + k] = _2528
@@ -1308,11 +1308,11 @@ def _in_tiles(T, q, status):
             work[2656 + k] = _2656
             _2688 = q3_mpp
             work[2688 + k] = _2688
-            _2720 = angle1_____
+            _2720 = angle6
             work[2720 + k] = _2720
             _2752 = q5_mpp
             work[2752 + k] = _2752
-            _2784 = angle1_________
+            _2784 = angle10
             work[2784 + k] = _2784
             _2816 = q4_mpm
             work[2816 + k] = _2816
@@ -1324,11 +1324,11 @@ def _in_tiles(T, q, status):
             work[2912 + k] = _2912
             _2944 = q3_mmp
             work[2944 + k] = _2944
-            _2976 = angle1______
+            _2976 = angle7
             work[2976 + k] = _2976
             _3008 = q5_mmp
             work[3008 + k] = _3008
-            _3040 = angle1__________
+            _3040 = angle11
             work[3040 + k] = _3040
             _3072 = q4_mmm
             work[3072 + k] = _3072

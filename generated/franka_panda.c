@@ -26,6 +26,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -65,6 +89,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -90,29 +119,6 @@ HELPER four sin_four(four x)
     return x;
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -121,6 +127,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -148,28 +159,7 @@ HELPER wide sin_wide(wide x)
     return x;
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -177,6 +167,7 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
@@ -184,32 +175,11 @@ typedef int wide_mask;
 #define minimum_wide minimum_double
 #define cos_wide cos
 #define sin_wide sin
+#endif
 #ifdef FRANKA_PANDA_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -665,10 +635,10 @@ HELPER wide_mask solve_wide(
     const wide v27 = Z5 * v16;
     const wide s5_p = inverse5_p * v26;
     const wide s5_m = inverse5_m * v27;
-    const wide angle1_ = atan2_wide(v26, -v22);
-    const wide angle1__ = atan2_wide(v27, -v23);
-    const wide q5_pmp = copysign_wide(all_wide(half_turn), v26) * h1 - angle1_;
-    const wide q5_mmp = copysign_wide(all_wide(half_turn), v27) * h1 - angle1__;
+    const wide angle2 = atan2_wide(v26, -v22);
+    const wide angle3 = atan2_wide(v27, -v23);
+    const wide q5_pmp = copysign_wide(all_wide(half_turn), v26) * h1 - angle2;
+    const wide q5_mmp = copysign_wide(all_wide(half_turn), v27) * h1 - angle3;
 
     /* theta6 */
     const wide v28 = m7 + m3 * Z4;
@@ -700,10 +670,10 @@ HELPER wide_mask solve_wide(
     const wide factor6_pm = sqrt_wide(v43) * (1.0 / v43);
     const wide factor6_mp = sqrt_wide(v44) * (1.0 / v44);
     const wide factor6_mm = sqrt_wide(v45) * (1.0 / v45);
-    const wide angle1___ = atan2_wide(-v33, C6_pp);
-    const wide angle1____ = atan2_wide(-v34, C6_pm);
-    const wide angle1_____ = atan2_wide(-v36, C6_mp);
-    const wide angle1______ = atan2_wide(-v37, C6_mm);
+    const wide angle4 = atan2_wide(-v33, C6_pp);
+    const wide angle5 = atan2_wide(-v34, C6_pm);
+    const wide angle6 = atan2_wide(-v36, C6_mp);
+    const wide angle7 = atan2_wide(-v37, C6_mm);
 
     /* theta1 */
     const wide v46 = c7 * T11 - s7 * T12;
@@ -742,14 +712,14 @@ HELPER wide_mask solve_wide(
     const wide v76 = X1_pm * X1_pm + v72 * v72;
     const wide v77 = X1_mp * X1_mp + v73 * v73;
     const wide v78 = v58 * v58 + v74 * v74;
-    const wide angle1_______ = atan2_wide(-v71, -X1_pp);
-    const wide angle1________ = atan2_wide(-v72, -X1_pm);
-    const wide angle1_________ = atan2_wide(-v73, -X1_mp);
-    const wide angle1__________ = atan2_wide(v74, v58);
-    const wide q1_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), -v71);
-    const wide q1_pmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), -v72);
-    const wide q1_mpm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), -v73);
-    const wide q1_mmm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v74);
+    const wide angle8 = atan2_wide(-v71, -X1_pp);
+    const wide angle9 = atan2_wide(-v72, -X1_pm);
+    const wide angle10 = atan2_wide(-v73, -X1_mp);
+    const wide angle11 = atan2_wide(v74, v58);
+    const wide q1_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), -v71);
+    const wide q1_pmm = angle9 - h1 * copysign_wide(all_wide(half_turn), -v72);
+    const wide q1_mpm = angle10 - h1 * copysign_wide(all_wide(half_turn), -v73);
+    const wide q1_mmm = angle11 - h1 * copysign_wide(all_wide(half_turn), v74);
 
     /* theta3 */
     const wide v79 = a4 * v59;
@@ -804,14 +774,14 @@ HELPER wide_mask solve_wide(
         + factor6_mp * (C6_mp * v104 + -v36 * v106))) / -a3;
     const wide v118 = a3 * (v58 * (factor6_mm * (C6_mm * v104 - v37 * v106) - v108) - v74 *
         (factor6_mm * (C6_mm * v110 - v37 * v112) - v114)) / -a3;
-    const wide angle1___________ = atan2_wide(s3_pp, -v115);
-    const wide angle1____________ = atan2_wide(s3_pm, -v116);
-    const wide angle1_____________ = atan2_wide(s3_mp, -v117);
-    const wide angle1______________ = atan2_wide(s3_mm, -v118);
-    const wide q3_ppm = angle1___________ - h1 * copysign_wide(all_wide(half_turn), s3_pp);
-    const wide q3_pmm = angle1____________ - h1 * copysign_wide(all_wide(half_turn), s3_pm);
-    const wide q3_mpm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), s3_mp);
-    const wide q3_mmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), s3_mm);
+    const wide angle12 = atan2_wide(s3_pp, -v115);
+    const wide angle13 = atan2_wide(s3_pm, -v116);
+    const wide angle14 = atan2_wide(s3_mp, -v117);
+    const wide angle15 = atan2_wide(s3_mm, -v118);
+    const wide q3_ppm = angle12 - h1 * copysign_wide(all_wide(half_turn), s3_pp);
+    const wide q3_pmm = angle13 - h1 * copysign_wide(all_wide(half_turn), s3_pm);
+    const wide q3_mpm = angle14 - h1 * copysign_wide(all_wide(half_turn), s3_mp);
+    const wide q3_mmm = angle15 - h1 * copysign_wide(all_wide(half_turn), s3_mm);
 
     /* theta2 */
     const wide v119 = c7 * T31 - s7 * T32;
@@ -842,141 +812,134 @@ HELPER wide_mask solve_wide(
     const wide v144 = T33 * s5_m;
     const wide v145 = v24 * v128;
     const wide v146 = v25 * v128;
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v75) * (1.0 / v75) * (v115 * (v135 +
-        factor6_pp * (C6_pp * (v124 - v137) - -v33 * (v120 + v139))) + s3_pp * (v145 + factor6_pp *
-        (C6_pp * v141 + -v33 * v143))), v129 + factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 +
-        v131)));
-    const wide angle1________________ = atan2_wide(sqrt_wide(v76) * (1.0 / v76) * (v116 * (v135 +
-        factor6_pm * (C6_pm * (v124 + v137) + v34 * (v120 - v139))) + s3_pm * (factor6_pm * (C6_pm *
-        v141 - v34 * v143) - v145)), v129 - factor6_pm * (v34 * (v126 + v133) + C6_pm * (v122 -
-        v131)));
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v77) * (1.0 / v77) * (v117 * (v136 -
-        factor6_mp * (C6_mp * (v125 + v138) + -v36 * (v140 - v121))) + s3_mp * (v146 + factor6_mp *
-        (C6_mp * v142 + -v36 * v144))), factor6_mp * (-v36 * (v127 + v134) - C6_mp * (v123 - v132))
-        - v130);
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v78) * (1.0 / v78) * (v118 * (v136 +
-        factor6_mm * (C6_mm * (v138 - v125) - v37 * (v121 + v140))) + s3_mm * (factor6_mm * (C6_mm *
-        v142 - v37 * v144) - v146)), -(v130 + factor6_mm * (v37 * (v127 - v134) + C6_mm * (v123 +
-        v132))));
+    const wide angle16 = atan2_wide(sqrt_wide(v75) * (1.0 / v75) * (v115 * (v135 + factor6_pp *
+        (C6_pp * (v124 - v137) - -v33 * (v120 + v139))) + s3_pp * (v145 + factor6_pp * (C6_pp * v141
+        + -v33 * v143))), v129 + factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 + v131)));
+    const wide angle17 = atan2_wide(sqrt_wide(v76) * (1.0 / v76) * (v116 * (v135 + factor6_pm *
+        (C6_pm * (v124 + v137) + v34 * (v120 - v139))) + s3_pm * (factor6_pm * (C6_pm * v141 - v34 *
+        v143) - v145)), v129 - factor6_pm * (v34 * (v126 + v133) + C6_pm * (v122 - v131)));
+    const wide angle18 = atan2_wide(sqrt_wide(v77) * (1.0 / v77) * (v117 * (v136 - factor6_mp *
+        (C6_mp * (v125 + v138) + -v36 * (v140 - v121))) + s3_mp * (v146 + factor6_mp * (C6_mp * v142
+        + -v36 * v144))), factor6_mp * (-v36 * (v127 + v134) - C6_mp * (v123 - v132)) - v130);
+    const wide angle19 = atan2_wide(sqrt_wide(v78) * (1.0 / v78) * (v118 * (v136 + factor6_mm *
+        (C6_mm * (v138 - v125) - v37 * (v121 + v140))) + s3_mm * (factor6_mm * (C6_mm * v142 - v37 *
+        v144) - v146)), -(v130 + factor6_mm * (v37 * (v127 - v134) + C6_mm * (v123 + v132))));
 
     /* joint values */
-    const wide v147 = q4__p + pick_wide(q4__p <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide v148 = pick_wide(-v10 <= -half_turn, all_wide(m10), all_wide(0.0)) - v10;
+    const wide v147 = q4__p + only_wide(q4__p <= -half_turn, m10);
+    const wide v148 = only_wide(-v10 <= -half_turn, m10) - v10;
     const wide_mask v149 = (v147 < low4) | (high4 < v147);
     const wide_mask v150 = (v148 < low4) | (high4 < v148);
-    const wide_mask v151 = (angle1_ < low5) | (high5 < angle1_);
+    const wide_mask v151 = (angle2 < low5) | (high5 < angle2);
     const wide_mask v152 = (q5_pmp < low5) | (high5 < q5_pmp);
-    const wide_mask v153 = (angle1__ < low5) | (high5 < angle1__);
+    const wide_mask v153 = (angle3 < low5) | (high5 < angle3);
     const wide_mask v154 = (q5_mmp < low5) | (high5 < q5_mmp);
-    const wide v155 = angle1___ + pick_wide(angle1___ < low6, all_wide(whole_turn), all_wide(0.0));
-    const wide v156 = angle1____ + pick_wide(angle1____ < low6, all_wide(whole_turn),
-        all_wide(0.0));
-    const wide v157 = angle1_____ + pick_wide(angle1_____ < low6, all_wide(whole_turn),
-        all_wide(0.0));
-    const wide v158 = angle1______ + pick_wide(angle1______ < low6, all_wide(whole_turn),
-        all_wide(0.0));
+    const wide v155 = angle4 + only_wide(angle4 < low6, whole_turn);
+    const wide v156 = angle5 + only_wide(angle5 < low6, whole_turn);
+    const wide v157 = angle6 + only_wide(angle6 < low6, whole_turn);
+    const wide v158 = angle7 + only_wide(angle7 < low6, whole_turn);
     const wide_mask v159 = (v155 < low6) | (high6 < v155);
     const wide_mask v160 = (v156 < low6) | (high6 < v156);
     const wide_mask v161 = (v157 < low6) | (high6 < v157);
     const wide_mask v162 = (v158 < low6) | (high6 < v158);
-    const wide q6_ppp = pick_wide(v159, angle1___, v155);
-    const wide q6_pmp = pick_wide(v160, angle1____, v156);
-    const wide q6_mpp = pick_wide(v161, angle1_____, v157);
-    const wide q6_mmp = pick_wide(v162, angle1______, v158);
+    const wide q6_ppp = pick_wide(v159, angle4, v155);
+    const wide q6_pmp = pick_wide(v160, angle5, v156);
+    const wide q6_mpp = pick_wide(v161, angle6, v157);
+    const wide q6_mmp = pick_wide(v162, angle7, v158);
     const wide_mask v163 = (free_joints[0] < low7) | (high7 < free_joints[0]);
     const wide q4_ppp = v20 + v147;
     const wide q4_mpp = v21 + v148;
     const wide v164 = free_joints[0] + (w4 - w4);
     const wide q7_ppp = v20 + v164;
     const wide q7_mpp = v21 + v164;
-    const wide_mask outside_ppp = v163 | (v159 | (v151 | (v149 | (((angle1___________ < low3) |
-        (high3 < angle1___________)) | (((angle1_______ < low1) | (high1 < angle1_______)) |
-        ((angle1_______________ < low2) | (high2 < angle1_______________)))))));
+    const wide_mask outside_ppp = v163 | (v159 | (v151 | (v149 | (((angle12 < low3) | (high3 <
+        angle12)) | (((angle8 < low1) | (high1 < angle8)) | ((angle16 < low2) | (high2 <
+        angle16)))))));
     const wide_mask outside_ppm = v163 | (v159 | (v151 | (v149 | (((q3_ppm < low3) | (high3 <
-        q3_ppm)) | (((q1_ppm < low1) | (high1 < q1_ppm)) | ((-angle1_______________ < low2) | (high2
-        < -angle1_______________)))))));
-    const wide_mask outside_pmp = v163 | (v160 | (v152 | (v149 | (((angle1____________ < low3) |
-        (high3 < angle1____________)) | (((angle1________ < low1) | (high1 < angle1________)) |
-        ((angle1________________ < low2) | (high2 < angle1________________)))))));
+        q3_ppm)) | (((q1_ppm < low1) | (high1 < q1_ppm)) | ((-angle16 < low2) | (high2 <
+        -angle16)))))));
+    const wide_mask outside_pmp = v163 | (v160 | (v152 | (v149 | (((angle13 < low3) | (high3 <
+        angle13)) | (((angle9 < low1) | (high1 < angle9)) | ((angle17 < low2) | (high2 <
+        angle17)))))));
     const wide_mask outside_pmm = v163 | (v160 | (v152 | (v149 | (((q3_pmm < low3) | (high3 <
-        q3_pmm)) | (((q1_pmm < low1) | (high1 < q1_pmm)) | ((-angle1________________ < low2) |
-        (high2 < -angle1________________)))))));
-    const wide_mask outside_mpp = v163 | (v161 | (v153 | (v150 | (((angle1_____________ < low3) |
-        (high3 < angle1_____________)) | (((angle1_________ < low1) | (high1 < angle1_________)) |
-        ((angle1_________________ < low2) | (high2 < angle1_________________)))))));
+        q3_pmm)) | (((q1_pmm < low1) | (high1 < q1_pmm)) | ((-angle17 < low2) | (high2 <
+        -angle17)))))));
+    const wide_mask outside_mpp = v163 | (v161 | (v153 | (v150 | (((angle14 < low3) | (high3 <
+        angle14)) | (((angle10 < low1) | (high1 < angle10)) | ((angle18 < low2) | (high2 <
+        angle18)))))));
     const wide_mask outside_mpm = v163 | (v161 | (v153 | (v150 | (((q3_mpm < low3) | (high3 <
-        q3_mpm)) | (((q1_mpm < low1) | (high1 < q1_mpm)) | ((-angle1_________________ < low2) |
-        (high2 < -angle1_________________)))))));
-    const wide_mask outside_mmp = v163 | (v162 | (v154 | (v150 | (((angle1______________ < low3) |
-        (high3 < angle1______________)) | (((angle1__________ < low1) | (high1 < angle1__________))
-        | ((angle1__________________ < low2) | (high2 < angle1__________________)))))));
+        q3_mpm)) | (((q1_mpm < low1) | (high1 < q1_mpm)) | ((-angle18 < low2) | (high2 <
+        -angle18)))))));
+    const wide_mask outside_mmp = v163 | (v162 | (v154 | (v150 | (((angle15 < low3) | (high3 <
+        angle15)) | (((angle11 < low1) | (high1 < angle11)) | ((angle19 < low2) | (high2 <
+        angle19)))))));
     const wide_mask outside_mmm = v163 | (v162 | (v154 | (v150 | (((q3_mmm < low3) | (high3 <
-        q3_mmm)) | (((q1_mmm < low1) | (high1 < q1_mmm)) | ((-angle1__________________ < low2) |
-        (high2 < -angle1__________________)))))));
+        q3_mmm)) | (((q1_mmm < low1) | (high1 < q1_mmm)) | ((-angle19 < low2) | (high2 <
+        -angle19)))))));
     const wide_mask doubt1 = (v78 <= m9) | ((v45 <= m8) | ((v77 <= m9) | ((v44 <= m8) | ((v76 <= m9)
         | ((v43 <= m8) | ((v75 <= m9) | ((v42 <= m8) | (((-(reach_slack1 * (reach_slack1 + v18)) <=
         D5_m) & (free5_m | ((v19 < D5_m) == 0))) | (free5_m | (((-(reach_slack1 * (reach_slack1 +
         v18)) <= D5_p) & (free5_p | ((v19 < D5_p) == 0))) | (((-(reach_slack2 * (reach_slack2 + v4))
         <= D4) & ((merge_slack2 * (merge_slack2 + v4) < D4) == 0)) | free5_p)))))))))));
 
-    q[0] = angle1_______;
-    q[1] = angle1_______________;
-    q[2] = angle1___________;
+    q[0] = angle8;
+    q[1] = angle16;
+    q[2] = angle12;
     q[3] = q4_ppp;
-    q[4] = angle1_;
+    q[4] = angle2;
     q[5] = q6_ppp;
     q[6] = q7_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[7] = q1_ppm;
-    q[8] = -angle1_______________;
+    q[8] = -angle16;
     q[9] = q3_ppm;
     q[10] = q4_ppp;
-    q[11] = angle1_;
+    q[11] = angle2;
     q[12] = q6_ppp;
     q[13] = q7_ppp;
     kind[1] = kind_of(q[7] != q[7], outside_ppm);
-    q[14] = angle1________;
-    q[15] = angle1________________;
-    q[16] = angle1____________;
+    q[14] = angle9;
+    q[15] = angle17;
+    q[16] = angle13;
     q[17] = q4_ppp;
     q[18] = q5_pmp;
     q[19] = q6_pmp;
     q[20] = q7_ppp;
     kind[2] = kind_of(q[14] != q[14], outside_pmp);
     q[21] = q1_pmm;
-    q[22] = -angle1________________;
+    q[22] = -angle17;
     q[23] = q3_pmm;
     q[24] = q4_ppp;
     q[25] = q5_pmp;
     q[26] = q6_pmp;
     q[27] = q7_ppp;
     kind[3] = kind_of(q[21] != q[21], outside_pmm);
-    q[28] = angle1_________;
-    q[29] = angle1_________________;
-    q[30] = angle1_____________;
+    q[28] = angle10;
+    q[29] = angle18;
+    q[30] = angle14;
     q[31] = q4_mpp;
-    q[32] = angle1__;
+    q[32] = angle3;
     q[33] = q6_mpp;
     q[34] = q7_mpp;
     kind[4] = kind_of(q[28] != q[28], outside_mpp);
     q[35] = q1_mpm;
-    q[36] = -angle1_________________;
+    q[36] = -angle18;
     q[37] = q3_mpm;
     q[38] = q4_mpp;
-    q[39] = angle1__;
+    q[39] = angle3;
     q[40] = q6_mpp;
     q[41] = q7_mpp;
     kind[5] = kind_of(q[35] != q[35], outside_mpm);
-    q[42] = angle1__________;
-    q[43] = angle1__________________;
-    q[44] = angle1______________;
+    q[42] = angle11;
+    q[43] = angle19;
+    q[44] = angle15;
     q[45] = q4_mpp;
     q[46] = q5_mmp;
     q[47] = q6_mmp;
     q[48] = q7_mpp;
     kind[6] = kind_of(q[42] != q[42], outside_mmp);
     q[49] = q1_mmm;
-    q[50] = -angle1__________________;
+    q[50] = -angle19;
     q[51] = q3_mmm;
     q[52] = q4_mpp;
     q[53] = q5_mmp;
@@ -1129,44 +1092,43 @@ HELPER int solve_regular(
         ((v12 < D5) == 0)));
     const four_mask doubt3 = (v25 <= m8) | (v41 <= m9);
 
-    const four angle1__ = atan2_four(-v22, C6);
-    const four angle1___ = atan2_four(-v40, -X1);
-    const four angle1____ = atan2_four(s3, -v66);
-    const four angle1_____ = atan2_four(sqrt_four(v41) * (1.0 / v41) * (v66 * (v76 + factor6 * (C6 *
-        (v70 - e2 * v77) - -v22 * (v68 + e2 * v78))) + s3 * (e2 * v81 + factor6 * (C6 * v79 + -v22 *
+    const four angle3 = atan2_four(-v22, C6);
+    const four angle4 = atan2_four(-v40, -X1);
+    const four angle5 = atan2_four(s3, -v66);
+    const four angle6 = atan2_four(sqrt_four(v41) * (1.0 / v41) * (v66 * (v76 + factor6 * (C6 * (v70
+        - e2 * v77) - -v22 * (v68 + e2 * v78))) + s3 * (e2 * v81 + factor6 * (C6 * v79 + -v22 *
         v80))), v73 + factor6 * (-v22 * (v71 - e2 * v75) - C6 * (v69 + e2 * v74)));
     const four packed5 = atan2_four(__builtin_shufflevector(v16, all_four(w4), 0, 5, 2, 3),
         __builtin_shufflevector(-v14, all_four(Z4), 0, 5, 2, 3));
-    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q4_ = e1 * angle1 - turn1;
-    const four q5_p = e2 * angle1_ + v17 * v18;
-    const four q1_m = angle1___ - copysign_four(all_four(half_turn), -v40) * h1;
-    const four q3_m = angle1____ - h1 * copysign_four(all_four(half_turn), s3);
-    const four v82 = q4_ + pick_four(q4_ <= -half_turn, all_four(m10), all_four(0.0));
+    const four q5_p = e2 * angle2 + v17 * v18;
+    const four q1_m = angle4 - copysign_four(all_four(half_turn), -v40) * h1;
+    const four q3_m = angle5 - h1 * copysign_four(all_four(half_turn), s3);
+    const four v82 = q4_ + only_four(q4_ <= -half_turn, m10);
     const four_mask v83 = (v82 < low4) | (high4 < v82);
     const four_mask v84 = (q5_p < low5) | (high5 < q5_p);
-    const four v85 = angle1__ + pick_four(angle1__ < low6, all_four(whole_turn), all_four(0.0));
+    const four v85 = angle3 + only_four(angle3 < low6, whole_turn);
     const four_mask v86 = (v85 < low6) | (high6 < v85);
-    const four q6_p = pick_four(v86, angle1__, v85);
+    const four q6_p = pick_four(v86, angle3, v85);
     const four q4_p = v13 + v82;
-    const four_mask outside_p = where_four(v87) | (v86 | (v84 | (v83 | (((angle1____ < low3) |
-        (high3 < angle1____)) | (((angle1___ < low1) | (high1 < angle1___)) | ((angle1_____ < low2)
-        | (high2 < angle1_____)))))));
+    const four_mask outside_p = where_four(v87) | (v86 | (v84 | (v83 | (((angle5 < low3) | (high3 <
+        angle5)) | (((angle4 < low1) | (high1 < angle4)) | ((angle6 < low2) | (high2 <
+        angle6)))))));
     const four_mask outside_m = where_four(v87) | (v86 | (v84 | (v83 | (((q3_m < low3) | (high3 <
-        q3_m)) | (((q1_m < low1) | (high1 < q1_m)) | ((-angle1_____ < low2) | (high2 <
-        -angle1_____)))))));
+        q3_m)) | (((q1_m < low1) | (high1 < q1_m)) | ((-angle6 < low2) | (high2 < -angle6)))))));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle1___, angle1_____, angle1____, q4_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle4, angle6, angle5, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], q7_p);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_m, -angle1_____, q3_m, q4_p);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_m, -angle6, q3_m, q4_p);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
     store_1(&q[1][6], &q[3][6], &q[5][6], &q[7][6], q7_p);
-    const unsigned long long none1 = (bits_four(angle1___ != angle1___) * 0x200040008001ull &
+    const unsigned long long none1 = (bits_four(angle4 != angle4) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(q1_m != q1_m) * 0x20004000800100ull &
         0x100010001000100ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &

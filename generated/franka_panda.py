@@ -948,167 +948,162 @@ def _regular(pose, q_free, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
 
     # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
     q4__p = angle1 - turn1
     v10 = turn1 + angle1
 
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
-    q5_pmp = math.copysign(half_turn, v26) * h1 - angle1_
-    q5_mmp = math.copysign(half_turn, v27) * h1 - angle1__
+    q5_pmp = math.copysign(half_turn, v26) * h1 - angle2
+    q5_mmp = math.copysign(half_turn, v27) * h1 - angle3
 
     # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
-    q1_ppm = angle1_______ - h1 * math.copysign(half_turn, -v71)
-    q1_pmm = angle1________ - h1 * math.copysign(half_turn, -v72)
-    q1_mpm = angle1_________ - h1 * math.copysign(half_turn, -v73)
-    q1_mmm = angle1__________ - h1 * math.copysign(half_turn, v74)
+    q1_ppm = angle8 - h1 * math.copysign(half_turn, -v71)
+    q1_pmm = angle9 - h1 * math.copysign(half_turn, -v72)
+    q1_mpm = angle10 - h1 * math.copysign(half_turn, -v73)
+    q1_mmm = angle11 - h1 * math.copysign(half_turn, v74)
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    q3_ppm = angle1___________ - h1 * math.copysign(half_turn, s3_pp)
-    q3_pmm = angle1____________ - h1 * math.copysign(half_turn, s3_pm)
-    q3_mpm = angle1_____________ - h1 * math.copysign(half_turn, s3_mp)
-    q3_mmm = angle1______________ - h1 * math.copysign(half_turn, s3_mm)
+    q3_ppm = angle12 - h1 * math.copysign(half_turn, s3_pp)
+    q3_pmm = angle13 - h1 * math.copysign(half_turn, s3_pm)
+    q3_mpm = angle14 - h1 * math.copysign(half_turn, s3_mp)
+    q3_mmm = angle15 - h1 * math.copysign(half_turn, s3_mm)
 
     # joint values
     v147 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
     v148 = (m10 if -v10 <= -half_turn else 0.0) - v10
     v149 = v147 < low4 or high4 < v147
     v150 = v148 < low4 or high4 < v148
-    v151 = angle1_ < low5 or high5 < angle1_
+    v151 = angle2 < low5 or high5 < angle2
     v152 = q5_pmp < low5 or high5 < q5_pmp
-    v153 = angle1__ < low5 or high5 < angle1__
+    v153 = angle3 < low5 or high5 < angle3
     v154 = q5_mmp < low5 or high5 < q5_mmp
-    v155 = angle1___ + (whole_turn if angle1___ < low6 else 0.0)
-    v156 = angle1____ + (whole_turn if angle1____ < low6 else 0.0)
-    v157 = angle1_____ + (whole_turn if angle1_____ < low6 else 0.0)
-    v158 = angle1______ + (whole_turn if angle1______ < low6 else 0.0)
+    v155 = angle4 + (whole_turn if angle4 < low6 else 0.0)
+    v156 = angle5 + (whole_turn if angle5 < low6 else 0.0)
+    v157 = angle6 + (whole_turn if angle6 < low6 else 0.0)
+    v158 = angle7 + (whole_turn if angle7 < low6 else 0.0)
     v159 = v155 < low6 or high6 < v155
     v160 = v156 < low6 or high6 < v156
     v161 = v157 < low6 or high6 < v157
     v162 = v158 < low6 or high6 < v158
-    q6_ppp = angle1___ if v159 else v155
-    q6_pmp = angle1____ if v160 else v156
-    q6_mpp = angle1_____ if v161 else v157
-    q6_mmp = angle1______ if v162 else v158
+    q6_ppp = angle4 if v159 else v155
+    q6_pmp = angle5 if v160 else v156
+    q6_mpp = angle6 if v161 else v157
+    q6_mmp = angle7 if v162 else v158
     q4_ppp = v20 + v147
     q4_mpp = v21 + v148
     outside_ppp = (
-        v163 or (v159 or (v151 or (v149 or (angle1___________ < low3 or high3 < angle1___________ or
-        (angle1_______ < low1 or high1 < angle1_______ or (angle1_______________ < low2 or high2 <
-        angle1_______________))))))
+        v163 or (v159 or (v151 or (v149 or (angle12 < low3 or high3 < angle12 or (angle8 < low1 or
+        high1 < angle8 or (angle16 < low2 or high2 < angle16))))))
     )
     outside_ppm = (
         v163 or (v159 or (v151 or (v149 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm < low1 or
-        high1 < q1_ppm or (-angle1_______________ < low2 or high2 < -angle1_______________))))))
+        high1 < q1_ppm or (-angle16 < low2 or high2 < -angle16))))))
     )
     outside_pmp = (
-        v163 or (v160 or (v152 or (v149 or (angle1____________ < low3 or high3 < angle1____________
-        or (angle1________ < low1 or high1 < angle1________ or (angle1________________ < low2 or
-        high2 < angle1________________))))))
+        v163 or (v160 or (v152 or (v149 or (angle13 < low3 or high3 < angle13 or (angle9 < low1 or
+        high1 < angle9 or (angle17 < low2 or high2 < angle17))))))
     )
     outside_pmm = (
         v163 or (v160 or (v152 or (v149 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm < low1 or
-        high1 < q1_pmm or (-angle1________________ < low2 or high2 < -angle1________________))))))
+        high1 < q1_pmm or (-angle17 < low2 or high2 < -angle17))))))
     )
     outside_mpp = (
-        v163 or (v161 or (v153 or (v150 or (angle1_____________ < low3 or high3 <
-        angle1_____________ or (angle1_________ < low1 or high1 < angle1_________ or
-        (angle1_________________ < low2 or high2 < angle1_________________))))))
+        v163 or (v161 or (v153 or (v150 or (angle14 < low3 or high3 < angle14 or (angle10 < low1 or
+        high1 < angle10 or (angle18 < low2 or high2 < angle18))))))
     )
     outside_mpm = (
         v163 or (v161 or (v153 or (v150 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm < low1 or
-        high1 < q1_mpm or (-angle1_________________ < low2 or high2 < -angle1_________________))))))
+        high1 < q1_mpm or (-angle18 < low2 or high2 < -angle18))))))
     )
     outside_mmp = (
-        v163 or (v162 or (v154 or (v150 or (angle1______________ < low3 or high3 <
-        angle1______________ or (angle1__________ < low1 or high1 < angle1__________ or
-        (angle1__________________ < low2 or high2 < angle1__________________))))))
+        v163 or (v162 or (v154 or (v150 or (angle15 < low3 or high3 < angle15 or (angle11 < low1 or
+        high1 < angle11 or (angle19 < low2 or high2 < angle19))))))
     )
     outside_mmm = (
         v163 or (v162 or (v154 or (v150 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm < low1 or
-        high1 < q1_mmm or (-angle1__________________ < low2 or high2 <
-        -angle1__________________))))))
+        high1 < q1_mmm or (-angle19 < low2 or high2 < -angle19))))))
     )
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = angle1_______
-    q[0, 1] = angle1_______________
-    q[0, 2] = angle1___________
+    q[0, 0] = angle8
+    q[0, 1] = angle16
+    q[0, 2] = angle12
     q[0, 3] = q4_ppp
-    q[0, 4] = angle1_
+    q[0, 4] = angle2
     q[0, 5] = q6_ppp
     q[0, 6] = q7_ppp
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
     q[1, 0] = q1_ppm
-    q[1, 1] = -angle1_______________
+    q[1, 1] = -angle16
     q[1, 2] = q3_ppm
     q[1, 3] = q4_ppp
-    q[1, 4] = angle1_
+    q[1, 4] = angle2
     q[1, 5] = q6_ppp
     q[1, 6] = q7_ppp
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
-    q[2, 0] = angle1________
-    q[2, 1] = angle1________________
-    q[2, 2] = angle1____________
+    q[2, 0] = angle9
+    q[2, 1] = angle17
+    q[2, 2] = angle13
     q[2, 3] = q4_ppp
     q[2, 4] = q5_pmp
     q[2, 5] = q6_pmp
     q[2, 6] = q7_ppp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_pmm
-    q[3, 1] = -angle1________________
+    q[3, 1] = -angle17
     q[3, 2] = q3_pmm
     q[3, 3] = q4_ppp
     q[3, 4] = q5_pmp
     q[3, 5] = q6_pmp
     q[3, 6] = q7_ppp
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
-    q[4, 0] = angle1_________
-    q[4, 1] = angle1_________________
-    q[4, 2] = angle1_____________
+    q[4, 0] = angle10
+    q[4, 1] = angle18
+    q[4, 2] = angle14
     q[4, 3] = q4_mpp
-    q[4, 4] = angle1__
+    q[4, 4] = angle3
     q[4, 5] = q6_mpp
     q[4, 6] = q7_mpp
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
     q[5, 0] = q1_mpm
-    q[5, 1] = -angle1_________________
+    q[5, 1] = -angle18
     q[5, 2] = q3_mpm
     q[5, 3] = q4_mpp
-    q[5, 4] = angle1__
+    q[5, 4] = angle3
     q[5, 5] = q6_mpp
     q[5, 6] = q7_mpp
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
-    q[6, 0] = angle1__________
-    q[6, 1] = angle1__________________
-    q[6, 2] = angle1______________
+    q[6, 0] = angle11
+    q[6, 1] = angle19
+    q[6, 2] = angle15
     q[6, 3] = q4_mpp
     q[6, 4] = q5_mmp
     q[6, 5] = q6_mmp
     q[6, 6] = q7_mpp
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mmm
-    q[7, 1] = -angle1__________________
+    q[7, 1] = -angle19
     q[7, 2] = q3_mmm
     q[7, 3] = q4_mpp
     q[7, 4] = q5_mmp
@@ -1682,107 +1677,99 @@ def _in_tiles(T, q_free, q, status):
             q7_mpp = work[1376 + k]
             doubt1 = work[1408 + k] != 0.0
             angle1 = work[1440 + k]
-            angle1_ = work[1472 + k]
-            angle1__ = work[1504 + k]
-            angle1___ = work[1536 + k]
-            angle1____ = work[1568 + k]
-            angle1_____ = work[1600 + k]
-            angle1______ = work[1632 + k]
-            angle1_______ = work[1664 + k]
-            angle1________ = work[1696 + k]
-            angle1_________ = work[1728 + k]
-            angle1__________ = work[1760 + k]
-            angle1___________ = work[1792 + k]
-            angle1____________ = work[1824 + k]
-            angle1_____________ = work[1856 + k]
-            angle1______________ = work[1888 + k]
-            angle1_______________ = work[1920 + k]
-            angle1________________ = work[1952 + k]
-            angle1_________________ = work[1984 + k]
-            angle1__________________ = work[2016 + k]
+            angle2 = work[1472 + k]
+            angle3 = work[1504 + k]
+            angle4 = work[1536 + k]
+            angle5 = work[1568 + k]
+            angle6 = work[1600 + k]
+            angle7 = work[1632 + k]
+            angle8 = work[1664 + k]
+            angle9 = work[1696 + k]
+            angle10 = work[1728 + k]
+            angle11 = work[1760 + k]
+            angle12 = work[1792 + k]
+            angle13 = work[1824 + k]
+            angle14 = work[1856 + k]
+            angle15 = work[1888 + k]
+            angle16 = work[1920 + k]
+            angle17 = work[1952 + k]
+            angle18 = work[1984 + k]
+            angle19 = work[2016 + k]
             q4__p = angle1 - turn1
             v10 = turn1 + angle1
-            q5_pmp = math.copysign(half_turn, v26) * h1 - angle1_
-            q5_mmp = math.copysign(half_turn, v27) * h1 - angle1__
-            q1_ppm = angle1_______ - h1 * math.copysign(half_turn, -v71)
-            q1_pmm = angle1________ - h1 * math.copysign(half_turn, -v72)
-            q1_mpm = angle1_________ - h1 * math.copysign(half_turn, -v73)
-            q1_mmm = angle1__________ - h1 * math.copysign(half_turn, v74)
-            q3_ppm = angle1___________ - h1 * math.copysign(half_turn, s3_pp)
-            q3_pmm = angle1____________ - h1 * math.copysign(half_turn, s3_pm)
-            q3_mpm = angle1_____________ - h1 * math.copysign(half_turn, s3_mp)
-            q3_mmm = angle1______________ - h1 * math.copysign(half_turn, s3_mm)
+            q5_pmp = math.copysign(half_turn, v26) * h1 - angle2
+            q5_mmp = math.copysign(half_turn, v27) * h1 - angle3
+            q1_ppm = angle8 - h1 * math.copysign(half_turn, -v71)
+            q1_pmm = angle9 - h1 * math.copysign(half_turn, -v72)
+            q1_mpm = angle10 - h1 * math.copysign(half_turn, -v73)
+            q1_mmm = angle11 - h1 * math.copysign(half_turn, v74)
+            q3_ppm = angle12 - h1 * math.copysign(half_turn, s3_pp)
+            q3_pmm = angle13 - h1 * math.copysign(half_turn, s3_pm)
+            q3_mpm = angle14 - h1 * math.copysign(half_turn, s3_mp)
+            q3_mmm = angle15 - h1 * math.copysign(half_turn, s3_mm)
             v147 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
             v148 = (m10 if -v10 <= -half_turn else 0.0) - v10
             v149 = v147 < low4 or high4 < v147
             v150 = v148 < low4 or high4 < v148
-            v151 = angle1_ < low5 or high5 < angle1_
+            v151 = angle2 < low5 or high5 < angle2
             v152 = q5_pmp < low5 or high5 < q5_pmp
-            v153 = angle1__ < low5 or high5 < angle1__
+            v153 = angle3 < low5 or high5 < angle3
             v154 = q5_mmp < low5 or high5 < q5_mmp
-            v155 = angle1___ + (whole_turn if angle1___ < low6 else 0.0)
-            v156 = angle1____ + (whole_turn if angle1____ < low6 else 0.0)
-            v157 = angle1_____ + (whole_turn if angle1_____ < low6 else 0.0)
-            v158 = angle1______ + (whole_turn if angle1______ < low6 else 0.0)
+            v155 = angle4 + (whole_turn if angle4 < low6 else 0.0)
+            v156 = angle5 + (whole_turn if angle5 < low6 else 0.0)
+            v157 = angle6 + (whole_turn if angle6 < low6 else 0.0)
+            v158 = angle7 + (whole_turn if angle7 < low6 else 0.0)
             v159 = v155 < low6 or high6 < v155
             v160 = v156 < low6 or high6 < v156
             v161 = v157 < low6 or high6 < v157
             v162 = v158 < low6 or high6 < v158
-            q6_ppp = angle1___ if v159 else v155
-            q6_pmp = angle1____ if v160 else v156
-            q6_mpp = angle1_____ if v161 else v157
-            q6_mmp = angle1______ if v162 else v158
+            q6_ppp = angle4 if v159 else v155
+            q6_pmp = angle5 if v160 else v156
+            q6_mpp = angle6 if v161 else v157
+            q6_mmp = angle7 if v162 else v158
             q4_ppp = v20 + v147
             q4_mpp = v21 + v148
             outside_ppp = (
-                v163 or (v159 or (v151 or (v149 or (angle1___________ < low3 or high3 <
-                angle1___________ or (angle1_______ < low1 or high1 < angle1_______ or
-                (angle1_______________ < low2 or high2 < angle1_______________))))))
+                v163 or (v159 or (v151 or (v149 or (angle12 < low3 or high3 < angle12 or (angle8 <
+                low1 or high1 < angle8 or (angle16 < low2 or high2 < angle16))))))
             )
             outside_ppm = (
                 v163 or (v159 or (v151 or (v149 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm <
-                low1 or high1 < q1_ppm or (-angle1_______________ < low2 or high2 <
-                -angle1_______________))))))
+                low1 or high1 < q1_ppm or (-angle16 < low2 or high2 < -angle16))))))
             )
             outside_pmp = (
-                v163 or (v160 or (v152 or (v149 or (angle1____________ < low3 or high3 <
-                angle1____________ or (angle1________ < low1 or high1 < angle1________ or
-                (angle1________________ < low2 or high2 < angle1________________))))))
+                v163 or (v160 or (v152 or (v149 or (angle13 < low3 or high3 < angle13 or (angle9 <
+                low1 or high1 < angle9 or (angle17 < low2 or high2 < angle17))))))
             )
             outside_pmm = (
                 v163 or (v160 or (v152 or (v149 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm <
-                low1 or high1 < q1_pmm or (-angle1________________ < low2 or high2 <
-                -angle1________________))))))
+                low1 or high1 < q1_pmm or (-angle17 < low2 or high2 < -angle17))))))
             )
             outside_mpp = (
-                v163 or (v161 or (v153 or (v150 or (angle1_____________ < low3 or high3 <
-                angle1_____________ or (angle1_________ < low1 or high1 < angle1_________ or
-                (angle1_________________ < low2 or high2 < angle1_________________))))))
+                v163 or (v161 or (v153 or (v150 or (angle14 < low3 or high3 < angle14 or (angle10 <
+                low1 or high1 < angle10 or (angle18 < low2 or high2 < angle18))))))
             )
             outside_mpm = (
                 v163 or (v161 or (v153 or (v150 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm <
-                low1 or high1 < q1_mpm or (-angle1_________________ < low2 or high2 <
-                -angle1_________________))))))
+                low1 or high1 < q1_mpm or (-angle18 < low2 or high2 < -angle18))))))
             )
             outside_mmp = (
-                v163 or (v162 or (v154 or (v150 or (angle1______________ < low3 or high3 <
-                angle1______________ or (angle1__________ < low1 or high1 < angle1__________ or
-                (angle1__________________ < low2 or high2 < angle1__________________))))))
+                v163 or (v162 or (v154 or (v150 or (angle15 < low3 or high3 < angle15 or (angle11 <
+                low1 or high1 < angle11 or (angle19 < low2 or high2 < angle19))))))
             )
             outside_mmm = (
                 v163 or (v162 or (v154 or (v150 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm <
-                low1 or high1 < q1_mmm or (-angle1__________________ < low2 or high2 <
-                -angle1__________________))))))
+                low1 or high1 < q1_mmm or (-angle19 < low2 or high2 < -angle19))))))
             )
-            _2656 = angle1_______
+            _2656 = angle8
             work[2656 + k] = _2656
-            _2688 = angle1_______________
+            _2688 = angle16
             work[2688 + k] = _2688
-            _2720 = angle1___________
+            _2720 = angle12
             work[2720 + k] = _2720
             _2752 = q4_ppp
             work[2752 + k] = _2752
-            _2784 = angle1_
+            _2784 = angle2
             work[2784 + k] = _2784
             _2816 = q6_ppp
             work[2816 + k] = _2816
@@ -1790,15 +1777,15 @@ def _in_tiles(T, q_free, q, status):
             work[2848 + k] = _2848
             _2880 = q1_ppm
             work[2880 + k] = _2880
-            _2912 = -angle1_______________
+            _2912 = -angle16
             work[2912 + k] = _2912
             _2944 = q3_ppm
             work[2944 + k] = _2944
-            _2976 = angle1________
+            _2976 = angle9
             work[2976 + k] = _2976
-            _3008 = angle1________________
+            _3008 = angle17
             work[3008 + k] = _3008
-            _3040 = angle1____________
+            _3040 = angle13
             work[3040 + k] = _3040
             _3072 = q5_pmp
             work[3072 + k] = _3072
@@ -1806,19 +1793,19 @@ def _in_tiles(T, q_free, q, status):
             work[3104 + k] = _3104
             _3136 = q1_pmm
             work[3136 + k] = _3136
-            _3168 = -angle1________________
+            _3168 = -angle17
             work[3168 + k] = _3168
             _3200 = q3_pmm
             work[3200 + k] = _3200
-            _3232 = angle1_________
+            _3232 = angle10
             work[3232 + k] = _3232
-            _3264 = angle1_________________
+            _3264 = angle18
             work[3264 + k] = _3264
-            _3296 = angle1_____________
+            _3296 = angle14
             work[3296 + k] = _3296
             _3328 = q4_mpp
             work[3328 + k] = _3328
-            _3360 = angle1__
+            _3360 = angle3
             work[3360 + k] = _3360
             _3392 = q6_mpp
             work[3392 + k] = _3392
@@ -1826,15 +1813,15 @@ def _in_tiles(T, q_free, q, status):
             work[3424 + k] = _3424
             _3456 = q1_mpm
             work[3456 + k] = _3456
-            _3488 = -angle1_________________
+            _3488 = -angle18
             work[3488 + k] = _3488
             _3520 = q3_mpm
             work[3520 + k] = _3520
-            _3552 = angle1__________
+            _3552 = angle11
             work[3552 + k] = _3552
-            _3584 = angle1__________________
+            _3584 = angle19
             work[3584 + k] = _3584
-            _3616 = angle1______________
+            _3616 = angle15
             work[3616 + k] = _3616
             _3648 = q5_mmp
             work[3648 + k] = _3648
@@ -1842,7 +1829,7 @@ def _in_tiles(T, q_free, q, status):
             work[3680 + k] = _3680
             _3712 = q1_mmm
             work[3712 + k] = _3712
-            _3744 = -angle1__________________
+            _3744 = -angle19
             work[3744 + k] = _3744
             _3776 = q3_mmm
             work[3776 + k] = _3776

@@ -368,14 +368,14 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
+    angle2 = room[1]
+    angle3 = room[2]
 
     # theta4, type 2: U4[3, 3]
     q4_m = angle1 - math.copysign(half_turn, T23) * h1
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_m = angle1__ - h1 * math.copysign(half_turn, v2)
+    q6_m = angle3 - h1 * math.copysign(half_turn, v2)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -384,14 +384,14 @@ def _regular(pose, q, status):
     q[0, 1] = q2_p
     q[0, 2] = q3_p
     q[0, 3] = angle1
-    q[0, 4] = angle1_
-    q[0, 5] = angle1__
+    q[0, 4] = angle2
+    q[0, 5] = angle3
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_p
     q[1, 1] = q2_p
     q[1, 2] = q3_p
     q[1, 3] = q4_m
-    q[1, 4] = -angle1_
+    q[1, 4] = -angle2
     q[1, 5] = q6_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     return True
@@ -626,10 +626,10 @@ def _in_tiles(T, q, status):
             doubt1 = work[640 + k] != 0.0
             v2 = work[672 + k]
             angle1 = work[704 + k]
-            angle1_ = work[736 + k]
-            angle1__ = work[768 + k]
+            angle2 = work[736 + k]
+            angle3 = work[768 + k]
             q4_m = angle1 - math.copysign(half_turn, T23) * h1
-            q6_m = angle1__ - h1 * math.copysign(half_turn, v2)
+            q6_m = angle3 - h1 * math.copysign(half_turn, v2)
             _896 = q1_p
             work[896 + k] = _896
             _928 = q2_p
@@ -638,13 +638,13 @@ def _in_tiles(T, q, status):
             work[960 + k] = _960
             _992 = angle1
             work[992 + k] = _992
-            _1024 = angle1_
+            _1024 = angle2
             work[1024 + k] = _1024
-            _1056 = angle1__
+            _1056 = angle3
             work[1056 + k] = _1056
             _1088 = q4_m
             work[1088 + k] = _1088
-            _1120 = -angle1_
+            _1120 = -angle2
             work[1120 + k] = _1120
             _1152 = q6_m
             work[1152 + k] = _1152

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef KATANA_400_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -516,7 +486,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23));
     const wide v3 = T33 * T33 + Z2_234 * Z2_234;
     const wide factor234 = sqrt_wide(v3) * (1.0 / v3);
-    const wide angle1_ = atan2_wide(-Z2_234, T33);
+    const wide angle2 = atan2_wide(-Z2_234, T33);
 
     /* theta5 */
     const wide Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22));
@@ -525,7 +495,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v5 = sqrt_wide(v4) * (1.0 / v4);
     const wide v6 = Z1_5 * v5;
     const wide v7 = Z2_5 * v5;
-    const wide angle1__ = atan2_wide(-Z2_5, -Z1_5);
+    const wide angle3 = atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
     const wide v8 = factor234 * (d5 * T33);
@@ -538,7 +508,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v10 = w3 - w3;
     const wide s3 = k2 * w3;
     const wide c3 = k2 * K3;
-    const wide angle1___ = atan2_wide(w3, K3);
+    const wide angle4 = atan2_wide(w3, K3);
 
     /* theta2 */
     const wide X1_2 = a2 + a3 * c3;
@@ -576,10 +546,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v31 = 1.0 / v27;
     const wide v32 = 1.0 / v28;
     const wide v33 = 1.0 / v29;
-    const wide angle1____ = atan2_wide(S2_pp, C2_pp);
-    const wide angle1_____ = atan2_wide(S2_pm, C2_pm);
-    const wide angle1______ = atan2_wide(S2_pm, C2_mp);
-    const wide angle1_______ = atan2_wide(S2_pp, C2_mm);
+    const wide angle5 = atan2_wide(S2_pp, C2_pp);
+    const wide angle6 = atan2_wide(S2_pm, C2_pm);
+    const wide angle7 = atan2_wide(S2_pm, C2_mp);
+    const wide angle8 = atan2_wide(S2_pp, C2_mm);
 
     /* is the pose one that the arm can take? */
     const wide v34 = c1 * T33;
@@ -616,44 +586,36 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v41))) <= pose_slack1, all_wide(0.0), all_wide(v44));
 
     /* joint values */
-    const wide v52 = angle1_ - (angle1___ + angle1____) - offset4;
-    const wide v53 = angle1_ - (angle1_____ - angle1___) - offset4;
-    const wide v54 = offset4 + (angle1_ + (angle1___ + angle1______));
-    const wide v55 = offset4 + (angle1_ + (angle1_______ - angle1___));
-    const wide v56 = v52 - pick_wide(half_turn < v52, all_wide(m9), all_wide(0.0)) + pick_wide(v52
-        <= -half_turn, all_wide(m9), all_wide(0.0));
-    const wide v57 = v53 - pick_wide(half_turn < v53, all_wide(m9), all_wide(0.0)) + pick_wide(v53
-        <= -half_turn, all_wide(m9), all_wide(0.0));
-    const wide v58 = pick_wide(-v54 <= -half_turn, all_wide(m9), all_wide(0.0)) - (v54 +
-        pick_wide(half_turn < -v54, all_wide(m9), all_wide(0.0)));
-    const wide v59 = pick_wide(-v55 <= -half_turn, all_wide(m9), all_wide(0.0)) - (v55 +
-        pick_wide(half_turn < -v55, all_wide(m9), all_wide(0.0)));
+    const wide v52 = angle2 - (angle4 + angle5) - offset4;
+    const wide v53 = angle2 - (angle6 - angle4) - offset4;
+    const wide v54 = offset4 + (angle2 + (angle4 + angle7));
+    const wide v55 = offset4 + (angle2 + (angle8 - angle4));
+    const wide v56 = v52 - only_wide(half_turn < v52, m9) + only_wide(v52 <= -half_turn, m9);
+    const wide v57 = v53 - only_wide(half_turn < v53, m9) + only_wide(v53 <= -half_turn, m9);
+    const wide v58 = only_wide(-v54 <= -half_turn, m9) - (v54 + only_wide(half_turn < -v54, m9));
+    const wide v59 = only_wide(-v55 <= -half_turn, m9) - (v55 + only_wide(half_turn < -v55, m9));
     const wide v60 = v45 + (angle1 + v10);
     const wide v61 = v45 + (v10 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
     const wide q1_pp = v47 + v60;
     const wide q1_pm = v49 + v60;
     const wide q1_mp = v50 + v61;
     const wide q1_mm = v51 + v61;
-    const wide q2_pp = v47 + (angle1____ + v45);
-    const wide q2_pm = v49 + (angle1_____ + v45);
-    const wide q2_mp = v50 + (angle1______ + v45);
-    const wide q2_mm = v51 + (angle1_______ + v45);
-    const wide v62 = angle1___ + v45;
-    const wide v63 = v45 - angle1___;
+    const wide q2_pp = v47 + (angle5 + v45);
+    const wide q2_pm = v49 + (angle6 + v45);
+    const wide q2_mp = v50 + (angle7 + v45);
+    const wide q2_mm = v51 + (angle8 + v45);
+    const wide v62 = angle4 + v45;
+    const wide v63 = v45 - angle4;
     const wide q3_pp = v47 + v62;
     const wide q3_pm = v49 + v63;
     const wide q3_mp = v50 + v62;
     const wide q3_mm = v51 + v63;
-    const wide q4_pp = v47 + (v45 + (v56 - pick_wide(half_turn < v56, all_wide(m9),
-        all_wide(0.0))));
-    const wide q4_pm = v49 + (v45 + (v57 - pick_wide(half_turn < v57, all_wide(m9),
-        all_wide(0.0))));
-    const wide q4_mp = v50 + (v45 + (v58 - pick_wide(half_turn < v58, all_wide(m9),
-        all_wide(0.0))));
-    const wide q4_mm = v51 + (v45 + (v59 - pick_wide(half_turn < v59, all_wide(m9),
-        all_wide(0.0))));
-    const wide v64 = v45 + (angle1__ + v10);
-    const wide v65 = v45 + (v10 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -Z2_5)));
+    const wide q4_pp = v47 + (v45 + (v56 - only_wide(half_turn < v56, m9)));
+    const wide q4_pm = v49 + (v45 + (v57 - only_wide(half_turn < v57, m9)));
+    const wide q4_mp = v50 + (v45 + (v58 - only_wide(half_turn < v58, m9)));
+    const wide q4_mm = v51 + (v45 + (v59 - only_wide(half_turn < v59, m9)));
+    const wide v64 = v45 + (angle3 + v10);
+    const wide v65 = v45 + (v10 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -Z2_5)));
     const wide q5_pp = v47 + v64;
     const wide q5_pm = v49 + v64;
     const wide q5_mp = v50 + v65;
@@ -786,25 +748,24 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const int doubt1 = (v5 <= m3) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v6 <= m3)));
 
-    const four angle1____ = atan2_four(S2, C2);
+    const four angle5 = atan2_four(S2, C2);
     const four packed2 = atan2_four((four){ T24, -Z2_234, -Z2_5, w3 }, (four){ T14, T33, -Z1_5, K3
         });
     const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four angle1_ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four angle1__ = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four angle1___ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v39 = e2 * angle1___;
-    const four v40 = e1 * angle1_;
-    const four v41 = v40 - (angle1____ + v39) - offset4;
-    const four v42 = v41 - pick_four(half_turn < v41, all_four(m9), all_four(0.0)) + pick_four(v41
-        <= -half_turn, all_four(m9), all_four(0.0));
+    const four angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
+    const four angle4 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four v39 = e2 * angle4;
+    const four v40 = e1 * angle2;
+    const four v41 = v40 - (angle5 + v39) - offset4;
+    const four v42 = v41 - only_four(half_turn < v41, m9) + only_four(v41 <= -half_turn, m9);
     const four v43 = v37 + (v13 + (angle1 + v3 * v4));
     const four q1 = v38 + v43;
-    const four q2 = v38 + (angle1____ + v37);
+    const four q2 = v38 + (angle5 + v37);
     const four v44 = v37 + v39;
     const four q3 = v38 + v44;
-    const four q4 = v38 + (v37 + (v42 - pick_four(half_turn < v42, all_four(m9), all_four(0.0))));
-    const four v45 = v37 + (v13 + (angle1__ + v4 * v10));
+    const four q4 = v38 + (v37 + (v42 - only_four(half_turn < v42, m9)));
+    const four v45 = v37 + (v13 + (angle3 + v4 * v10));
     const four q5 = v38 + v45;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))

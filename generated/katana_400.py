@@ -748,19 +748,19 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
 
     # joint values
-    v52 = angle1_ - (angle1___ + angle1____) - offset4
-    v53 = angle1_ - (angle1_____ - angle1___) - offset4
-    v54 = offset4 + (angle1_ + (angle1___ + angle1______))
-    v55 = offset4 + (angle1_ + (angle1_______ - angle1___))
+    v52 = angle2 - (angle4 + angle5) - offset4
+    v53 = angle2 - (angle6 - angle4) - offset4
+    v54 = offset4 + (angle2 + (angle4 + angle7))
+    v55 = offset4 + (angle2 + (angle8 - angle4))
     v56 = v52 - (m9 if half_turn < v52 else 0.0) + (m9 if v52 <= -half_turn else 0.0)
     v57 = v53 - (m9 if half_turn < v53 else 0.0) + (m9 if v53 <= -half_turn else 0.0)
     v58 = (m9 if -v54 <= -half_turn else 0.0) - (v54 + (m9 if half_turn < -v54 else 0.0))
@@ -771,12 +771,12 @@ def _regular(pose, q, status):
     q1_pm = v49 + v60
     q1_mp = v50 + v61
     q1_mm = v51 + v61
-    q2_pp = v47 + (angle1____ + v45)
-    q2_pm = v49 + (angle1_____ + v45)
-    q2_mp = v50 + (angle1______ + v45)
-    q2_mm = v51 + (angle1_______ + v45)
-    v62 = angle1___ + v45
-    v63 = v45 - angle1___
+    q2_pp = v47 + (angle5 + v45)
+    q2_pm = v49 + (angle6 + v45)
+    q2_mp = v50 + (angle7 + v45)
+    q2_mm = v51 + (angle8 + v45)
+    v62 = angle4 + v45
+    v63 = v45 - angle4
     q3_pp = v47 + v62
     q3_pm = v49 + v63
     q3_mp = v50 + v62
@@ -785,8 +785,8 @@ def _regular(pose, q, status):
     q4_pm = v49 + (v45 + (v57 - (m9 if half_turn < v57 else 0.0)))
     q4_mp = v50 + (v45 + (v58 - (m9 if half_turn < v58 else 0.0)))
     q4_mm = v51 + (v45 + (v59 - (m9 if half_turn < v59 else 0.0)))
-    v64 = v45 + (angle1__ + v10)
-    v65 = v45 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
+    v64 = v45 + (angle3 + v10)
+    v65 = v45 + (v10 + (angle3 - h1 * math.copysign(half_turn, -Z2_5)))
     q5_pp = v47 + v64
     q5_pm = v49 + v64
     q5_mp = v50 + v65
@@ -1167,17 +1167,17 @@ def _in_tiles(T, q, status):
             v51 = work[736 + k]
             doubt1 = work[768 + k] != 0.0
             angle1 = work[800 + k]
-            angle1_ = work[832 + k]
-            angle1__ = work[864 + k]
-            angle1___ = work[896 + k]
-            angle1____ = work[928 + k]
-            angle1_____ = work[960 + k]
-            angle1______ = work[992 + k]
-            angle1_______ = work[1024 + k]
-            v52 = angle1_ - (angle1___ + angle1____) - offset4
-            v53 = angle1_ - (angle1_____ - angle1___) - offset4
-            v54 = offset4 + (angle1_ + (angle1___ + angle1______))
-            v55 = offset4 + (angle1_ + (angle1_______ - angle1___))
+            angle2 = work[832 + k]
+            angle3 = work[864 + k]
+            angle4 = work[896 + k]
+            angle5 = work[928 + k]
+            angle6 = work[960 + k]
+            angle7 = work[992 + k]
+            angle8 = work[1024 + k]
+            v52 = angle2 - (angle4 + angle5) - offset4
+            v53 = angle2 - (angle6 - angle4) - offset4
+            v54 = offset4 + (angle2 + (angle4 + angle7))
+            v55 = offset4 + (angle2 + (angle8 - angle4))
             v56 = v52 - (m9 if half_turn < v52 else 0.0) + (m9 if v52 <= -half_turn else 0.0)
             v57 = v53 - (m9 if half_turn < v53 else 0.0) + (m9 if v53 <= -half_turn else 0.0)
             v58 = (m9 if -v54 <= -half_turn else 0.0) - (v54 + (m9 if half_turn < -v54 else 0.0))
@@ -1188,12 +1188,12 @@ def _in_tiles(T, q, status):
             q1_pm = v49 + v60
             q1_mp = v50 + v61
             q1_mm = v51 + v61
-            q2_pp = v47 + (angle1____ + v45)
-            q2_pm = v49 + (angle1_____ + v45)
-            q2_mp = v50 + (angle1______ + v45)
-            q2_mm = v51 + (angle1_______ + v45)
-            v62 = angle1___ + v45
-            v63 = v45 - angle1___
+            q2_pp = v47 + (angle5 + v45)
+            q2_pm = v49 + (angle6 + v45)
+            q2_mp = v50 + (angle7 + v45)
+            q2_mm = v51 + (angle8 + v45)
+            v62 = angle4 + v45
+            v63 = v45 - angle4
             q3_pp = v47 + v62
             q3_pm = v49 + v63
             q3_mp = v50 + v62
@@ -1202,8 +1202,8 @@ def _in_tiles(T, q, status):
             q4_pm = v49 + (v45 + (v57 - (m9 if half_turn < v57 else 0.0)))
             q4_mp = v50 + (v45 + (v58 - (m9 if half_turn < v58 else 0.0)))
             q4_mm = v51 + (v45 + (v59 - (m9 if half_turn < v59 else 0.0)))
-            v64 = v45 + (angle1__ + v10)
-            v65 = v45 + (v10 + (angle1__ - h1 * math.copysign(half_turn, -Z2_5)))
+            v64 = v45 + (angle3 + v10)
+            v65 = v45 + (v10 + (angle3 - h1 * math.copysign(half_turn, -Z2_5)))
             q5_pp = v47 + v64
             q5_pm = v49 + v64
             q5_mp = v50 + v65

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -72,6 +96,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -83,29 +112,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -114,6 +120,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -127,28 +138,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -156,37 +146,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef KAWASAKI_RS007N_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -653,97 +623,95 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle1 = atan2_wide(wy, -X1);
     const wide v60 = angle1 - offset1;
     const wide v61 = angle1 - copysign_wide(all_wide(half_turn), wy) * h1 - offset1;
-    const wide angle1_ = atan2_wide(S2_pp, C2_pp);
-    const wide v62 = angle1_ - offset2;
-    const wide angle1__ = atan2_wide(S2_pm, C2_pm);
-    const wide v63 = angle1__ - offset2;
-    const wide angle1___ = atan2_wide(S2_pm, C2_mp);
-    const wide v64 = angle1___ - offset2;
-    const wide angle1____ = atan2_wide(S2_pp, C2_mm);
-    const wide v65 = angle1____ - offset2;
-    const wide q2_ppp = v62 - pick_wide(half_turn < v62, all_wide(m7), all_wide(0.0));
-    const wide q2_pmp = v63 - pick_wide(half_turn < v63, all_wide(m7), all_wide(0.0));
-    const wide q2_mpp = v64 - pick_wide(half_turn < v64, all_wide(m7), all_wide(0.0));
-    const wide q2_mmp = v65 - pick_wide(half_turn < v65, all_wide(m7), all_wide(0.0));
-    const wide angle1_____ = atan2_wide(v5, -v6);
-    const wide v66 = angle1_____ - offset3;
-    const wide v67 = h1 * copysign_wide(all_wide(half_turn), v5) - angle1_____ - offset3;
-    const wide q3_ppp = v66 + pick_wide(v66 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q3_pmp = v67 + pick_wide(v67 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide angle1______ = atan2_wide(-v46, v41);
-    const wide angle1_______ = atan2_wide(-v46, v42);
-    const wide angle1________ = atan2_wide(v46, v43);
-    const wide angle1_________ = atan2_wide(v46, v44);
+    const wide angle2 = atan2_wide(S2_pp, C2_pp);
+    const wide v62 = angle2 - offset2;
+    const wide angle3 = atan2_wide(S2_pm, C2_pm);
+    const wide v63 = angle3 - offset2;
+    const wide angle4 = atan2_wide(S2_pm, C2_mp);
+    const wide v64 = angle4 - offset2;
+    const wide angle5 = atan2_wide(S2_pp, C2_mm);
+    const wide v65 = angle5 - offset2;
+    const wide q2_ppp = v62 - only_wide(half_turn < v62, m7);
+    const wide q2_pmp = v63 - only_wide(half_turn < v63, m7);
+    const wide q2_mpp = v64 - only_wide(half_turn < v64, m7);
+    const wide q2_mmp = v65 - only_wide(half_turn < v65, m7);
+    const wide angle6 = atan2_wide(v5, -v6);
+    const wide v66 = angle6 - offset3;
+    const wide v67 = h1 * copysign_wide(all_wide(half_turn), v5) - angle6 - offset3;
+    const wide q3_ppp = v66 + only_wide(v66 <= -half_turn, m7);
+    const wide q3_pmp = v67 + only_wide(v67 <= -half_turn, m7);
+    const wide angle7 = atan2_wide(-v46, v41);
+    const wide angle8 = atan2_wide(-v46, v42);
+    const wide angle9 = atan2_wide(v46, v43);
+    const wide angle10 = atan2_wide(v46, v44);
     const wide v68 = h1 * copysign_wide(all_wide(half_turn), -v46);
     const wide v69 = h1 * copysign_wide(all_wide(half_turn), v46);
-    const wide v70 = angle1______ - offset4;
-    const wide v71 = angle1______ - v68 - offset4;
-    const wide v72 = angle1_______ - offset4;
-    const wide v73 = angle1_______ - v68 - offset4;
-    const wide v74 = angle1________ - offset4;
-    const wide v75 = angle1________ - v69 - offset4;
-    const wide v76 = angle1_________ - offset4;
-    const wide v77 = angle1_________ - v69 - offset4;
-    const wide q4_ppp = v70 + pick_wide(v70 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_ppm = v71 + pick_wide(v71 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_pmp = v72 + pick_wide(v72 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_pmm = v73 + pick_wide(v73 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mpp = v74 + pick_wide(v74 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mpm = v75 + pick_wide(v75 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mmp = v76 + pick_wide(v76 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mmm = v77 + pick_wide(v77 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide angle1__________ = atan2_wide(sqrt_wide(v48), T33 * c2m3_pp + v35 * v40);
-    const wide angle1___________ = atan2_wide(sqrt_wide(v49), T33 * c2m3_pm + v37 * v40);
-    const wide angle1____________ = atan2_wide(sqrt_wide(v50), T33 * c2m3_mp - v38 * v40);
-    const wide angle1_____________ = atan2_wide(sqrt_wide(v51), T33 * c2m3_mm - v39 * v40);
-    const wide v78 = angle1__________ - offset5;
-    const wide v79 = offset5 + angle1__________;
-    const wide v80 = angle1___________ - offset5;
-    const wide v81 = offset5 + angle1___________;
-    const wide v82 = angle1____________ - offset5;
-    const wide v83 = offset5 + angle1____________;
-    const wide v84 = angle1_____________ - offset5;
-    const wide v85 = offset5 + angle1_____________;
-    const wide q5_ppp = v78 + pick_wide(v78 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v79 <= -half_turn, all_wide(m7), all_wide(0.0)) - v79;
-    const wide q5_pmp = v80 + pick_wide(v80 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v81 <= -half_turn, all_wide(m7), all_wide(0.0)) - v81;
-    const wide q5_mpp = v82 + pick_wide(v82 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v83 <= -half_turn, all_wide(m7), all_wide(0.0)) - v83;
-    const wide q5_mmp = v84 + pick_wide(v84 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v85 <= -half_turn, all_wide(m7), all_wide(0.0)) - v85;
+    const wide v70 = angle7 - offset4;
+    const wide v71 = angle7 - v68 - offset4;
+    const wide v72 = angle8 - offset4;
+    const wide v73 = angle8 - v68 - offset4;
+    const wide v74 = angle9 - offset4;
+    const wide v75 = angle9 - v69 - offset4;
+    const wide v76 = angle10 - offset4;
+    const wide v77 = angle10 - v69 - offset4;
+    const wide q4_ppp = v70 + only_wide(v70 <= -half_turn, m7);
+    const wide q4_ppm = v71 + only_wide(v71 <= -half_turn, m7);
+    const wide q4_pmp = v72 + only_wide(v72 <= -half_turn, m7);
+    const wide q4_pmm = v73 + only_wide(v73 <= -half_turn, m7);
+    const wide q4_mpp = v74 + only_wide(v74 <= -half_turn, m7);
+    const wide q4_mpm = v75 + only_wide(v75 <= -half_turn, m7);
+    const wide q4_mmp = v76 + only_wide(v76 <= -half_turn, m7);
+    const wide q4_mmm = v77 + only_wide(v77 <= -half_turn, m7);
+    const wide angle11 = atan2_wide(sqrt_wide(v48), T33 * c2m3_pp + v35 * v40);
+    const wide angle12 = atan2_wide(sqrt_wide(v49), T33 * c2m3_pm + v37 * v40);
+    const wide angle13 = atan2_wide(sqrt_wide(v50), T33 * c2m3_mp - v38 * v40);
+    const wide angle14 = atan2_wide(sqrt_wide(v51), T33 * c2m3_mm - v39 * v40);
+    const wide v78 = angle11 - offset5;
+    const wide v79 = offset5 + angle11;
+    const wide v80 = angle12 - offset5;
+    const wide v81 = offset5 + angle12;
+    const wide v82 = angle13 - offset5;
+    const wide v83 = offset5 + angle13;
+    const wide v84 = angle14 - offset5;
+    const wide v85 = offset5 + angle14;
+    const wide q5_ppp = v78 + only_wide(v78 <= -half_turn, m7);
+    const wide q5_ppm = only_wide(-v79 <= -half_turn, m7) - v79;
+    const wide q5_pmp = v80 + only_wide(v80 <= -half_turn, m7);
+    const wide q5_pmm = only_wide(-v81 <= -half_turn, m7) - v81;
+    const wide q5_mpp = v82 + only_wide(v82 <= -half_turn, m7);
+    const wide q5_mpm = only_wide(-v83 <= -half_turn, m7) - v83;
+    const wide q5_mmp = v84 + only_wide(v84 <= -half_turn, m7);
+    const wide q5_mmm = only_wide(-v85 <= -half_turn, m7) - v85;
     const wide v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59));
     const wide v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59));
-    const wide angle1______________ = atan2_wide(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp
-        * v57)));
-    const wide angle1_______________ = atan2_wide(v87, v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm
-        * v57)));
-    const wide angle1________________ = atan2_wide(-(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp *
-        v59))), -(v54 * (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57))));
-    const wide angle1_________________ = atan2_wide(-(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm
-        * v59))), -(v55 * (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57))));
-    const wide v88 = angle1______________ - offset6;
-    const wide v89 = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v86) - offset6;
-    const wide v90 = angle1_______________ - offset6;
-    const wide v91 = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v87) - offset6;
-    const wide v92 = angle1________________ - offset6;
-    const wide v93 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), -(v54 * (v43 *
-        v58 - v45 * (v38 * T31 + c2m3_mp * v59)))) - offset6;
-    const wide v94 = angle1_________________ - offset6;
-    const wide v95 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), -(v55 * (v44
-        * v58 - v45 * (v39 * T31 + c2m3_mm * v59)))) - offset6;
-    const wide q6_ppp = v88 + pick_wide(v88 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q6_ppm = v89 + pick_wide(v89 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q6_pmp = v90 + pick_wide(v90 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q6_pmm = v91 + pick_wide(v91 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q6_mpp = v92 + pick_wide(v92 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q6_mpm = v93 + pick_wide(v93 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q6_mmp = v94 + pick_wide(v94 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q6_mmm = v95 + pick_wide(v95 <= -half_turn, all_wide(m7), all_wide(0.0));
+    const wide angle15 = atan2_wide(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57)));
+    const wide angle16 = atan2_wide(v87, v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57)));
+    const wide angle17 = atan2_wide(-(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59))), -(v54
+        * (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57))));
+    const wide angle18 = atan2_wide(-(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59))), -(v55
+        * (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57))));
+    const wide v88 = angle15 - offset6;
+    const wide v89 = angle15 - h1 * copysign_wide(all_wide(half_turn), v86) - offset6;
+    const wide v90 = angle16 - offset6;
+    const wide v91 = angle16 - h1 * copysign_wide(all_wide(half_turn), v87) - offset6;
+    const wide v92 = angle17 - offset6;
+    const wide v93 = angle17 - h1 * copysign_wide(all_wide(half_turn), -(v54 * (v43 * v58 - v45 *
+        (v38 * T31 + c2m3_mp * v59)))) - offset6;
+    const wide v94 = angle18 - offset6;
+    const wide v95 = angle18 - h1 * copysign_wide(all_wide(half_turn), -(v55 * (v44 * v58 - v45 *
+        (v39 * T31 + c2m3_mm * v59)))) - offset6;
+    const wide q6_ppp = v88 + only_wide(v88 <= -half_turn, m7);
+    const wide q6_ppm = v89 + only_wide(v89 <= -half_turn, m7);
+    const wide q6_pmp = v90 + only_wide(v90 <= -half_turn, m7);
+    const wide q6_pmm = v91 + only_wide(v91 <= -half_turn, m7);
+    const wide q6_mpp = v92 + only_wide(v92 <= -half_turn, m7);
+    const wide q6_mpm = v93 + only_wide(v93 <= -half_turn, m7);
+    const wide q6_mmp = v94 + only_wide(v94 <= -half_turn, m7);
+    const wide q6_mmm = v95 + only_wide(v95 <= -half_turn, m7);
     const wide_mask v96 = (q3_ppp < low3) | (high3 < q3_ppp);
     const wide_mask v97 = (q3_pmp < low3) | (high3 < q3_pmp);
-    const wide q1_ppp = v4 + (v60 - pick_wide(half_turn < v60, all_wide(m7), all_wide(0.0)));
-    const wide q1_mpp = v4 + (v61 - pick_wide(half_turn < v61, all_wide(m7), all_wide(0.0)));
+    const wide q1_ppp = v4 + (v60 - only_wide(half_turn < v60, m7));
+    const wide q1_mpp = v4 + (v61 - only_wide(half_turn < v61, m7));
     const wide_mask v98 = v96 | ((q2_ppp < low2) | (high2 < q2_ppp));
     const wide_mask v99 = v97 | ((q2_pmp < low2) | (high2 < q2_pmp));
     const wide_mask v100 = v96 | ((q2_mpp < low2) | (high2 < q2_mpp));
@@ -902,33 +870,33 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
     const four_mask doubt2 = (v21 <= m4) | (v30 <= m5);
 
-    const four angle1_ = atan2_four(S2, C2);
-    const four angle1___ = atan2_four(-(e1 * v28), v26);
-    const four angle1____ = atan2_four(sqrt_four(v30), T33 * c2m3 + e1 * (v24 * v25));
-    const four angle1_____ = atan2_four(v46, e1 * (v31 * (v26 * v32 - v27 * (v24 * T32 - e1 * (c2m3
-        * v33)))));
+    const four angle2 = atan2_four(S2, C2);
+    const four angle4 = atan2_four(-(e1 * v28), v26);
+    const four angle5 = atan2_four(sqrt_four(v30), T33 * c2m3 + e1 * (v24 * v25));
+    const four angle6 = atan2_four(v46, e1 * (v31 * (v26 * v32 - v27 * (v24 * T32 - e1 * (c2m3 *
+        v33)))));
     const four packed5 = atan2_four((four){ wy, v5, wy, wy }, (four){ -X1, -v6, -X1, -X1 });
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
-    const four angle1__ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four v37 = angle1 + v36 * (m6 * (e1 - 1.0)) - offset1;
-    const four v38 = angle1_ - offset2;
-    const four q2_p = v38 - pick_four(half_turn < v38, all_four(m7), all_four(0.0));
-    const four v40 = e2 * angle1__ + v39 * (m6 * (1.0 - e2)) - offset3;
-    const four q3_p = v40 + pick_four(v40 <= -half_turn, all_four(m7), all_four(0.0));
-    const four v42 = angle1___ - offset4;
-    const four v43 = angle1___ - v41 - offset4;
-    const four q4_p = v42 + pick_four(v42 <= -half_turn, all_four(m7), all_four(0.0));
-    const four q4_m = v43 + pick_four(v43 <= -half_turn, all_four(m7), all_four(0.0));
-    const four v44 = angle1____ - offset5;
-    const four v45 = offset5 + angle1____;
-    const four q5_p = v44 + pick_four(v44 <= -half_turn, all_four(m7), all_four(0.0));
-    const four q5_m = pick_four(-v45 <= -half_turn, all_four(m7), all_four(0.0)) - v45;
-    const four v47 = angle1_____ - offset6;
-    const four v48 = angle1_____ - h1 * copysign_four(all_four(half_turn), v46) - offset6;
-    const four q6_p = v47 + pick_four(v47 <= -half_turn, all_four(m7), all_four(0.0));
-    const four q6_m = v48 + pick_four(v48 <= -half_turn, all_four(m7), all_four(0.0));
+    const four v38 = angle2 - offset2;
+    const four q2_p = v38 - only_four(half_turn < v38, m7);
+    const four v40 = e2 * angle3 + v39 * (m6 * (1.0 - e2)) - offset3;
+    const four q3_p = v40 + only_four(v40 <= -half_turn, m7);
+    const four v42 = angle4 - offset4;
+    const four v43 = angle4 - v41 - offset4;
+    const four q4_p = v42 + only_four(v42 <= -half_turn, m7);
+    const four q4_m = v43 + only_four(v43 <= -half_turn, m7);
+    const four v44 = angle5 - offset5;
+    const four v45 = offset5 + angle5;
+    const four q5_p = v44 + only_four(v44 <= -half_turn, m7);
+    const four q5_m = only_four(-v45 <= -half_turn, m7) - v45;
+    const four v47 = angle6 - offset6;
+    const four v48 = angle6 - h1 * copysign_four(all_four(half_turn), v46) - offset6;
+    const four q6_p = v47 + only_four(v47 <= -half_turn, m7);
+    const four q6_m = v48 + only_four(v48 <= -half_turn, m7);
     const four_mask v49 = (q3_p < low3) | (high3 < q3_p);
-    const four q1_p = v4 + (v37 - pick_four(half_turn < v37, all_four(m7), all_four(0.0)));
+    const four q1_p = v4 + (v37 - only_four(half_turn < v37, m7));
     const four_mask v50 = v49 | ((q2_p < low2) | (high2 < q2_p));
     const four_mask outside_p = v50 | ((q5_p < low5) | (high5 < q5_p));
     const four_mask outside_m = v50 | ((q5_m < low5) | (high5 < q5_m));

@@ -699,47 +699,47 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
 
     # joint values
     v60 = angle1 - offset1
     v61 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
-    v62 = angle1_ - offset2
-    v63 = angle1__ - offset2
-    v64 = angle1___ - offset2
-    v65 = angle1____ - offset2
+    v62 = angle2 - offset2
+    v63 = angle3 - offset2
+    v64 = angle4 - offset2
+    v65 = angle5 - offset2
     q2_ppp = v62 - (m7 if half_turn < v62 else 0.0)
     q2_pmp = v63 - (m7 if half_turn < v63 else 0.0)
     q2_mpp = v64 - (m7 if half_turn < v64 else 0.0)
     q2_mmp = v65 - (m7 if half_turn < v65 else 0.0)
-    v66 = angle1_____ - offset3
-    v67 = h1 * math.copysign(half_turn, v5) - angle1_____ - offset3
+    v66 = angle6 - offset3
+    v67 = h1 * math.copysign(half_turn, v5) - angle6 - offset3
     q3_ppp = v66 + (m7 if v66 <= -half_turn else 0.0)
     q3_pmp = v67 + (m7 if v67 <= -half_turn else 0.0)
-    v70 = angle1______ - offset4
-    v71 = angle1______ - v68 - offset4
-    v72 = angle1_______ - offset4
-    v73 = angle1_______ - v68 - offset4
-    v74 = angle1________ - offset4
-    v75 = angle1________ - v69 - offset4
-    v76 = angle1_________ - offset4
-    v77 = angle1_________ - v69 - offset4
+    v70 = angle7 - offset4
+    v71 = angle7 - v68 - offset4
+    v72 = angle8 - offset4
+    v73 = angle8 - v68 - offset4
+    v74 = angle9 - offset4
+    v75 = angle9 - v69 - offset4
+    v76 = angle10 - offset4
+    v77 = angle10 - v69 - offset4
     q4_ppp = v70 + (m7 if v70 <= -half_turn else 0.0)
     q4_ppm = v71 + (m7 if v71 <= -half_turn else 0.0)
     q4_pmp = v72 + (m7 if v72 <= -half_turn else 0.0)
@@ -748,14 +748,14 @@ def _regular(pose, q, status):
     q4_mpm = v75 + (m7 if v75 <= -half_turn else 0.0)
     q4_mmp = v76 + (m7 if v76 <= -half_turn else 0.0)
     q4_mmm = v77 + (m7 if v77 <= -half_turn else 0.0)
-    v78 = angle1__________ - offset5
-    v79 = offset5 + angle1__________
-    v80 = angle1___________ - offset5
-    v81 = offset5 + angle1___________
-    v82 = angle1____________ - offset5
-    v83 = offset5 + angle1____________
-    v84 = angle1_____________ - offset5
-    v85 = offset5 + angle1_____________
+    v78 = angle11 - offset5
+    v79 = offset5 + angle11
+    v80 = angle12 - offset5
+    v81 = offset5 + angle12
+    v82 = angle13 - offset5
+    v83 = offset5 + angle13
+    v84 = angle14 - offset5
+    v85 = offset5 + angle14
     q5_ppp = v78 + (m7 if v78 <= -half_turn else 0.0)
     q5_ppm = (m7 if -v79 <= -half_turn else 0.0) - v79
     q5_pmp = v80 + (m7 if v80 <= -half_turn else 0.0)
@@ -764,19 +764,19 @@ def _regular(pose, q, status):
     q5_mpm = (m7 if -v83 <= -half_turn else 0.0) - v83
     q5_mmp = v84 + (m7 if v84 <= -half_turn else 0.0)
     q5_mmm = (m7 if -v85 <= -half_turn else 0.0) - v85
-    v88 = angle1______________ - offset6
-    v89 = angle1______________ - h1 * math.copysign(half_turn, v86) - offset6
-    v90 = angle1_______________ - offset6
-    v91 = angle1_______________ - h1 * math.copysign(half_turn, v87) - offset6
-    v92 = angle1________________ - offset6
+    v88 = angle15 - offset6
+    v89 = angle15 - h1 * math.copysign(half_turn, v86) - offset6
+    v90 = angle16 - offset6
+    v91 = angle16 - h1 * math.copysign(half_turn, v87) - offset6
+    v92 = angle17 - offset6
     v93 = (
-        angle1________________ - h1 * math.copysign(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31
-        + c2m3_mp * v59)))) - offset6
+        angle17 - h1 * math.copysign(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp *
+        v59)))) - offset6
     )
-    v94 = angle1_________________ - offset6
+    v94 = angle18 - offset6
     v95 = (
-        angle1_________________ - h1 * math.copysign(half_turn, -(v55 * (v44 * v58 - v45 * (v39 *
-        T31 + c2m3_mm * v59)))) - offset6
+        angle18 - h1 * math.copysign(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm *
+        v59)))) - offset6
     )
     q6_ppp = v88 + (m7 if v88 <= -half_turn else 0.0)
     q6_ppm = v89 + (m7 if v89 <= -half_turn else 0.0)
@@ -1245,45 +1245,45 @@ def _in_tiles(T, q, status):
             v87 = work[1088 + k]
             doubt1 = work[1120 + k] != 0.0
             angle1 = work[1152 + k]
-            angle1_ = work[1184 + k]
-            angle1__ = work[1216 + k]
-            angle1___ = work[1248 + k]
-            angle1____ = work[1280 + k]
-            angle1_____ = work[1312 + k]
-            angle1______ = work[1344 + k]
-            angle1_______ = work[1376 + k]
-            angle1________ = work[1408 + k]
-            angle1_________ = work[1440 + k]
-            angle1__________ = work[1472 + k]
-            angle1___________ = work[1504 + k]
-            angle1____________ = work[1536 + k]
-            angle1_____________ = work[1568 + k]
-            angle1______________ = work[1600 + k]
-            angle1_______________ = work[1632 + k]
-            angle1________________ = work[1664 + k]
-            angle1_________________ = work[1696 + k]
+            angle2 = work[1184 + k]
+            angle3 = work[1216 + k]
+            angle4 = work[1248 + k]
+            angle5 = work[1280 + k]
+            angle6 = work[1312 + k]
+            angle7 = work[1344 + k]
+            angle8 = work[1376 + k]
+            angle9 = work[1408 + k]
+            angle10 = work[1440 + k]
+            angle11 = work[1472 + k]
+            angle12 = work[1504 + k]
+            angle13 = work[1536 + k]
+            angle14 = work[1568 + k]
+            angle15 = work[1600 + k]
+            angle16 = work[1632 + k]
+            angle17 = work[1664 + k]
+            angle18 = work[1696 + k]
             v60 = angle1 - offset1
             v61 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
-            v62 = angle1_ - offset2
-            v63 = angle1__ - offset2
-            v64 = angle1___ - offset2
-            v65 = angle1____ - offset2
+            v62 = angle2 - offset2
+            v63 = angle3 - offset2
+            v64 = angle4 - offset2
+            v65 = angle5 - offset2
             q2_ppp = v62 - (m7 if half_turn < v62 else 0.0)
             q2_pmp = v63 - (m7 if half_turn < v63 else 0.0)
             q2_mpp = v64 - (m7 if half_turn < v64 else 0.0)
             q2_mmp = v65 - (m7 if half_turn < v65 else 0.0)
-            v66 = angle1_____ - offset3
-            v67 = h1 * math.copysign(half_turn, v5) - angle1_____ - offset3
+            v66 = angle6 - offset3
+            v67 = h1 * math.copysign(half_turn, v5) - angle6 - offset3
             q3_ppp = v66 + (m7 if v66 <= -half_turn else 0.0)
             q3_pmp = v67 + (m7 if v67 <= -half_turn else 0.0)
-            v70 = angle1______ - offset4
-            v71 = angle1______ - v68 - offset4
-            v72 = angle1_______ - offset4
-            v73 = angle1_______ - v68 - offset4
-            v74 = angle1________ - offset4
-            v75 = angle1________ - v69 - offset4
-            v76 = angle1_________ - offset4
-            v77 = angle1_________ - v69 - offset4
+            v70 = angle7 - offset4
+            v71 = angle7 - v68 - offset4
+            v72 = angle8 - offset4
+            v73 = angle8 - v68 - offset4
+            v74 = angle9 - offset4
+            v75 = angle9 - v69 - offset4
+            v76 = angle10 - offset4
+            v77 = angle10 - v69 - offset4
             q4_ppp = v70 + (m7 if v70 <= -half_turn else 0.0)
             q4_ppm = v71 + (m7 if v71 <= -half_turn else 0.0)
             q4_pmp = v72 + (m7 if v72 <= -half_turn else 0.0)
@@ -1292,14 +1292,14 @@ def _in_tiles(T, q, status):
             q4_mpm = v75 + (m7 if v75 <= -half_turn else 0.0)
             q4_mmp = v76 + (m7 if v76 <= -half_turn else 0.0)
             q4_mmm = v77 + (m7 if v77 <= -half_turn else 0.0)
-            v78 = angle1__________ - offset5
-            v79 = offset5 + angle1__________
-            v80 = angle1___________ - offset5
-            v81 = offset5 + angle1___________
-            v82 = angle1____________ - offset5
-            v83 = offset5 + angle1____________
-            v84 = angle1_____________ - offset5
-            v85 = offset5 + angle1_____________
+            v78 = angle11 - offset5
+            v79 = offset5 + angle11
+            v80 = angle12 - offset5
+            v81 = offset5 + angle12
+            v82 = angle13 - offset5
+            v83 = offset5 + angle13
+            v84 = angle14 - offset5
+            v85 = offset5 + angle14
             q5_ppp = v78 + (m7 if v78 <= -half_turn else 0.0)
             q5_ppm = (m7 if -v79 <= -half_turn else 0.0) - v79
             q5_pmp = v80 + (m7 if v80 <= -half_turn else 0.0)
@@ -1308,19 +1308,19 @@ def _in_tiles(T, q, status):
             q5_mpm = (m7 if -v83 <= -half_turn else 0.0) - v83
             q5_mmp = v84 + (m7 if v84 <= -half_turn else 0.0)
             q5_mmm = (m7 if -v85 <= -half_turn else 0.0) - v85
-            v88 = angle1______________ - offset6
-            v89 = angle1______________ - h1 * math.copysign(half_turn, v86) - offset6
-            v90 = angle1_______________ - offset6
-            v91 = angle1_______________ - h1 * math.copysign(half_turn, v87) - offset6
-            v92 = angle1________________ - offset6
+            v88 = angle15 - offset6
+            v89 = angle15 - h1 * math.copysign(half_turn, v86) - offset6
+            v90 = angle16 - offset6
+            v91 = angle16 - h1 * math.copysign(half_turn, v87) - offset6
+            v92 = angle17 - offset6
             v93 = (
-                angle1________________ - h1 * math.copysign(half_turn, -(v54 * (v43 * v58 - v45 *
-                (v38 * T31 + c2m3_mp * v59)))) - offset6
+                angle17 - h1 * math.copysign(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31 +
+                c2m3_mp * v59)))) - offset6
             )
-            v94 = angle1_________________ - offset6
+            v94 = angle18 - offset6
             v95 = (
-                angle1_________________ - h1 * math.copysign(half_turn, -(v55 * (v44 * v58 - v45 *
-                (v39 * T31 + c2m3_mm * v59)))) - offset6
+                angle18 - h1 * math.copysign(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 +
+                c2m3_mm * v59)))) - offset6
             )
             q6_ppp = v88 + (m7 if v88 <= -half_turn else 0.0)
             q6_ppm = v89 + (m7 if v89 <= -half_turn else 0.0)

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -72,6 +96,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -83,29 +112,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -114,6 +120,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -127,28 +138,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -156,37 +146,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef KINOVA_J2S6S300_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -641,22 +611,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v41 = v38 + X4_mp * X4_mp;
     const wide v42 = v38 + X4_mm * X4_mm;
     const wide angle1 = atan2_wide(-v35, -X4_pp);
-    const wide angle1_ = atan2_wide(-v35, -X4_pm);
-    const wide angle1__ = atan2_wide(-v36, -X4_mp);
-    const wide angle1___ = atan2_wide(-v36, -X4_mm);
+    const wide angle2 = atan2_wide(-v35, -X4_pm);
+    const wide angle3 = atan2_wide(-v36, -X4_mp);
+    const wide angle4 = atan2_wide(-v36, -X4_mm);
     const wide v43 = copysign_wide(all_wide(half_turn), -v35) * h1;
     const wide v44 = copysign_wide(all_wide(half_turn), -v36) * h1;
     const wide q4_ppm = angle1 - v43;
-    const wide q4_pmm = angle1_ - v43;
-    const wide q4_mpm = angle1__ - v44;
-    const wide q4_mmm = angle1___ - v44;
+    const wide q4_pmm = angle2 - v43;
+    const wide q4_mpm = angle3 - v44;
+    const wide q4_mmm = angle4 - v44;
 
     /* theta5 */
-    const wide angle1____ = atan2_wide(-sqrt_wide(v39), -(T33 * c2m3_pp + s2m3_pp * v33));
+    const wide angle5 = atan2_wide(-sqrt_wide(v39), -(T33 * c2m3_pp + s2m3_pp * v33));
     const wide v45 = T33 * v29;
-    const wide angle1_____ = atan2_wide(-sqrt_wide(v40), v45 - s2m3_pm * v33);
-    const wide angle1______ = atan2_wide(-sqrt_wide(v41), v45 - s2m3_mp * v34);
-    const wide angle1_______ = atan2_wide(-sqrt_wide(v42), T33 * v30 - s2m3_mm * v34);
+    const wide angle6 = atan2_wide(-sqrt_wide(v40), v45 - s2m3_pm * v33);
+    const wide angle7 = atan2_wide(-sqrt_wide(v41), v45 - s2m3_mp * v34);
+    const wide angle8 = atan2_wide(-sqrt_wide(v42), T33 * v30 - s2m3_mm * v34);
 
     /* theta6 */
     const wide v46 = c1_p * T22 + s1_p * T12;
@@ -673,59 +643,51 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51;
 
     /* joint values */
-    const wide angle1________ = atan2_wide(s1_p, c1_p);
-    const wide v54 = angle1________ - offset1;
-    const wide angle1_________ = atan2_wide(s1_m, c1_m);
-    const wide v55 = angle1_________ - offset1;
-    const wide angle1__________ = atan2_wide(S2_pp, C2_pp);
-    const wide v56 = angle1__________ - offset2;
-    const wide angle1___________ = atan2_wide(S2_pm, C2_pm);
-    const wide v57 = angle1___________ - offset2;
-    const wide angle1____________ = atan2_wide(S2_pm, -C2_pm);
-    const wide v58 = angle1____________ - offset2;
-    const wide angle1_____________ = atan2_wide(S2_pp, -C2_pp);
-    const wide v59 = angle1_____________ - offset2;
-    const wide q2__pp = v56 + pick_wide(v56 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2__pm = v57 + pick_wide(v57 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2__mp = v58 + pick_wide(v58 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2__mm = v59 + pick_wide(v59 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide angle1______________ = atan2_wide(-v5, v7);
-    const wide v60 = angle1______________ - offset3;
-    const wide v61 = h1 * copysign_wide(all_wide(half_turn), -v5) - angle1______________ - offset3;
-    const wide q3__p = v60 + pick_wide(v60 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q3__m = v61 + pick_wide(v61 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide angle1_______________ = atan2_wide(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) -
-        -X4_pp * v46);
-    const wide angle1________________ = atan2_wide(s6_pm, X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm *
-        T32));
-    const wide angle1_________________ = atan2_wide(s6_mp, X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp
-        * T32));
-    const wide angle1__________________ = atan2_wide(s6_mm, X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm
-        * T32));
-    const wide v62 = angle1_______________ - offset6;
-    const wide v63 = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), s6_pp) -
-        offset6;
-    const wide v64 = angle1________________ - offset6;
-    const wide v65 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), s6_pm) -
-        offset6;
-    const wide v66 = angle1_________________ - offset6;
-    const wide v67 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), s6_mp) -
-        offset6;
-    const wide v68 = angle1__________________ - offset6;
-    const wide v69 = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), s6_mm) -
-        offset6;
-    const wide q6_ppp = v62 - pick_wide(half_turn < v62, all_wide(m6), all_wide(0.0));
-    const wide q6_ppm = v63 - pick_wide(half_turn < v63, all_wide(m6), all_wide(0.0));
-    const wide q6_pmp = v64 - pick_wide(half_turn < v64, all_wide(m6), all_wide(0.0));
-    const wide q6_pmm = v65 - pick_wide(half_turn < v65, all_wide(m6), all_wide(0.0));
-    const wide q6_mpp = v66 - pick_wide(half_turn < v66, all_wide(m6), all_wide(0.0));
-    const wide q6_mpm = v67 - pick_wide(half_turn < v67, all_wide(m6), all_wide(0.0));
-    const wide q6_mmp = v68 - pick_wide(half_turn < v68, all_wide(m6), all_wide(0.0));
-    const wide q6_mmm = v69 - pick_wide(half_turn < v69, all_wide(m6), all_wide(0.0));
-    const wide v70 = q2__pp + pick_wide(q2__pp < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide v71 = q2__pm + pick_wide(q2__pm < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide v72 = q2__mp + pick_wide(q2__mp < low2, all_wide(whole_turn), all_wide(0.0));
-    const wide v73 = q2__mm + pick_wide(q2__mm < low2, all_wide(whole_turn), all_wide(0.0));
+    const wide angle9 = atan2_wide(s1_p, c1_p);
+    const wide v54 = angle9 - offset1;
+    const wide angle10 = atan2_wide(s1_m, c1_m);
+    const wide v55 = angle10 - offset1;
+    const wide angle11 = atan2_wide(S2_pp, C2_pp);
+    const wide v56 = angle11 - offset2;
+    const wide angle12 = atan2_wide(S2_pm, C2_pm);
+    const wide v57 = angle12 - offset2;
+    const wide angle13 = atan2_wide(S2_pm, -C2_pm);
+    const wide v58 = angle13 - offset2;
+    const wide angle14 = atan2_wide(S2_pp, -C2_pp);
+    const wide v59 = angle14 - offset2;
+    const wide q2__pp = v56 + only_wide(v56 <= -half_turn, m6);
+    const wide q2__pm = v57 + only_wide(v57 <= -half_turn, m6);
+    const wide q2__mp = v58 + only_wide(v58 <= -half_turn, m6);
+    const wide q2__mm = v59 + only_wide(v59 <= -half_turn, m6);
+    const wide angle15 = atan2_wide(-v5, v7);
+    const wide v60 = angle15 - offset3;
+    const wide v61 = h1 * copysign_wide(all_wide(half_turn), -v5) - angle15 - offset3;
+    const wide q3__p = v60 + only_wide(v60 <= -half_turn, m6);
+    const wide q3__m = v61 + only_wide(v61 <= -half_turn, m6);
+    const wide angle16 = atan2_wide(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) - -X4_pp * v46);
+    const wide angle17 = atan2_wide(s6_pm, X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32));
+    const wide angle18 = atan2_wide(s6_mp, X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32));
+    const wide angle19 = atan2_wide(s6_mm, X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm * T32));
+    const wide v62 = angle16 - offset6;
+    const wide v63 = angle16 - h1 * copysign_wide(all_wide(half_turn), s6_pp) - offset6;
+    const wide v64 = angle17 - offset6;
+    const wide v65 = angle17 - h1 * copysign_wide(all_wide(half_turn), s6_pm) - offset6;
+    const wide v66 = angle18 - offset6;
+    const wide v67 = angle18 - h1 * copysign_wide(all_wide(half_turn), s6_mp) - offset6;
+    const wide v68 = angle19 - offset6;
+    const wide v69 = angle19 - h1 * copysign_wide(all_wide(half_turn), s6_mm) - offset6;
+    const wide q6_ppp = v62 - only_wide(half_turn < v62, m6);
+    const wide q6_ppm = v63 - only_wide(half_turn < v63, m6);
+    const wide q6_pmp = v64 - only_wide(half_turn < v64, m6);
+    const wide q6_pmm = v65 - only_wide(half_turn < v65, m6);
+    const wide q6_mpp = v66 - only_wide(half_turn < v66, m6);
+    const wide q6_mpm = v67 - only_wide(half_turn < v67, m6);
+    const wide q6_mmp = v68 - only_wide(half_turn < v68, m6);
+    const wide q6_mmm = v69 - only_wide(half_turn < v69, m6);
+    const wide v70 = q2__pp + only_wide(q2__pp < low2, whole_turn);
+    const wide v71 = q2__pm + only_wide(q2__pm < low2, whole_turn);
+    const wide v72 = q2__mp + only_wide(q2__mp < low2, whole_turn);
+    const wide v73 = q2__mm + only_wide(q2__mm < low2, whole_turn);
     const wide_mask v74 = (v70 < low2) | (high2 < v70);
     const wide_mask v75 = (v71 < low2) | (high2 < v71);
     const wide_mask v76 = (v72 < low2) | (high2 < v72);
@@ -734,25 +696,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q2_pmp = pick_wide(v75, q2__pm, v71);
     const wide q2_mpp = pick_wide(v76, q2__mp, v72);
     const wide q2_mmp = pick_wide(v77, q2__mm, v73);
-    const wide v78 = q3__p + pick_wide(q3__p < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v79 = q3__m + pick_wide(q3__m < low3, all_wide(whole_turn), all_wide(0.0));
+    const wide v78 = q3__p + only_wide(q3__p < low3, whole_turn);
+    const wide v79 = q3__m + only_wide(q3__m < low3, whole_turn);
     const wide_mask v80 = (v78 < low3) | (high3 < v78);
     const wide_mask v81 = (v79 < low3) | (high3 < v79);
-    const wide v82 = angle1____ + pick_wide(angle1____ < low5, all_wide(whole_turn), all_wide(0.0));
-    const wide v83 = pick_wide(-angle1____ < low5, all_wide(whole_turn), all_wide(0.0)) -
-        angle1____;
-    const wide v84 = angle1_____ + pick_wide(angle1_____ < low5, all_wide(whole_turn),
-        all_wide(0.0));
-    const wide v85 = pick_wide(-angle1_____ < low5, all_wide(whole_turn), all_wide(0.0)) -
-        angle1_____;
-    const wide v86 = angle1______ + pick_wide(angle1______ < low5, all_wide(whole_turn),
-        all_wide(0.0));
-    const wide v87 = pick_wide(-angle1______ < low5, all_wide(whole_turn), all_wide(0.0)) -
-        angle1______;
-    const wide v88 = angle1_______ + pick_wide(angle1_______ < low5, all_wide(whole_turn),
-        all_wide(0.0));
-    const wide v89 = pick_wide(-angle1_______ < low5, all_wide(whole_turn), all_wide(0.0)) -
-        angle1_______;
+    const wide v82 = angle5 + only_wide(angle5 < low5, whole_turn);
+    const wide v83 = only_wide(-angle5 < low5, whole_turn) - angle5;
+    const wide v84 = angle6 + only_wide(angle6 < low5, whole_turn);
+    const wide v85 = only_wide(-angle6 < low5, whole_turn) - angle6;
+    const wide v86 = angle7 + only_wide(angle7 < low5, whole_turn);
+    const wide v87 = only_wide(-angle7 < low5, whole_turn) - angle7;
+    const wide v88 = angle8 + only_wide(angle8 < low5, whole_turn);
+    const wide v89 = only_wide(-angle8 < low5, whole_turn) - angle8;
     const wide_mask v90 = (v82 < low5) | (high5 < v82);
     const wide_mask v91 = (v83 < low5) | (high5 < v83);
     const wide_mask v92 = (v84 < low5) | (high5 < v84);
@@ -761,16 +716,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask v95 = (v87 < low5) | (high5 < v87);
     const wide_mask v96 = (v88 < low5) | (high5 < v88);
     const wide_mask v97 = (v89 < low5) | (high5 < v89);
-    const wide q5_ppp = pick_wide(v90, angle1____, v82);
-    const wide q5_ppm = pick_wide(v91, -angle1____, v83);
-    const wide q5_pmp = pick_wide(v92, angle1_____, v84);
-    const wide q5_pmm = pick_wide(v93, -angle1_____, v85);
-    const wide q5_mpp = pick_wide(v94, angle1______, v86);
-    const wide q5_mpm = pick_wide(v95, -angle1______, v87);
-    const wide q5_mmp = pick_wide(v96, angle1_______, v88);
-    const wide q5_mmm = pick_wide(v97, -angle1_______, v89);
-    const wide q1_ppp = v4 + (v54 + pick_wide(v54 <= -half_turn, all_wide(m6), all_wide(0.0)));
-    const wide q1_mpp = v4 + (v55 + pick_wide(v55 <= -half_turn, all_wide(m6), all_wide(0.0)));
+    const wide q5_ppp = pick_wide(v90, angle5, v82);
+    const wide q5_ppm = pick_wide(v91, -angle5, v83);
+    const wide q5_pmp = pick_wide(v92, angle6, v84);
+    const wide q5_pmm = pick_wide(v93, -angle6, v85);
+    const wide q5_mpp = pick_wide(v94, angle7, v86);
+    const wide q5_mpm = pick_wide(v95, -angle7, v87);
+    const wide q5_mmp = pick_wide(v96, angle8, v88);
+    const wide q5_mmm = pick_wide(v97, -angle8, v89);
+    const wide q1_ppp = v4 + (v54 + only_wide(v54 <= -half_turn, m6));
+    const wide q1_mpp = v4 + (v55 + only_wide(v55 <= -half_turn, m6));
     const wide q3_ppp = v1 + pick_wide(v80, q3__p, v78);
     const wide q3_pmp = v1 + pick_wide(v81, q3__m, v79);
     const wide_mask v98 = v74 | v80;
@@ -807,7 +762,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[12] = q1_ppp;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = angle1_;
+    q[15] = angle2;
     q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
@@ -821,7 +776,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_ppp;
-    q[27] = angle1__;
+    q[27] = angle3;
     q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
@@ -835,7 +790,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_pmp;
-    q[39] = angle1___;
+    q[39] = angle4;
     q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
@@ -933,35 +888,35 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
     const four angle1 = atan2_four(-v25, -X4);
-    const four angle1_ = atan2_four(-sqrt_four(v27), -(T33 * c2m3 + s2m3 * v24));
-    const four angle1___ = atan2_four(S2, C2);
-    const four angle1_____ = atan2_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) - -X4 * v29);
+    const four angle2 = atan2_four(-sqrt_four(v27), -(T33 * c2m3 + s2m3 * v24));
+    const four angle4 = atan2_four(S2, C2);
+    const four angle6 = atan2_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) - -X4 * v29);
     const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(-v5), 0, 5, 2, 3),
         __builtin_shufflevector(c1, all_four(v7), 0, 5, 2, 3));
-    const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1____ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q4_m = angle1 - v28;
-    const four v33 = angle1__ - offset1;
-    const four v34 = angle1___ - offset2;
-    const four q2_ = v34 + pick_four(v34 <= -half_turn, all_four(m6), all_four(0.0));
-    const four v36 = e2 * angle1____ + v35 * (m5 * (1.0 - e2)) - offset3;
-    const four q3_ = v36 + pick_four(v36 <= -half_turn, all_four(m6), all_four(0.0));
-    const four v37 = angle1_____ - offset6;
-    const four v38 = angle1_____ - h1 * copysign_four(all_four(half_turn), s6) - offset6;
-    const four q6_p = v37 - pick_four(half_turn < v37, all_four(m6), all_four(0.0));
-    const four q6_m = v38 - pick_four(half_turn < v38, all_four(m6), all_four(0.0));
-    const four v39 = q2_ + pick_four(q2_ < low2, all_four(whole_turn), all_four(0.0));
+    const four v33 = angle3 - offset1;
+    const four v34 = angle4 - offset2;
+    const four q2_ = v34 + only_four(v34 <= -half_turn, m6);
+    const four v36 = e2 * angle5 + v35 * (m5 * (1.0 - e2)) - offset3;
+    const four q3_ = v36 + only_four(v36 <= -half_turn, m6);
+    const four v37 = angle6 - offset6;
+    const four v38 = angle6 - h1 * copysign_four(all_four(half_turn), s6) - offset6;
+    const four q6_p = v37 - only_four(half_turn < v37, m6);
+    const four q6_m = v38 - only_four(half_turn < v38, m6);
+    const four v39 = q2_ + only_four(q2_ < low2, whole_turn);
     const four_mask v40 = (v39 < low2) | (high2 < v39);
     const four q2_p = pick_four(v40, q2_, v39);
-    const four v41 = q3_ + pick_four(q3_ < low3, all_four(whole_turn), all_four(0.0));
+    const four v41 = q3_ + only_four(q3_ < low3, whole_turn);
     const four_mask v42 = (v41 < low3) | (high3 < v41);
-    const four v43 = angle1_ + pick_four(angle1_ < low5, all_four(whole_turn), all_four(0.0));
-    const four v44 = pick_four(-angle1_ < low5, all_four(whole_turn), all_four(0.0)) - angle1_;
+    const four v43 = angle2 + only_four(angle2 < low5, whole_turn);
+    const four v44 = only_four(-angle2 < low5, whole_turn) - angle2;
     const four_mask v45 = (v43 < low5) | (high5 < v43);
     const four_mask v46 = (v44 < low5) | (high5 < v44);
-    const four q5_p = pick_four(v45, angle1_, v43);
-    const four q5_m = pick_four(v46, -angle1_, v44);
-    const four q1_p = v4 + (v33 + pick_four(v33 <= -half_turn, all_four(m6), all_four(0.0)));
+    const four q5_p = pick_four(v45, angle2, v43);
+    const four q5_m = pick_four(v46, -angle2, v44);
+    const four q1_p = v4 + (v33 + only_four(v33 <= -half_turn, m6));
     const four q3_p = v1 + pick_four(v42, q3_, v41);
     const four_mask v47 = v40 | v42;
     const four_mask outside_p = v45 | v47;

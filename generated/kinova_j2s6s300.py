@@ -706,54 +706,54 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
 
     # theta4, type 2: U4[3, 3]
     q4_ppm = angle1 - v43
-    q4_pmm = angle1_ - v43
-    q4_mpm = angle1__ - v44
-    q4_mmm = angle1___ - v44
+    q4_pmm = angle2 - v43
+    q4_mpm = angle3 - v44
+    q4_mmm = angle4 - v44
 
     # joint values
-    v54 = angle1________ - offset1
-    v55 = angle1_________ - offset1
-    v56 = angle1__________ - offset2
-    v57 = angle1___________ - offset2
-    v58 = angle1____________ - offset2
-    v59 = angle1_____________ - offset2
+    v54 = angle9 - offset1
+    v55 = angle10 - offset1
+    v56 = angle11 - offset2
+    v57 = angle12 - offset2
+    v58 = angle13 - offset2
+    v59 = angle14 - offset2
     q2__pp = v56 + (m6 if v56 <= -half_turn else 0.0)
     q2__pm = v57 + (m6 if v57 <= -half_turn else 0.0)
     q2__mp = v58 + (m6 if v58 <= -half_turn else 0.0)
     q2__mm = v59 + (m6 if v59 <= -half_turn else 0.0)
-    v60 = angle1______________ - offset3
-    v61 = h1 * math.copysign(half_turn, -v5) - angle1______________ - offset3
+    v60 = angle15 - offset3
+    v61 = h1 * math.copysign(half_turn, -v5) - angle15 - offset3
     q3__p = v60 + (m6 if v60 <= -half_turn else 0.0)
     q3__m = v61 + (m6 if v61 <= -half_turn else 0.0)
-    v62 = angle1_______________ - offset6
-    v63 = angle1_______________ - h1 * math.copysign(half_turn, s6_pp) - offset6
-    v64 = angle1________________ - offset6
-    v65 = angle1________________ - h1 * math.copysign(half_turn, s6_pm) - offset6
-    v66 = angle1_________________ - offset6
-    v67 = angle1_________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
-    v68 = angle1__________________ - offset6
-    v69 = angle1__________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
+    v62 = angle16 - offset6
+    v63 = angle16 - h1 * math.copysign(half_turn, s6_pp) - offset6
+    v64 = angle17 - offset6
+    v65 = angle17 - h1 * math.copysign(half_turn, s6_pm) - offset6
+    v66 = angle18 - offset6
+    v67 = angle18 - h1 * math.copysign(half_turn, s6_mp) - offset6
+    v68 = angle19 - offset6
+    v69 = angle19 - h1 * math.copysign(half_turn, s6_mm) - offset6
     q6_ppp = v62 - (m6 if half_turn < v62 else 0.0)
     q6_ppm = v63 - (m6 if half_turn < v63 else 0.0)
     q6_pmp = v64 - (m6 if half_turn < v64 else 0.0)
@@ -778,14 +778,14 @@ def _regular(pose, q, status):
     v79 = q3__m + (whole_turn if q3__m < low3 else 0.0)
     v80 = v78 < low3 or high3 < v78
     v81 = v79 < low3 or high3 < v79
-    v82 = angle1____ + (whole_turn if angle1____ < low5 else 0.0)
-    v83 = (whole_turn if -angle1____ < low5 else 0.0) - angle1____
-    v84 = angle1_____ + (whole_turn if angle1_____ < low5 else 0.0)
-    v85 = (whole_turn if -angle1_____ < low5 else 0.0) - angle1_____
-    v86 = angle1______ + (whole_turn if angle1______ < low5 else 0.0)
-    v87 = (whole_turn if -angle1______ < low5 else 0.0) - angle1______
-    v88 = angle1_______ + (whole_turn if angle1_______ < low5 else 0.0)
-    v89 = (whole_turn if -angle1_______ < low5 else 0.0) - angle1_______
+    v82 = angle5 + (whole_turn if angle5 < low5 else 0.0)
+    v83 = (whole_turn if -angle5 < low5 else 0.0) - angle5
+    v84 = angle6 + (whole_turn if angle6 < low5 else 0.0)
+    v85 = (whole_turn if -angle6 < low5 else 0.0) - angle6
+    v86 = angle7 + (whole_turn if angle7 < low5 else 0.0)
+    v87 = (whole_turn if -angle7 < low5 else 0.0) - angle7
+    v88 = angle8 + (whole_turn if angle8 < low5 else 0.0)
+    v89 = (whole_turn if -angle8 < low5 else 0.0) - angle8
     v90 = v82 < low5 or high5 < v82
     v91 = v83 < low5 or high5 < v83
     v92 = v84 < low5 or high5 < v84
@@ -794,14 +794,14 @@ def _regular(pose, q, status):
     v95 = v87 < low5 or high5 < v87
     v96 = v88 < low5 or high5 < v88
     v97 = v89 < low5 or high5 < v89
-    q5_ppp = angle1____ if v90 else v82
-    q5_ppm = -angle1____ if v91 else v83
-    q5_pmp = angle1_____ if v92 else v84
-    q5_pmm = -angle1_____ if v93 else v85
-    q5_mpp = angle1______ if v94 else v86
-    q5_mpm = -angle1______ if v95 else v87
-    q5_mmp = angle1_______ if v96 else v88
-    q5_mmm = -angle1_______ if v97 else v89
+    q5_ppp = angle5 if v90 else v82
+    q5_ppm = -angle5 if v91 else v83
+    q5_pmp = angle6 if v92 else v84
+    q5_pmm = -angle6 if v93 else v85
+    q5_mpp = angle7 if v94 else v86
+    q5_mpm = -angle7 if v95 else v87
+    q5_mmp = angle8 if v96 else v88
+    q5_mmm = -angle8 if v97 else v89
     q1_ppp = v4 + (v54 + (m6 if v54 <= -half_turn else 0.0))
     q1_mpp = v4 + (v55 + (m6 if v55 <= -half_turn else 0.0))
     q3_ppp = v1 + (q3__p if v80 else v78)
@@ -839,7 +839,7 @@ def _regular(pose, q, status):
     q[2, 0] = q1_ppp
     q[2, 1] = q2_pmp
     q[2, 2] = q3_pmp
-    q[2, 3] = angle1_
+    q[2, 3] = angle2
     q[2, 4] = q5_pmp
     q[2, 5] = q6_pmp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
@@ -853,7 +853,7 @@ def _regular(pose, q, status):
     q[4, 0] = q1_mpp
     q[4, 1] = q2_mpp
     q[4, 2] = q3_ppp
-    q[4, 3] = angle1__
+    q[4, 3] = angle3
     q[4, 4] = q5_mpp
     q[4, 5] = q6_mpp
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
@@ -867,7 +867,7 @@ def _regular(pose, q, status):
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
     q[6, 2] = q3_pmp
-    q[6, 3] = angle1___
+    q[6, 3] = angle4
     q[6, 4] = q5_mmp
     q[6, 5] = q6_mmp
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
@@ -1247,50 +1247,50 @@ def _in_tiles(T, q, status):
             s6_mm = work[800 + k]
             doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
-            angle1_ = work[896 + k]
-            angle1__ = work[928 + k]
-            angle1___ = work[960 + k]
-            angle1____ = work[992 + k]
-            angle1_____ = work[1024 + k]
-            angle1______ = work[1056 + k]
-            angle1_______ = work[1088 + k]
-            angle1________ = work[1120 + k]
-            angle1_________ = work[1152 + k]
-            angle1__________ = work[1184 + k]
-            angle1___________ = work[1216 + k]
-            angle1____________ = work[1248 + k]
-            angle1_____________ = work[1280 + k]
-            angle1______________ = work[1312 + k]
-            angle1_______________ = work[1344 + k]
-            angle1________________ = work[1376 + k]
-            angle1_________________ = work[1408 + k]
-            angle1__________________ = work[1440 + k]
+            angle2 = work[896 + k]
+            angle3 = work[928 + k]
+            angle4 = work[960 + k]
+            angle5 = work[992 + k]
+            angle6 = work[1024 + k]
+            angle7 = work[1056 + k]
+            angle8 = work[1088 + k]
+            angle9 = work[1120 + k]
+            angle10 = work[1152 + k]
+            angle11 = work[1184 + k]
+            angle12 = work[1216 + k]
+            angle13 = work[1248 + k]
+            angle14 = work[1280 + k]
+            angle15 = work[1312 + k]
+            angle16 = work[1344 + k]
+            angle17 = work[1376 + k]
+            angle18 = work[1408 + k]
+            angle19 = work[1440 + k]
             q4_ppm = angle1 - v43
-            q4_pmm = angle1_ - v43
-            q4_mpm = angle1__ - v44
-            q4_mmm = angle1___ - v44
-            v54 = angle1________ - offset1
-            v55 = angle1_________ - offset1
-            v56 = angle1__________ - offset2
-            v57 = angle1___________ - offset2
-            v58 = angle1____________ - offset2
-            v59 = angle1_____________ - offset2
+            q4_pmm = angle2 - v43
+            q4_mpm = angle3 - v44
+            q4_mmm = angle4 - v44
+            v54 = angle9 - offset1
+            v55 = angle10 - offset1
+            v56 = angle11 - offset2
+            v57 = angle12 - offset2
+            v58 = angle13 - offset2
+            v59 = angle14 - offset2
             q2__pp = v56 + (m6 if v56 <= -half_turn else 0.0)
             q2__pm = v57 + (m6 if v57 <= -half_turn else 0.0)
             q2__mp = v58 + (m6 if v58 <= -half_turn else 0.0)
             q2__mm = v59 + (m6 if v59 <= -half_turn else 0.0)
-            v60 = angle1______________ - offset3
-            v61 = h1 * math.copysign(half_turn, -v5) - angle1______________ - offset3
+            v60 = angle15 - offset3
+            v61 = h1 * math.copysign(half_turn, -v5) - angle15 - offset3
             q3__p = v60 + (m6 if v60 <= -half_turn else 0.0)
             q3__m = v61 + (m6 if v61 <= -half_turn else 0.0)
-            v62 = angle1_______________ - offset6
-            v63 = angle1_______________ - h1 * math.copysign(half_turn, s6_pp) - offset6
-            v64 = angle1________________ - offset6
-            v65 = angle1________________ - h1 * math.copysign(half_turn, s6_pm) - offset6
-            v66 = angle1_________________ - offset6
-            v67 = angle1_________________ - h1 * math.copysign(half_turn, s6_mp) - offset6
-            v68 = angle1__________________ - offset6
-            v69 = angle1__________________ - h1 * math.copysign(half_turn, s6_mm) - offset6
+            v62 = angle16 - offset6
+            v63 = angle16 - h1 * math.copysign(half_turn, s6_pp) - offset6
+            v64 = angle17 - offset6
+            v65 = angle17 - h1 * math.copysign(half_turn, s6_pm) - offset6
+            v66 = angle18 - offset6
+            v67 = angle18 - h1 * math.copysign(half_turn, s6_mp) - offset6
+            v68 = angle19 - offset6
+            v69 = angle19 - h1 * math.copysign(half_turn, s6_mm) - offset6
             q6_ppp = v62 - (m6 if half_turn < v62 else 0.0)
             q6_ppm = v63 - (m6 if half_turn < v63 else 0.0)
             q6_pmp = v64 - (m6 if half_turn < v64 else 0.0)
@@ -1315,14 +1315,14 @@ def _in_tiles(T, q, status):
             v79 = q3__m + (whole_turn if q3__m < low3 else 0.0)
             v80 = v78 < low3 or high3 < v78
             v81 = v79 < low3 or high3 < v79
-            v82 = angle1____ + (whole_turn if angle1____ < low5 else 0.0)
-            v83 = (whole_turn if -angle1____ < low5 else 0.0) - angle1____
-            v84 = angle1_____ + (whole_turn if angle1_____ < low5 else 0.0)
-            v85 = (whole_turn if -angle1_____ < low5 else 0.0) - angle1_____
-            v86 = angle1______ + (whole_turn if angle1______ < low5 else 0.0)
-            v87 = (whole_turn if -angle1______ < low5 else 0.0) - angle1______
-            v88 = angle1_______ + (whole_turn if angle1_______ < low5 else 0.0)
-            v89 = (whole_turn if -angle1_______ < low5 else 0.0) - angle1_______
+            v82 = angle5 + (whole_turn if angle5 < low5 else 0.0)
+            v83 = (whole_turn if -angle5 < low5 else 0.0) - angle5
+            v84 = angle6 + (whole_turn if angle6 < low5 else 0.0)
+            v85 = (whole_turn if -angle6 < low5 else 0.0) - angle6
+            v86 = angle7 + (whole_turn if angle7 < low5 else 0.0)
+            v87 = (whole_turn if -angle7 < low5 else 0.0) - angle7
+            v88 = angle8 + (whole_turn if angle8 < low5 else 0.0)
+            v89 = (whole_turn if -angle8 < low5 else 0.0) - angle8
             v90 = v82 < low5 or high5 < v82
             v91 = v83 < low5 or high5 < v83
             v92 = v84 < low5 or high5 < v84
@@ -1331,14 +1331,14 @@ def _in_tiles(T, q, status):
             v95 = v87 < low5 or high5 < v87
             v96 = v88 < low5 or high5 < v88
             v97 = v89 < low5 or high5 < v89
-            q5_ppp = angle1____ if v90 else v82
-            q5_ppm = -angle1____ if v91 else v83
-            q5_pmp = angle1_____ if v92 else v84
-            q5_pmm = -angle1_____ if v93 else v85
-            q5_mpp = angle1______ if v94 else v86
-            q5_mpm = -angle1______ if v95 else v87
-            q5_mmp = angle1_______ if v96 else v88
-            q5_mmm = -angle1_______ if v97 else v89
+            q5_ppp = angle5 if v90 else v82
+            q5_ppm = -angle5 if v91 else v83
+            q5_pmp = angle6 if v92 else v84
+            q5_pmm = -angle6 if v93 else v85
+            q5_mpp = angle7 if v94 else v86
+            q5_mpm = -angle7 if v95 else v87
+            q5_mmp = angle8 if v96 else v88
+            q5_mmm = -angle8 if v97 else v89
             q1_ppp = v4 + (v54 + (m6 if v54 <= -half_turn else 0.0))
             q1_mpp = v4 + (v55 + (m6 if v55 <= -half_turn else 0.0))
             q3_ppp = v1 + (q3__p if v80 else v78)
@@ -1377,7 +1377,7 @@ def _in_tiles(T, q, status):
             work[2368 + k] = _2368
             _2400 = q3_pmp
             work[2400 + k] = _2400
-            _2432 = angle1_
+            _2432 = angle2
             work[2432 + k] = _2432
             _2464 = q5_pmp
             work[2464 + k] = _2464
@@ -1393,7 +1393,7 @@ def _in_tiles(T, q, status):
             work[2624 + k] = _2624
             _2656 = q2_mpp
             work[2656 + k] = _2656
-            _2688 = angle1__
+            _2688 = angle3
             work[2688 + k] = _2688
             _2720 = q5_mpp
             work[2720 + k] = _2720
@@ -1407,7 +1407,7 @@ def _in_tiles(T, q, status):
             work[2848 + k] = _2848
             _2880 = q2_mmp
             work[2880 + k] = _2880
-            _2912 = angle1___
+            _2912 = angle4
             work[2912 + k] = _2912
             _2944 = q5_mmp
             work[2944 + k] = _2944

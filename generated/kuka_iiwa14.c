@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -96,29 +125,6 @@ HELPER four sin_four(four x)
     return x;
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -127,6 +133,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -154,28 +165,7 @@ HELPER wide sin_wide(wide x)
     return x;
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -183,6 +173,7 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
@@ -190,32 +181,11 @@ typedef int wide_mask;
 #define minimum_wide minimum_double
 #define cos_wide cos
 #define sin_wide sin
+#endif
 #ifdef KUKA_IIWA14_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -705,13 +675,13 @@ HELPER wide_mask solve_wide(
     const wide v52 = X5_mp * X5_mp + Y5_mp * Y5_mp;
     const wide v53 = X5_mm * X5_mm + Y5_mm * Y5_mm;
     const wide angle1 = atan2_wide(Y5_pp, -X5_pp);
-    const wide angle1_ = atan2_wide(-v49, -X5_pm);
-    const wide angle1__ = atan2_wide(Y5_mp, -X5_mp);
-    const wide angle1___ = atan2_wide(Y5_mm, -X5_mm);
+    const wide angle2 = atan2_wide(-v49, -X5_pm);
+    const wide angle3 = atan2_wide(Y5_mp, -X5_mp);
+    const wide angle4 = atan2_wide(Y5_mm, -X5_mm);
     const wide q5_ppm = angle1 - copysign_wide(all_wide(half_turn), Y5_pp) * h1;
-    const wide q5_pmm = angle1_ - copysign_wide(all_wide(half_turn), -v49) * h1;
-    const wide q5_mpm = angle1__ - copysign_wide(all_wide(half_turn), Y5_mp) * h1;
-    const wide q5_mmm = angle1___ - copysign_wide(all_wide(half_turn), Y5_mm) * h1;
+    const wide q5_pmm = angle2 - copysign_wide(all_wide(half_turn), -v49) * h1;
+    const wide q5_mpm = angle3 - copysign_wide(all_wide(half_turn), Y5_mp) * h1;
+    const wide q5_mmm = angle4 - copysign_wide(all_wide(half_turn), Y5_mm) * h1;
 
     /* theta6 */
     const wide v54 = v6 * v30;
@@ -744,7 +714,7 @@ HELPER wide_mask solve_wide(
     const wide v79 = v6 * T11;
     const wide v80 = v6 * T21;
     const wide v81 = v4 * (c3 * T31);
-    const wide angle1____ = atan2_wide(-(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24 * (s3 *
+    const wide angle5 = atan2_wide(-(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24 * (s3 *
         (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78 -
         (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80))))), -(X5_pp * (c3
         * v61 - factor2_pp * (S2_pp * v60 - v24 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v4
@@ -755,89 +725,88 @@ HELPER wide_mask solve_wide(
         v77)) - S2_mp * (v81 + (c1_pm * v79 + s1_pm * v80)))) - X5_pm * (c3 * v73 + factor2_pm *
         (v82 + v25 * (s3 * (c1_pm * T11 + s1_pm * T21))));
     const wide v84 = S2_mp * v60;
-    const wide angle1_____ = atan2_wide(v83, v49 * (v4 * (s3 * v62) + factor2_pm * (v25 * (v67 -
-        (c1_pm * v65 + s1_pm * v66)) - S2_mp * (v70 + (c1_pm * v68 + s1_pm * v69)))) - X5_pm * (c3 *
-        v62 + factor2_pm * (v84 + v25 * (s3 * (c1_pm * T12 + s1_pm * T22)))));
-    const wide angle1______ = atan2_wide(-(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 *
-        (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14
-        * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 * v76))))), -(X5_mp * (c3 * v63 -
-        factor2_pm * (v84 - v25 * (s3 * (s1_mp * T22 - v14 * T12)))) + Y5_mp * (v4 * (s3 * v63) +
-        factor2_pm * (S2_mp * (v70 + (v14 * v68 - s1_mp * v69)) - v25 * (v67 + (s1_mp * v66 - v14 *
-        v65))))));
-    const wide angle1_______ = atan2_wide(-(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 - v24 *
-        (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp * (v81
-        + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76))))), -(X5_mm * (c3 *
-        v64 - factor2_mm * (-S2_pp * v60 - v24 * (s3 * (s1_mm * T22 - v15 * T12)))) + Y5_mm * (v4 *
-        (s3 * v64) + factor2_mm * (-S2_pp * (v70 + (v15 * v68 - s1_mm * v69)) - v24 * (v67 + (s1_mm
-        * v66 - v15 * v65))))));
-    const wide q7_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v72 -
+    const wide angle6 = atan2_wide(v83, v49 * (v4 * (s3 * v62) + factor2_pm * (v25 * (v67 - (c1_pm *
+        v65 + s1_pm * v66)) - S2_mp * (v70 + (c1_pm * v68 + s1_pm * v69)))) - X5_pm * (c3 * v62 +
+        factor2_pm * (v84 + v25 * (s3 * (c1_pm * T12 + s1_pm * T22)))));
+    const wide angle7 = atan2_wide(-(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 * (s1_mp *
+        T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14 * v79 -
+        s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 * v76))))), -(X5_mp * (c3 * v63 - factor2_pm
+        * (v84 - v25 * (s3 * (s1_mp * T22 - v14 * T12)))) + Y5_mp * (v4 * (s3 * v63) + factor2_pm *
+        (S2_mp * (v70 + (v14 * v68 - s1_mp * v69)) - v25 * (v67 + (s1_mp * v66 - v14 * v65))))));
+    const wide angle8 = atan2_wide(-(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 - v24 * (s3 *
+        (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp * (v81 + (v15
+        * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76))))), -(X5_mm * (c3 * v64 -
+        factor2_mm * (-S2_pp * v60 - v24 * (s3 * (s1_mm * T22 - v15 * T12)))) + Y5_mm * (v4 * (s3 *
+        v64) + factor2_mm * (-S2_pp * (v70 + (v15 * v68 - s1_mm * v69)) - v24 * (v67 + (s1_mm * v66
+        - v15 * v65))))));
+    const wide q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v72 -
         factor2_pp * (S2_pp * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 *
         v72) + factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp * v79
         + s1_pp * v80))))));
-    const wide q7_pmm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v83);
-    const wide q7_mpm = angle1______ - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v74 -
+    const wide q7_pmm = angle6 - h1 * copysign_wide(all_wide(half_turn), v83);
+    const wide q7_mpm = angle7 - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v74 -
         factor2_pm * (v82 - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) +
         factor2_pm * (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 *
         v76))))));
-    const wide q7_mmm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v75
-        - factor2_mm * (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3
-        * v75) + factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm *
-        v77 - v15 * v76))))));
+    const wide q7_mmm = angle8 - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v75 -
+        factor2_mm * (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 *
+        v75) + factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77
+        - v15 * v76))))));
 
     /* joint values */
-    const wide angle1________ = atan2_wide(s1_pp, c1_pp);
-    const wide v85 = angle1________ - offset1;
-    const wide angle1_________ = atan2_wide(s1_pm, c1_pm);
-    const wide v86 = angle1_________ - offset1;
-    const wide angle1__________ = atan2_wide(s1_mp, -v14);
-    const wide v87 = angle1__________ - offset1;
-    const wide angle1___________ = atan2_wide(s1_mm, -v15);
-    const wide v88 = angle1___________ - offset1;
-    const wide q1_ppp = v85 + pick_wide(v85 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q1_pmp = v86 + pick_wide(v86 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q1_mpp = v87 + pick_wide(v87 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q1_mmp = v88 + pick_wide(v88 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide angle1____________ = atan2_wide(S2_pp, -v24);
-    const wide v89 = angle1____________ - offset2;
-    const wide angle1_____________ = atan2_wide(-S2_mp, -v25);
-    const wide v90 = angle1_____________ - offset2;
-    const wide angle1______________ = atan2_wide(S2_mp, -v25);
-    const wide v91 = angle1______________ - offset2;
-    const wide angle1_______________ = atan2_wide(-S2_pp, -v24);
-    const wide v92 = angle1_______________ - offset2;
-    const wide q2_ppp = v89 + pick_wide(v89 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_pmp = v90 + pick_wide(v90 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_mpp = v91 + pick_wide(v91 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q2_mmp = v92 + pick_wide(v92 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide angle1________________ = atan2_wide(-v5, -v3);
-    const wide v93 = angle1________________ - offset4;
-    const wide v94 = offset4 + angle1________________;
-    const wide q4__p = v93 + pick_wide(v93 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q4__m = pick_wide(-v94 <= -half_turn, all_wide(m4), all_wide(0.0)) - v94;
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v50), v6 * v43 - factor2_pp * (S2_pp *
-        (c1_pp * v57 + s1_pp * v58 - v59) + v24 * (v56 + (c1_pp * v54 + s1_pp * v55))));
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v51), v6 * v44 - factor2_pm * (v25 *
-        (v56 + (c1_pm * v54 + s1_pm * v55)) - S2_mp * (c1_pm * v57 + s1_pm * v58 - v59)));
-    const wide angle1___________________ = atan2_wide(sqrt_wide(v52), -(v6 * v45 + factor2_pm *
-        (S2_mp * (v59 + (s1_mp * v58 - v14 * v57)) + v25 * (v56 + (v14 * v54 - s1_mp * v55)))));
-    const wide angle1____________________ = atan2_wide(sqrt_wide(v53), -(v6 * v46 + factor2_mm *
-        (-S2_pp * (v59 + (s1_mm * v58 - v15 * v57)) + v24 * (v56 + (v15 * v54 - s1_mm * v55)))));
-    const wide v95 = angle1_________________ - offset6;
-    const wide v96 = offset6 + angle1_________________;
-    const wide v97 = angle1__________________ - offset6;
-    const wide v98 = offset6 + angle1__________________;
-    const wide v99 = angle1___________________ - offset6;
-    const wide v100 = offset6 + angle1___________________;
-    const wide v101 = angle1____________________ - offset6;
-    const wide v102 = offset6 + angle1____________________;
-    const wide q6_ppp = v95 + pick_wide(v95 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_ppm = pick_wide(-v96 <= -half_turn, all_wide(m4), all_wide(0.0)) - v96;
-    const wide q6_pmp = v97 + pick_wide(v97 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_pmm = pick_wide(-v98 <= -half_turn, all_wide(m4), all_wide(0.0)) - v98;
-    const wide q6_mpp = v99 + pick_wide(v99 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_mpm = pick_wide(-v100 <= -half_turn, all_wide(m4), all_wide(0.0)) - v100;
-    const wide q6_mmp = v101 + pick_wide(v101 <= -half_turn, all_wide(m4), all_wide(0.0));
-    const wide q6_mmm = pick_wide(-v102 <= -half_turn, all_wide(m4), all_wide(0.0)) - v102;
+    const wide angle9 = atan2_wide(s1_pp, c1_pp);
+    const wide v85 = angle9 - offset1;
+    const wide angle10 = atan2_wide(s1_pm, c1_pm);
+    const wide v86 = angle10 - offset1;
+    const wide angle11 = atan2_wide(s1_mp, -v14);
+    const wide v87 = angle11 - offset1;
+    const wide angle12 = atan2_wide(s1_mm, -v15);
+    const wide v88 = angle12 - offset1;
+    const wide q1_ppp = v85 + only_wide(v85 <= -half_turn, m4);
+    const wide q1_pmp = v86 + only_wide(v86 <= -half_turn, m4);
+    const wide q1_mpp = v87 + only_wide(v87 <= -half_turn, m4);
+    const wide q1_mmp = v88 + only_wide(v88 <= -half_turn, m4);
+    const wide angle13 = atan2_wide(S2_pp, -v24);
+    const wide v89 = angle13 - offset2;
+    const wide angle14 = atan2_wide(-S2_mp, -v25);
+    const wide v90 = angle14 - offset2;
+    const wide angle15 = atan2_wide(S2_mp, -v25);
+    const wide v91 = angle15 - offset2;
+    const wide angle16 = atan2_wide(-S2_pp, -v24);
+    const wide v92 = angle16 - offset2;
+    const wide q2_ppp = v89 + only_wide(v89 <= -half_turn, m4);
+    const wide q2_pmp = v90 + only_wide(v90 <= -half_turn, m4);
+    const wide q2_mpp = v91 + only_wide(v91 <= -half_turn, m4);
+    const wide q2_mmp = v92 + only_wide(v92 <= -half_turn, m4);
+    const wide angle17 = atan2_wide(-v5, -v3);
+    const wide v93 = angle17 - offset4;
+    const wide v94 = offset4 + angle17;
+    const wide q4__p = v93 + only_wide(v93 <= -half_turn, m4);
+    const wide q4__m = only_wide(-v94 <= -half_turn, m4) - v94;
+    const wide angle18 = atan2_wide(sqrt_wide(v50), v6 * v43 - factor2_pp * (S2_pp * (c1_pp * v57 +
+        s1_pp * v58 - v59) + v24 * (v56 + (c1_pp * v54 + s1_pp * v55))));
+    const wide angle19 = atan2_wide(sqrt_wide(v51), v6 * v44 - factor2_pm * (v25 * (v56 + (c1_pm *
+        v54 + s1_pm * v55)) - S2_mp * (c1_pm * v57 + s1_pm * v58 - v59)));
+    const wide angle20 = atan2_wide(sqrt_wide(v52), -(v6 * v45 + factor2_pm * (S2_mp * (v59 + (s1_mp
+        * v58 - v14 * v57)) + v25 * (v56 + (v14 * v54 - s1_mp * v55)))));
+    const wide angle21 = atan2_wide(sqrt_wide(v53), -(v6 * v46 + factor2_mm * (-S2_pp * (v59 +
+        (s1_mm * v58 - v15 * v57)) + v24 * (v56 + (v15 * v54 - s1_mm * v55)))));
+    const wide v95 = angle18 - offset6;
+    const wide v96 = offset6 + angle18;
+    const wide v97 = angle19 - offset6;
+    const wide v98 = offset6 + angle19;
+    const wide v99 = angle20 - offset6;
+    const wide v100 = offset6 + angle20;
+    const wide v101 = angle21 - offset6;
+    const wide v102 = offset6 + angle21;
+    const wide q6_ppp = v95 + only_wide(v95 <= -half_turn, m4);
+    const wide q6_ppm = only_wide(-v96 <= -half_turn, m4) - v96;
+    const wide q6_pmp = v97 + only_wide(v97 <= -half_turn, m4);
+    const wide q6_pmm = only_wide(-v98 <= -half_turn, m4) - v98;
+    const wide q6_mpp = v99 + only_wide(v99 <= -half_turn, m4);
+    const wide q6_mpm = only_wide(-v100 <= -half_turn, m4) - v100;
+    const wide q6_mmp = v101 + only_wide(v101 <= -half_turn, m4);
+    const wide q6_mmm = only_wide(-v102 <= -half_turn, m4) - v102;
     const wide_mask v103 = (free_joints[0] < low3) | (high3 < free_joints[0]);
     const wide_mask v104 = (q4__p < low4) | (high4 < q4__p);
     const wide_mask v105 = (q4__m < low4) | (high4 < q4__m);
@@ -852,20 +821,20 @@ HELPER wide_mask solve_wide(
         (high2 < q2_mpp))));
     const wide_mask v109 = v105 | (v103 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
         (high2 < q2_mmp))));
-    const wide_mask outside_ppp = ((angle1____ < low7) | (high7 < angle1____)) | (((q6_ppp < low6) |
-        (high6 < q6_ppp)) | (v106 | ((angle1 < low5) | (high5 < angle1))));
+    const wide_mask outside_ppp = ((angle5 < low7) | (high7 < angle5)) | (((q6_ppp < low6) | (high6
+        < q6_ppp)) | (v106 | ((angle1 < low5) | (high5 < angle1))));
     const wide_mask outside_ppm = ((q7_ppm < low7) | (high7 < q7_ppm)) | (((q6_ppm < low6) | (high6
         < q6_ppm)) | (v106 | ((q5_ppm < low5) | (high5 < q5_ppm))));
-    const wide_mask outside_pmp = ((angle1_____ < low7) | (high7 < angle1_____)) | (((q6_pmp < low6)
-        | (high6 < q6_pmp)) | (v107 | ((angle1_ < low5) | (high5 < angle1_))));
+    const wide_mask outside_pmp = ((angle6 < low7) | (high7 < angle6)) | (((q6_pmp < low6) | (high6
+        < q6_pmp)) | (v107 | ((angle2 < low5) | (high5 < angle2))));
     const wide_mask outside_pmm = ((q7_pmm < low7) | (high7 < q7_pmm)) | (((q6_pmm < low6) | (high6
         < q6_pmm)) | (v107 | ((q5_pmm < low5) | (high5 < q5_pmm))));
-    const wide_mask outside_mpp = ((angle1______ < low7) | (high7 < angle1______)) | (((q6_mpp <
-        low6) | (high6 < q6_mpp)) | (v108 | ((angle1__ < low5) | (high5 < angle1__))));
+    const wide_mask outside_mpp = ((angle7 < low7) | (high7 < angle7)) | (((q6_mpp < low6) | (high6
+        < q6_mpp)) | (v108 | ((angle3 < low5) | (high5 < angle3))));
     const wide_mask outside_mpm = ((q7_mpm < low7) | (high7 < q7_mpm)) | (((q6_mpm < low6) | (high6
         < q6_mpm)) | (v108 | ((q5_mpm < low5) | (high5 < q5_mpm))));
-    const wide_mask outside_mmp = ((angle1_______ < low7) | (high7 < angle1_______)) | (((q6_mmp <
-        low6) | (high6 < q6_mmp)) | (v109 | ((angle1___ < low5) | (high5 < angle1___))));
+    const wide_mask outside_mmp = ((angle8 < low7) | (high7 < angle8)) | (((q6_mmp < low6) | (high6
+        < q6_mmp)) | (v109 | ((angle4 < low5) | (high5 < angle4))));
     const wide_mask outside_mmm = ((q7_mmm < low7) | (high7 < q7_mmm)) | (((q6_mmm < low6) | (high6
         < q6_mmm)) | (v109 | ((q5_mmm < low5) | (high5 < q5_mmm))));
     const wide_mask doubt1 = ((-(reach_slack2 * (reach_slack2 + v2)) <= D4) & ((merge_slack2 *
@@ -879,7 +848,7 @@ HELPER wide_mask solve_wide(
     q[3] = q4_ppp;
     q[4] = angle1;
     q[5] = q6_ppp;
-    q[6] = angle1____;
+    q[6] = angle5;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[7] = q1_ppp;
     q[8] = q2_ppp;
@@ -893,9 +862,9 @@ HELPER wide_mask solve_wide(
     q[15] = q2_pmp;
     q[16] = q3_ppp;
     q[17] = q4_ppp;
-    q[18] = angle1_;
+    q[18] = angle2;
     q[19] = q6_pmp;
-    q[20] = angle1_____;
+    q[20] = angle6;
     kind[2] = kind_of(q[14] != q[14], outside_pmp);
     q[21] = q1_pmp;
     q[22] = q2_pmp;
@@ -909,9 +878,9 @@ HELPER wide_mask solve_wide(
     q[29] = q2_mpp;
     q[30] = q3_ppp;
     q[31] = q4_mpp;
-    q[32] = angle1__;
+    q[32] = angle3;
     q[33] = q6_mpp;
-    q[34] = angle1______;
+    q[34] = angle7;
     kind[4] = kind_of(q[28] != q[28], outside_mpp);
     q[35] = q1_mpp;
     q[36] = q2_mpp;
@@ -925,9 +894,9 @@ HELPER wide_mask solve_wide(
     q[43] = q2_mmp;
     q[44] = q3_ppp;
     q[45] = q4_mpp;
-    q[46] = angle1___;
+    q[46] = angle4;
     q[47] = q6_mmp;
-    q[48] = angle1_______;
+    q[48] = angle8;
     kind[6] = kind_of(q[42] != q[42], outside_mmp);
     q[49] = q1_mmp;
     q[50] = q2_mmp;
@@ -1064,36 +1033,36 @@ HELPER int solve_regular(
         (free1 | ((merge_slack1 * (merge_slack1 + v7) < D1) == 0))));
 
     const four angle1 = atan2_four(Y5, -X5);
-    const four angle1_ = atan2_four(-(X5 * (c3 * v59 - factor2 * (S2 * v58 - v24 * (s3 * (c1 * T11 +
+    const four angle2 = atan2_four(-(X5 * (c3 * v59 - factor2 * (S2 * v58 - v24 * (s3 * (c1 * T11 +
         s1 * T21)))) + Y5 * (v4 * (s3 * v59) + factor2 * (v24 * (v66 - (c1 * v60 + s1 * v61)) + S2 *
         (v65 + e1 * (c1 * v63 + s1 * v64))))), -(X5 * (c3 * v50 - factor2 * (S2 * v49 - v24 * (s3 *
         (c1 * T12 + s1 * T22)))) + Y5 * (v4 * (s3 * v50) + factor2 * (v24 * (v57 - (c1 * v51 + s1 *
         v52)) + S2 * (v56 + e1 * (c1 * v54 + s1 * v55))))));
-    const four angle1__ = atan2_four(s1, c1);
-    const four angle1___ = atan2_four(S2, -v24);
-    const four angle1_____ = atan2_four(sqrt_four(v41), e1 * (v6 * v38) - factor2 * (S2 * (c1 * v45
-        + s1 * v46 - v48) + v24 * (v44 + e1 * (c1 * v42 + s1 * v43))));
+    const four angle3 = atan2_four(s1, c1);
+    const four angle4 = atan2_four(S2, -v24);
+    const four angle6 = atan2_four(sqrt_four(v41), e1 * (v6 * v38) - factor2 * (S2 * (c1 * v45 + s1
+        * v46 - v48) + v24 * (v44 + e1 * (c1 * v42 + s1 * v43))));
     const four packed6 = atan2_four((four){ -v5, -v5, -v5, -v5 }, (four){ -v3, -v3, -v3, -v3 });
-    const four angle1____ = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
+    const four angle5 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
     const four q5_m = angle1 - copysign_four(all_four(half_turn), Y5) * h1;
-    const four q7_m = angle1_ - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v59 - factor2 *
+    const four q7_m = angle2 - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v59 - factor2 *
         (S2 * v58 - v24 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v4 * (s3 * v59) + factor2 * (v24 *
         (v66 - (c1 * v60 + s1 * v61)) + S2 * (v65 + e1 * (c1 * v63 + s1 * v64))))));
-    const four v67 = angle1__ - offset1;
-    const four q1_p = v67 + pick_four(v67 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v68 = angle1___ - offset2;
-    const four q2_p = v68 + pick_four(v68 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v69 = e1 * angle1____ - offset4;
-    const four q4_ = v69 + pick_four(v69 <= -half_turn, all_four(m4), all_four(0.0));
-    const four v70 = angle1_____ - offset6;
-    const four v71 = offset6 + angle1_____;
-    const four q6_p = v70 + pick_four(v70 <= -half_turn, all_four(m4), all_four(0.0));
-    const four q6_m = pick_four(-v71 <= -half_turn, all_four(m4), all_four(0.0)) - v71;
+    const four v67 = angle3 - offset1;
+    const four q1_p = v67 + only_four(v67 <= -half_turn, m4);
+    const four v68 = angle4 - offset2;
+    const four q2_p = v68 + only_four(v68 <= -half_turn, m4);
+    const four v69 = e1 * angle5 - offset4;
+    const four q4_ = v69 + only_four(v69 <= -half_turn, m4);
+    const four v70 = angle6 - offset6;
+    const four v71 = offset6 + angle6;
+    const four q6_p = v70 + only_four(v70 <= -half_turn, m4);
+    const four q6_m = only_four(-v71 <= -half_turn, m4) - v71;
     const four_mask v73 = (q4_ < low4) | (high4 < q4_);
     const four q4_p = v8 + q4_;
     const four_mask v74 = v73 | (where_four(v72) | (((q1_p < low1) | (high1 < q1_p)) | ((q2_p <
         low2) | (high2 < q2_p))));
-    const four_mask outside_p = ((angle1_ < low7) | (high7 < angle1_)) | (((q6_p < low6) | (high6 <
+    const four_mask outside_p = ((angle2 < low7) | (high7 < angle2)) | (((q6_p < low6) | (high6 <
         q6_p)) | (v74 | ((angle1 < low5) | (high5 < angle1))));
     const four_mask outside_m = ((q7_m < low7) | (high7 < q7_m)) | (((q6_m < low6) | (high6 < q6_m))
         | (v74 | ((q5_m < low5) | (high5 < q5_m))));
@@ -1103,7 +1072,7 @@ HELPER int solve_regular(
         return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, all_four(q3_p), q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1, q6_p);
-    store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], angle1_);
+    store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], angle2);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, all_four(q3_p), q4_p);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
     store_1(&q[1][6], &q[3][6], &q[5][6], &q[7][6], q7_m);

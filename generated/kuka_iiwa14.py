@@ -677,7 +677,7 @@ def _regular(pose, q_free, q, status):
     v103 = q_free[0] < low3 or high3 < q_free[0]
     s3 = math.sin(q_free[0])
     c3 = math.cos(q_free[0])
-    angle1________________ = _atan2(-v5, -v3)
+    angle17 = _atan2(-v5, -v3)
 
     # theta1, type 2: U1 A7^-1 [3, 4]
     Z1 = d5 * (s3 * v6)
@@ -803,8 +803,8 @@ def _regular(pose, q_free, q, status):
     v84 = S2_mp * v60
 
     # joint values
-    v93 = angle1________________ - offset4
-    v94 = offset4 + angle1________________
+    v93 = angle17 - offset4
+    v94 = offset4 + angle17
     q4__p = v93 + (m4 if v93 <= -half_turn else 0.0)
     q4__m = (m4 if -v94 <= -half_turn else 0.0) - v94
     v104 = q4__p < low4 or high4 < q4__p
@@ -905,75 +905,75 @@ def _regular(pose, q_free, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1_________________ = room[16]
-    angle1__________________ = room[17]
-    angle1___________________ = room[18]
-    angle1____________________ = room[19]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle18 = room[16]
+    angle19 = room[17]
+    angle20 = room[18]
+    angle21 = room[19]
 
     # theta5, type 2: U5[3, 3]
     q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-    q5_pmm = angle1_ - math.copysign(half_turn, -v49) * h1
-    q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
-    q5_mmm = angle1___ - math.copysign(half_turn, Y5_mm) * h1
+    q5_pmm = angle2 - math.copysign(half_turn, -v49) * h1
+    q5_mpm = angle3 - math.copysign(half_turn, Y5_mp) * h1
+    q5_mmm = angle4 - math.copysign(half_turn, Y5_mm) * h1
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
     q7_ppm = (
-        angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 -
-        v24 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 *
-        (v78 - (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80))))))
+        angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24
+        * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78
+        - (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80))))))
     )
-    q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v83)
+    q7_pmm = angle6 - h1 * math.copysign(half_turn, v83)
     q7_mpm = (
-        angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 *
-        (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 +
-        (v14 * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 * v76))))))
+        angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 *
+        (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14
+        * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 * v76))))))
     )
     q7_mmm = (
-        angle1_______ - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp *
-        v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm *
-        (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76))))))
+        angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 -
+        v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp *
+        (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76))))))
     )
 
     # joint values
-    v85 = angle1________ - offset1
-    v86 = angle1_________ - offset1
-    v87 = angle1__________ - offset1
-    v88 = angle1___________ - offset1
+    v85 = angle9 - offset1
+    v86 = angle10 - offset1
+    v87 = angle11 - offset1
+    v88 = angle12 - offset1
     q1_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
     q1_pmp = v86 + (m4 if v86 <= -half_turn else 0.0)
     q1_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
     q1_mmp = v88 + (m4 if v88 <= -half_turn else 0.0)
-    v89 = angle1____________ - offset2
-    v90 = angle1_____________ - offset2
-    v91 = angle1______________ - offset2
-    v92 = angle1_______________ - offset2
+    v89 = angle13 - offset2
+    v90 = angle14 - offset2
+    v91 = angle15 - offset2
+    v92 = angle16 - offset2
     q2_ppp = v89 + (m4 if v89 <= -half_turn else 0.0)
     q2_pmp = v90 + (m4 if v90 <= -half_turn else 0.0)
     q2_mpp = v91 + (m4 if v91 <= -half_turn else 0.0)
     q2_mmp = v92 + (m4 if v92 <= -half_turn else 0.0)
-    v95 = angle1_________________ - offset6
-    v96 = offset6 + angle1_________________
-    v97 = angle1__________________ - offset6
-    v98 = offset6 + angle1__________________
-    v99 = angle1___________________ - offset6
-    v100 = offset6 + angle1___________________
-    v101 = angle1____________________ - offset6
-    v102 = offset6 + angle1____________________
+    v95 = angle18 - offset6
+    v96 = offset6 + angle18
+    v97 = angle19 - offset6
+    v98 = offset6 + angle19
+    v99 = angle20 - offset6
+    v100 = offset6 + angle20
+    v101 = angle21 - offset6
+    v102 = offset6 + angle21
     q6_ppp = v95 + (m4 if v95 <= -half_turn else 0.0)
     q6_ppm = (m4 if -v96 <= -half_turn else 0.0) - v96
     q6_pmp = v97 + (m4 if v97 <= -half_turn else 0.0)
@@ -987,32 +987,32 @@ def _regular(pose, q_free, q, status):
     v108 = v105 or (v103 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
     v109 = v105 or (v103 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
     outside_ppp = (
-        angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v106 or
-        (angle1 < low5 or high5 < angle1)))
+        angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v106 or (angle1 <
+        low5 or high5 < angle1)))
     )
     outside_ppm = (
         q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v106 or (q5_ppm <
         low5 or high5 < q5_ppm)))
     )
     outside_pmp = (
-        angle1_____ < low7 or high7 < angle1_____ or (q6_pmp < low6 or high6 < q6_pmp or (v107 or
-        (angle1_ < low5 or high5 < angle1_)))
+        angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v107 or (angle2 <
+        low5 or high5 < angle2)))
     )
     outside_pmm = (
         q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v107 or (q5_pmm <
         low5 or high5 < q5_pmm)))
     )
     outside_mpp = (
-        angle1______ < low7 or high7 < angle1______ or (q6_mpp < low6 or high6 < q6_mpp or (v108 or
-        (angle1__ < low5 or high5 < angle1__)))
+        angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v108 or (angle3 <
+        low5 or high5 < angle3)))
     )
     outside_mpm = (
         q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v108 or (q5_mpm <
         low5 or high5 < q5_mpm)))
     )
     outside_mmp = (
-        angle1_______ < low7 or high7 < angle1_______ or (q6_mmp < low6 or high6 < q6_mmp or (v109
-        or (angle1___ < low5 or high5 < angle1___)))
+        angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v109 or (angle4 <
+        low5 or high5 < angle4)))
     )
     outside_mmm = (
         q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v109 or (q5_mmm <
@@ -1028,7 +1028,7 @@ def _regular(pose, q_free, q, status):
     q[0, 3] = q4_ppp
     q[0, 4] = angle1
     q[0, 5] = q6_ppp
-    q[0, 6] = angle1____
+    q[0, 6] = angle5
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
     q[1, 0] = q1_ppp
     q[1, 1] = q2_ppp
@@ -1042,9 +1042,9 @@ def _regular(pose, q_free, q, status):
     q[2, 1] = q2_pmp
     q[2, 2] = q3_ppp
     q[2, 3] = q4_ppp
-    q[2, 4] = angle1_
+    q[2, 4] = angle2
     q[2, 5] = q6_pmp
-    q[2, 6] = angle1_____
+    q[2, 6] = angle6
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_pmp
     q[3, 1] = q2_pmp
@@ -1058,9 +1058,9 @@ def _regular(pose, q_free, q, status):
     q[4, 1] = q2_mpp
     q[4, 2] = q3_ppp
     q[4, 3] = q4_mpp
-    q[4, 4] = angle1__
+    q[4, 4] = angle3
     q[4, 5] = q6_mpp
-    q[4, 6] = angle1______
+    q[4, 6] = angle7
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
     q[5, 0] = q1_mpp
     q[5, 1] = q2_mpp
@@ -1074,9 +1074,9 @@ def _regular(pose, q_free, q, status):
     q[6, 1] = q2_mmp
     q[6, 2] = q3_ppp
     q[6, 3] = q4_mpp
-    q[6, 4] = angle1___
+    q[6, 4] = angle4
     q[6, 5] = q6_mmp
-    q[6, 6] = angle1_______
+    q[6, 6] = angle8
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mmp
     q[7, 1] = q2_mmp
@@ -1412,7 +1412,7 @@ def _in_tiles(T, q_free, q, status):
             v80 = work[1344 + k]
             s3 = work[1408 + k]
             c3 = work[1440 + k]
-            angle1________________ = work[1472 + k]
+            angle17 = work[1472 + k]
             Z1 = d5 * (s3 * v6)
             D1 = N1 - Z1 * Z1
             v7 = 2.0 * abs(Z1)
@@ -1527,8 +1527,8 @@ def _in_tiles(T, q_free, q, status):
                 (v82 + v25 * (s3 * (c1_pm * T11 + s1_pm * T21))))
             )
             v84 = S2_mp * v60
-            v93 = angle1________________ - offset4
-            v94 = offset4 + angle1________________
+            v93 = angle17 - offset4
+            v94 = offset4 + angle17
             q4__p = v93 + (m4 if v93 <= -half_turn else 0.0)
             q4__m = (m4 if -v94 <= -half_turn else 0.0) - v94
             v104 = q4__p < low4 or high4 < q4__p
@@ -1705,72 +1705,72 @@ def _in_tiles(T, q_free, q, status):
             q4_mpp = work[2592 + k]
             doubt1 = work[2624 + k] != 0.0
             angle1 = work[2656 + k]
-            angle1_ = work[2688 + k]
-            angle1__ = work[2720 + k]
-            angle1___ = work[2752 + k]
-            angle1____ = work[2784 + k]
-            angle1_____ = work[2816 + k]
-            angle1______ = work[2848 + k]
-            angle1_______ = work[2880 + k]
-            angle1________ = work[2912 + k]
-            angle1_________ = work[2944 + k]
-            angle1__________ = work[2976 + k]
-            angle1___________ = work[3008 + k]
-            angle1____________ = work[3040 + k]
-            angle1_____________ = work[3072 + k]
-            angle1______________ = work[3104 + k]
-            angle1_______________ = work[3136 + k]
-            angle1_________________ = work[3168 + k]
-            angle1__________________ = work[3200 + k]
-            angle1___________________ = work[3232 + k]
-            angle1____________________ = work[3264 + k]
+            angle2 = work[2688 + k]
+            angle3 = work[2720 + k]
+            angle4 = work[2752 + k]
+            angle5 = work[2784 + k]
+            angle6 = work[2816 + k]
+            angle7 = work[2848 + k]
+            angle8 = work[2880 + k]
+            angle9 = work[2912 + k]
+            angle10 = work[2944 + k]
+            angle11 = work[2976 + k]
+            angle12 = work[3008 + k]
+            angle13 = work[3040 + k]
+            angle14 = work[3072 + k]
+            angle15 = work[3104 + k]
+            angle16 = work[3136 + k]
+            angle18 = work[3168 + k]
+            angle19 = work[3200 + k]
+            angle20 = work[3232 + k]
+            angle21 = work[3264 + k]
             q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-            q5_pmm = angle1_ - math.copysign(half_turn, -v49) * h1
-            q5_mpm = angle1__ - math.copysign(half_turn, Y5_mp) * h1
-            q5_mmm = angle1___ - math.copysign(half_turn, Y5_mm) * h1
+            q5_pmm = angle2 - math.copysign(half_turn, -v49) * h1
+            q5_mpm = angle3 - math.copysign(half_turn, Y5_mp) * h1
+            q5_mmm = angle4 - math.copysign(half_turn, Y5_mm) * h1
             q7_ppm = (
-                angle1____ - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp
-                * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) +
+                angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp *
+                v71 - v24 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) +
                 factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp *
                 v79 + s1_pp * v80))))))
             )
-            q7_pmm = angle1_____ - h1 * math.copysign(half_turn, v83)
+            q7_pmm = angle6 - h1 * math.copysign(half_turn, v83)
             q7_mpm = (
-                angle1______ - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v74 - factor2_pm * (v82
-                - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm *
+                angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25
+                * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm *
                 (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 *
                 v76))))))
             )
             q7_mmm = (
-                angle1_______ - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v75 - factor2_mm *
-                (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75)
-                + factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm *
-                v77 - v15 * v76))))))
+                angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp *
+                v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75) +
+                factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77
+                - v15 * v76))))))
             )
-            v85 = angle1________ - offset1
-            v86 = angle1_________ - offset1
-            v87 = angle1__________ - offset1
-            v88 = angle1___________ - offset1
+            v85 = angle9 - offset1
+            v86 = angle10 - offset1
+            v87 = angle11 - offset1
+            v88 = angle12 - offset1
             q1_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
             q1_pmp = v86 + (m4 if v86 <= -half_turn else 0.0)
             q1_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
             q1_mmp = v88 + (m4 if v88 <= -half_turn else 0.0)
-            v89 = angle1____________ - offset2
-            v90 = angle1_____________ - offset2
-            v91 = angle1______________ - offset2
-            v92 = angle1_______________ - offset2
+            v89 = angle13 - offset2
+            v90 = angle14 - offset2
+            v91 = angle15 - offset2
+            v92 = angle16 - offset2
             q2_ppp = v89 + (m4 if v89 <= -half_turn else 0.0)
             q2_pmp = v90 + (m4 if v90 <= -half_turn else 0.0)
             q2_mpp = v91 + (m4 if v91 <= -half_turn else 0.0)
             q2_mmp = v92 + (m4 if v92 <= -half_turn else 0.0)
-            v95 = angle1_________________ - offset6
-            v96 = offset6 + angle1_________________
-            v97 = angle1__________________ - offset6
-            v98 = offset6 + angle1__________________
-            v99 = angle1___________________ - offset6
-            v100 = offset6 + angle1___________________
-            v101 = angle1____________________ - offset6
-            v102 = offset6 + angle1____________________
+            v95 = angle18 - offset6
+            v96 = offset6 + angle18
+            v97 = angle19 - offset6
+            v98 = offset6 + angle19
+            v99 = angle20 - offset6
+            v100 = offset6 + angle20
+            v101 = angle21 - offset6
+            v102 = offset6 + angle21
             q6_ppp = v95 + (m4 if v95 <= -half_turn else 0.0)
             q6_ppm = (m4 if -v96 <= -half_turn else 0.0) - v96
             q6_pmp = v97 + (m4 if v97 <= -half_turn else 0.0)
@@ -1796,32 +1796,32 @@ def _in_tiles(T, q_free, q, status):
                 q2_mmp)))
             )
             outside_ppp = (
-                angle1____ < low7 or high7 < angle1____ or (q6_ppp < low6 or high6 < q6_ppp or (v106
-                or (angle1 < low5 or high5 < angle1)))
+                angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v106 or
+                (angle1 < low5 or high5 < angle1)))
             )
             outside_ppm = (
                 q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v106 or
                 (q5_ppm < low5 or high5 < q5_ppm)))
             )
             outside_pmp = (
-                angle1_____ < low7 or high7 < angle1_____ or (q6_pmp < low6 or high6 < q6_pmp or
-                (v107 or (angle1_ < low5 or high5 < angle1_)))
+                angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v107 or
+                (angle2 < low5 or high5 < angle2)))
             )
             outside_pmm = (
                 q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v107 or
                 (q5_pmm < low5 or high5 < q5_pmm)))
             )
             outside_mpp = (
-                angle1______ < low7 or high7 < angle1______ or (q6_mpp < low6 or high6 < q6_mpp or
-                (v108 or (angle1__ < low5 or high5 < angle1__)))
+                angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v108 or
+                (angle3 < low5 or high5 < angle3)))
             )
             outside_mpm = (
                 q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v108 or
                 (q5_mpm < low5 or high5 < q5_mpm)))
             )
             outside_mmp = (
-                angle1_______ < low7 or high7 < angle1_______ or (q6_mmp < low6 or high6 < q6_mmp or
-                (v109 or (angle1___ < low5 or high5 < angle1___)))
+                angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v109 or
+                (angle4 < low5 or high5 < angle4)))
             )
             outside_mmm = (
                 q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v109 or
@@ -1839,7 +1839,7 @@ def _in_tiles(T, q_free, q, status):
             work[4064 + k] = _4064
             _4096 = q6_ppp
             work[4096 + k] = _4096
-            _4128 = angle1____
+            _4128 = angle5
             work[4128 + k] = _4128
             _4160 = q5_ppm
             work[4160 + k] = _4160
@@ -1851,11 +1851,11 @@ def _in_tiles(T, q_free, q, status):
             work[4256 + k] = _4256
             _4288 = q2_pmp
             work[4288 + k] = _4288
-            _4320 = angle1_
+            _4320 = angle2
             work[4320 + k] = _4320
             _4352 = q6_pmp
             work[4352 + k] = _4352
-            _4384 = angle1_____
+            _4384 = angle6
             work[4384 + k] = _4384
             _4416 = q5_pmm
             work[4416 + k] = _4416
@@ -1869,11 +1869,11 @@ def _in_tiles(T, q_free, q, status):
             work[4544 + k] = _4544
             _4576 = q4_mpp
             work[4576 + k] = _4576
-            _4608 = angle1__
+            _4608 = angle3
             work[4608 + k] = _4608
             _4640 = q6_mpp
             work[4640 + k] = _4640
-            _4672 = angle1______
+            _4672 = angle7
             work[4672 + k] = _4672
             _4704 = q5_mpm
             work[4704 + k] = _4704
@@ -1885,11 +1885,11 @@ def _in_tiles(T, q_free, q, status):
             work[4800 + k] = _4800
             _4832 = q2_mmp
             work[4832 + k] = _4832
-            _4864 = angle1___
+            _4864 = angle4
             work[4864 + k] = _4864
             _4896 = q6_mmp
             work[4896 + k] = _4896
-            _4928 = angle1_______
+            _4928 = angle8
             work[4928 + k] = _4928
             _4960 = q5_mmm
             work[4960 + k] = _4960

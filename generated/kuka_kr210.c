@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef KUKA_KR210_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -567,10 +537,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v17 = m5 * w3_m;
     const wide c3_mp = v15 + v17;
     const wide c3_mm = v15 - v17;
-    const wide angle1_ = atan2_wide(-v9, c3_pp);
-    const wide angle1__ = atan2_wide(-v10, c3_pm);
-    const wide angle1___ = atan2_wide(-v12, c3_mp);
-    const wide angle1____ = atan2_wide(-v13, c3_mm);
+    const wide angle2 = atan2_wide(-v9, c3_pp);
+    const wide angle3 = atan2_wide(-v10, c3_pm);
+    const wide angle4 = atan2_wide(-v12, c3_mp);
+    const wide angle5 = atan2_wide(-v13, c3_mm);
 
     /* theta2 */
     const wide X2_2_p = m8 - m7 * N3_p;
@@ -615,26 +585,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v33 = v29 + factor2_m * (v26 * v32);
     const wide v34 = factor2_m * v27;
     const wide v35 = v29 + factor2_m * (v27 * v34);
-    const wide angle1_____ = atan2_wide(-v28, factor2_p * -X4_pp);
-    const wide angle1______ = atan2_wide(-v28, factor2_p * -X4_pm);
-    const wide angle1_______ = atan2_wide(v28, v32);
-    const wide angle1________ = atan2_wide(v28, v34);
+    const wide angle6 = atan2_wide(-v28, factor2_p * -X4_pp);
+    const wide angle7 = atan2_wide(-v28, factor2_p * -X4_pm);
+    const wide angle8 = atan2_wide(v28, v32);
+    const wide angle9 = atan2_wide(v28, v34);
     const wide v36 = copysign_wide(all_wide(half_turn), -v28) * h1;
     const wide v37 = copysign_wide(all_wide(half_turn), v28) * h1;
-    const wide q4_ppm = angle1_____ - v36;
-    const wide q4_pmm = angle1______ - v36;
-    const wide q4_mpm = angle1_______ - v37;
-    const wide q4_mmm = angle1________ - v37;
+    const wide q4_ppm = angle6 - v36;
+    const wide q4_pmm = angle7 - v36;
+    const wide q4_mpm = angle8 - v37;
+    const wide q4_mmm = angle9 - v37;
 
     /* theta5 */
-    const wide angle1_________ = atan2_wide(sqrt_wide(v30), -(factor2_p * (T33 * c23_pp + s23_pp *
-        v25)));
-    const wide angle1__________ = atan2_wide(sqrt_wide(v31), -(factor2_p * (T33 * c23_pm + s23_pm *
-        v25)));
-    const wide angle1___________ = atan2_wide(sqrt_wide(v33), -(factor2_m * (T33 * c23_mp - s23_mp *
-        v25)));
-    const wide angle1____________ = atan2_wide(sqrt_wide(v35), -(factor2_m * (T33 * c23_mm - s23_mm
-        * v25)));
+    const wide angle10 = atan2_wide(sqrt_wide(v30), -(factor2_p * (T33 * c23_pp + s23_pp * v25)));
+    const wide angle11 = atan2_wide(sqrt_wide(v31), -(factor2_p * (T33 * c23_pm + s23_pm * v25)));
+    const wide angle12 = atan2_wide(sqrt_wide(v33), -(factor2_m * (T33 * c23_mp - s23_mp * v25)));
+    const wide angle13 = atan2_wide(sqrt_wide(v35), -(factor2_m * (T33 * c23_mm - s23_mm * v25)));
 
     /* theta6 */
     const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12));
@@ -645,32 +611,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31);
     const wide v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40;
     const wide v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40;
-    const wide angle1_____________ = atan2_wide(v42, -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp *
-        T32));
-    const wide angle1______________ = atan2_wide(v43, -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm *
-        T32));
-    const wide angle1_______________ = atan2_wide(v44, v28 * (c23_mp * v39 + s23_mp * T32) - v26 *
-        v38);
-    const wide angle1________________ = atan2_wide(v45, v28 * (c23_mm * v39 + s23_mm * T32) - v27 *
-        v38);
-    const wide q6_ppm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_pmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v43);
-    const wide q6_mpm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v44);
-    const wide q6_mmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide angle14 = atan2_wide(v42, -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp * T32));
+    const wide angle15 = atan2_wide(v43, -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm * T32));
+    const wide angle16 = atan2_wide(v44, v28 * (c23_mp * v39 + s23_mp * T32) - v26 * v38);
+    const wide angle17 = atan2_wide(v45, v28 * (c23_mm * v39 + s23_mm * T32) - v27 * v38);
+    const wide q6_ppm = angle14 - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_pmm = angle15 - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide q6_mpm = angle16 - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide q6_mmm = angle17 - h1 * copysign_wide(all_wide(half_turn), v45);
 
     /* joint values */
-    const wide angle1_________________ = atan2_wide(S2_pp, C2_pp);
-    const wide v46 = angle1_________________ - offset2;
-    const wide angle1__________________ = atan2_wide(S2_pm, C2_pm);
-    const wide v47 = angle1__________________ - offset2;
-    const wide angle1___________________ = atan2_wide(S2_mp, C2_mp);
-    const wide v48 = angle1___________________ - offset2;
-    const wide angle1____________________ = atan2_wide(S2_mm, C2_mm);
-    const wide v49 = angle1____________________ - offset2;
-    const wide q2_ppp = v46 - pick_wide(half_turn < v46, all_wide(m10), all_wide(0.0));
-    const wide q2_pmp = v47 - pick_wide(half_turn < v47, all_wide(m10), all_wide(0.0));
-    const wide q2_mpp = v48 - pick_wide(half_turn < v48, all_wide(m10), all_wide(0.0));
-    const wide q2_mmp = v49 - pick_wide(half_turn < v49, all_wide(m10), all_wide(0.0));
+    const wide angle18 = atan2_wide(S2_pp, C2_pp);
+    const wide v46 = angle18 - offset2;
+    const wide angle19 = atan2_wide(S2_pm, C2_pm);
+    const wide v47 = angle19 - offset2;
+    const wide angle20 = atan2_wide(S2_mp, C2_mp);
+    const wide v48 = angle20 - offset2;
+    const wide angle21 = atan2_wide(S2_mm, C2_mm);
+    const wide v49 = angle21 - offset2;
+    const wide q2_ppp = v46 - only_wide(half_turn < v46, m10);
+    const wide q2_pmp = v47 - only_wide(half_turn < v47, m10);
+    const wide q2_mpp = v48 - only_wide(half_turn < v48, m10);
+    const wide q2_mmp = v49 - only_wide(half_turn < v49, m10);
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
     const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
@@ -681,58 +643,58 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
-    q[2] = angle1_;
-    q[3] = angle1_____;
-    q[4] = angle1_________;
-    q[5] = angle1_____________;
+    q[2] = angle2;
+    q[3] = angle6;
+    q[4] = angle10;
+    q[5] = angle14;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
-    q[8] = angle1_;
+    q[8] = angle2;
     q[9] = q4_ppm;
-    q[10] = -angle1_________;
+    q[10] = -angle10;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
     q[13] = q2_pmp;
-    q[14] = angle1__;
-    q[15] = angle1______;
-    q[16] = angle1__________;
-    q[17] = angle1______________;
+    q[14] = angle3;
+    q[15] = angle7;
+    q[16] = angle11;
+    q[17] = angle15;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
-    q[20] = angle1__;
+    q[20] = angle3;
     q[21] = q4_pmm;
-    q[22] = -angle1__________;
+    q[22] = -angle11;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
     q[25] = q2_mpp;
-    q[26] = angle1___;
-    q[27] = angle1_______;
-    q[28] = angle1___________;
-    q[29] = angle1_______________;
+    q[26] = angle4;
+    q[27] = angle8;
+    q[28] = angle12;
+    q[29] = angle16;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
-    q[32] = angle1___;
+    q[32] = angle4;
     q[33] = q4_mpm;
-    q[34] = -angle1___________;
+    q[34] = -angle12;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = q2_mmp;
-    q[38] = angle1____;
-    q[39] = angle1________;
-    q[40] = angle1____________;
-    q[41] = angle1________________;
+    q[38] = angle5;
+    q[39] = angle9;
+    q[40] = angle13;
+    q[41] = angle17;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
-    q[44] = angle1____;
+    q[44] = angle5;
     q[45] = q4_mmm;
-    q[46] = -angle1____________;
+    q[46] = -angle13;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -804,26 +766,25 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1_ = atan2_four(-v8, c3);
-    const four angle1__ = atan2_four(-(e1 * v15), factor2 * -X4);
-    const four angle1___ = atan2_four(sqrt_four(v17), -(factor2 * (T33 * c23 + e1 * (s23 * v14))));
-    const four angle1____ = atan2_four(v23, e1 * (-X4 * v19 + v15 * (e1 * (c23 * v20) - s23 *
-        T32)));
-    const four angle1_____ = atan2_four(S2, C2);
+    const four angle2 = atan2_four(-v8, c3);
+    const four angle3 = atan2_four(-(e1 * v15), factor2 * -X4);
+    const four angle4 = atan2_four(sqrt_four(v17), -(factor2 * (T33 * c23 + e1 * (s23 * v14))));
+    const four angle5 = atan2_four(v23, e1 * (-X4 * v19 + v15 * (e1 * (c23 * v20) - s23 * T32)));
+    const four angle6 = atan2_four(S2, C2);
     const four packed6 = atan2_four((four){ Y1, Y1, Y1, Y1 }, (four){ -t14, -t14, -t14, -t14 });
     const four angle1 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
-    const four q4_m = angle1__ - v18;
-    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v23);
-    const four v24 = angle1_____ - offset2;
-    const four q2_p = v24 - pick_four(half_turn < v24, all_four(m10), all_four(0.0));
+    const four q4_m = angle3 - v18;
+    const four q6_m = angle5 - h1 * copysign_four(all_four(half_turn), v23);
+    const four v24 = angle6 - offset2;
+    const four q2_p = v24 - only_four(half_turn < v24, m10);
     const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle1_, angle1__);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1___, angle1____);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, angle1_, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1___, q6_m);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle2, angle3);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle4, angle5);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, angle2, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle4, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
     const unsigned long long kind1 = none1 * KUKA_KR210_UNREACHABLE;

@@ -629,21 +629,21 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
 
     # joint values
-    v22 = angle1 - (angle1_ + angle1__)
-    v23 = angle1 - (angle1___ - angle1_)
-    v24 = v17 + (angle1____ + (w3 - w3))
+    v22 = angle1 - (angle2 + angle3)
+    v23 = angle1 - (angle4 - angle2)
+    v24 = v17 + (angle5 + (w3 - w3))
     q1_p = v20 + v24
     q1_m = v21 + v24
-    q2_p = v20 + (angle1__ + v17)
-    q2_m = v21 + (angle1___ + v17)
-    q3_p = v20 + (angle1_ + v17)
-    q3_m = v21 + (v17 - angle1_)
+    q2_p = v20 + (angle3 + v17)
+    q2_m = v21 + (angle4 + v17)
+    q3_p = v20 + (angle2 + v17)
+    q3_m = v21 + (v17 - angle2)
     q4_p = (
         v20 + (v17 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else 0.0)))
     )
@@ -936,19 +936,19 @@ def _in_tiles(T, q, status):
             v21 = work[640 + k]
             doubt1 = work[672 + k] != 0.0
             angle1 = work[704 + k]
-            angle1_ = work[736 + k]
-            angle1__ = work[768 + k]
-            angle1___ = work[800 + k]
-            angle1____ = work[832 + k]
-            v22 = angle1 - (angle1_ + angle1__)
-            v23 = angle1 - (angle1___ - angle1_)
-            v24 = v17 + (angle1____ + (w3 - w3))
+            angle2 = work[736 + k]
+            angle3 = work[768 + k]
+            angle4 = work[800 + k]
+            angle5 = work[832 + k]
+            v22 = angle1 - (angle2 + angle3)
+            v23 = angle1 - (angle4 - angle2)
+            v24 = v17 + (angle5 + (w3 - w3))
             q1_p = v20 + v24
             q1_m = v21 + v24
-            q2_p = v20 + (angle1__ + v17)
-            q2_m = v21 + (angle1___ + v17)
-            q3_p = v20 + (angle1_ + v17)
-            q3_m = v21 + (v17 - angle1_)
+            q2_p = v20 + (angle3 + v17)
+            q2_m = v21 + (angle4 + v17)
+            q3_p = v20 + (angle2 + v17)
+            q3_m = v21 + (v17 - angle2)
             q4_p = (
                 v20 + (v17 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else
                 0.0)))

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef KUKA_KR6_R900_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -611,16 +581,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v29 = v27 + X4_pm * X4_pm;
     const wide v30 = v27 + X4_mp * X4_mp;
     const wide v31 = v27 + X4_mm * X4_mm;
-    const wide angle1_ = atan2_wide(Y4, -X4_pp);
-    const wide angle1__ = atan2_wide(Y4, -X4_pm);
-    const wide angle1___ = atan2_wide(-Y4, -X4_mp);
-    const wide angle1____ = atan2_wide(-Y4, -X4_mm);
+    const wide angle2 = atan2_wide(Y4, -X4_pp);
+    const wide angle3 = atan2_wide(Y4, -X4_pm);
+    const wide angle4 = atan2_wide(-Y4, -X4_mp);
+    const wide angle5 = atan2_wide(-Y4, -X4_mm);
     const wide v32 = copysign_wide(all_wide(half_turn), Y4) * h1;
     const wide v33 = copysign_wide(all_wide(half_turn), -Y4) * h1;
-    const wide q4_ppm = angle1_ - v32;
-    const wide q4_pmm = angle1__ - v32;
-    const wide q4_mpm = angle1___ - v33;
-    const wide q4_mmm = angle1____ - v33;
+    const wide q4_ppm = angle2 - v32;
+    const wide q4_pmm = angle3 - v32;
+    const wide q4_mpm = angle4 - v33;
+    const wide q4_mmm = angle5 - v33;
 
     /* theta6 */
     const wide v34 = w1 * (v2 * (wx * T22 + Y1 * T12));
@@ -631,57 +601,57 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36;
     const wide v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36;
     const wide v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36;
-    const wide angle1_____ = atan2_wide(v38, Y4 * (c23_pp * v35 - s23_pp * T32) - -X4_pp * v34);
-    const wide angle1______ = atan2_wide(v39, Y4 * (c23_pm * v35 - s23_pm * T32) - -X4_pm * v34);
-    const wide angle1_______ = atan2_wide(v40, Y4 * (c23_mp * v35 + s23_mp * T32) - X4_mp * v34);
-    const wide angle1________ = atan2_wide(v41, Y4 * (c23_mm * v35 + s23_mm * T32) - X4_mm * v34);
-    const wide q6_ppm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v38);
-    const wide q6_pmm = angle1______ - h1 * copysign_wide(all_wide(half_turn), v39);
-    const wide q6_mpm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v40);
-    const wide q6_mmm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v41);
+    const wide angle6 = atan2_wide(v38, Y4 * (c23_pp * v35 - s23_pp * T32) - -X4_pp * v34);
+    const wide angle7 = atan2_wide(v39, Y4 * (c23_pm * v35 - s23_pm * T32) - -X4_pm * v34);
+    const wide angle8 = atan2_wide(v40, Y4 * (c23_mp * v35 + s23_mp * T32) - X4_mp * v34);
+    const wide angle9 = atan2_wide(v41, Y4 * (c23_mm * v35 + s23_mm * T32) - X4_mm * v34);
+    const wide q6_ppm = angle6 - h1 * copysign_wide(all_wide(half_turn), v38);
+    const wide q6_pmm = angle7 - h1 * copysign_wide(all_wide(half_turn), v39);
+    const wide q6_mpm = angle8 - h1 * copysign_wide(all_wide(half_turn), v40);
+    const wide q6_mmm = angle9 - h1 * copysign_wide(all_wide(half_turn), v41);
 
     /* joint values */
     const wide v42 = w3_p * (m3 * v3);
-    const wide angle1_________ = atan2_wide(v42 - v6, -(v8 + w3_p * v10));
-    const wide v43 = angle1_________ - offset2;
-    const wide angle1__________ = atan2_wide(-(v6 + v42), -(v8 + w3_p * v11));
-    const wide v44 = angle1__________ - offset2;
-    const wide angle1___________ = atan2_wide(w3_m * (m3 * v4) - v7, -(v9 + w3_m * v10));
-    const wide v45 = angle1___________ - offset2;
-    const wide angle1____________ = atan2_wide(w3_m * (m3 * -v4) - v7, -(v9 + w3_m * v11));
-    const wide v46 = angle1____________ - offset2;
-    const wide q2_ppp = v43 - pick_wide(half_turn < v43, all_wide(m10), all_wide(0.0));
-    const wide q2_pmp = v44 - pick_wide(half_turn < v44, all_wide(m10), all_wide(0.0));
-    const wide q2_mpp = v45 - pick_wide(half_turn < v45, all_wide(m10), all_wide(0.0));
-    const wide q2_mmp = v46 - pick_wide(half_turn < v46, all_wide(m10), all_wide(0.0));
-    const wide angle1_____________ = atan2_wide(w3_p, N3_p - k3);
-    const wide angle1______________ = atan2_wide(w3_m, N3_m - k3);
-    const wide v47 = angle1_____________ - turn1 - offset3;
-    const wide v48 = offset3 + (turn1 + angle1_____________);
-    const wide v49 = angle1______________ - turn1 - offset3;
-    const wide v50 = offset3 + (turn1 + angle1______________);
-    const wide q3_ppp = v47 - pick_wide(half_turn < v47, all_wide(m10), all_wide(0.0));
-    const wide q3_mpp = v49 - pick_wide(half_turn < v49, all_wide(m10), all_wide(0.0));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v28), T33 * c23_pp + s23_pp * v26);
-    const wide angle1________________ = atan2_wide(sqrt_wide(v29), T33 * c23_pm + s23_pm * v26);
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v30), T33 * c23_mp - s23_mp * v26);
-    const wide angle1__________________ = atan2_wide(sqrt_wide(v31), T33 * c23_mm - s23_mm * v26);
-    const wide v51 = angle1_______________ - offset5;
-    const wide v52 = offset5 + angle1_______________;
-    const wide v53 = angle1________________ - offset5;
-    const wide v54 = offset5 + angle1________________;
-    const wide v55 = angle1_________________ - offset5;
-    const wide v56 = offset5 + angle1_________________;
-    const wide v57 = angle1__________________ - offset5;
-    const wide v58 = offset5 + angle1__________________;
-    const wide q5_ppp = v51 + pick_wide(v51 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v52 <= -half_turn, all_wide(m10), all_wide(0.0)) - v52;
-    const wide q5_pmp = v53 + pick_wide(v53 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v54 <= -half_turn, all_wide(m10), all_wide(0.0)) - v54;
-    const wide q5_mpp = v55 + pick_wide(v55 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v56 <= -half_turn, all_wide(m10), all_wide(0.0)) - v56;
-    const wide q5_mmp = v57 + pick_wide(v57 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v58 <= -half_turn, all_wide(m10), all_wide(0.0)) - v58;
+    const wide angle10 = atan2_wide(v42 - v6, -(v8 + w3_p * v10));
+    const wide v43 = angle10 - offset2;
+    const wide angle11 = atan2_wide(-(v6 + v42), -(v8 + w3_p * v11));
+    const wide v44 = angle11 - offset2;
+    const wide angle12 = atan2_wide(w3_m * (m3 * v4) - v7, -(v9 + w3_m * v10));
+    const wide v45 = angle12 - offset2;
+    const wide angle13 = atan2_wide(w3_m * (m3 * -v4) - v7, -(v9 + w3_m * v11));
+    const wide v46 = angle13 - offset2;
+    const wide q2_ppp = v43 - only_wide(half_turn < v43, m10);
+    const wide q2_pmp = v44 - only_wide(half_turn < v44, m10);
+    const wide q2_mpp = v45 - only_wide(half_turn < v45, m10);
+    const wide q2_mmp = v46 - only_wide(half_turn < v46, m10);
+    const wide angle14 = atan2_wide(w3_p, N3_p - k3);
+    const wide angle15 = atan2_wide(w3_m, N3_m - k3);
+    const wide v47 = angle14 - turn1 - offset3;
+    const wide v48 = offset3 + (turn1 + angle14);
+    const wide v49 = angle15 - turn1 - offset3;
+    const wide v50 = offset3 + (turn1 + angle15);
+    const wide q3_ppp = v47 - only_wide(half_turn < v47, m10);
+    const wide q3_mpp = v49 - only_wide(half_turn < v49, m10);
+    const wide angle16 = atan2_wide(sqrt_wide(v28), T33 * c23_pp + s23_pp * v26);
+    const wide angle17 = atan2_wide(sqrt_wide(v29), T33 * c23_pm + s23_pm * v26);
+    const wide angle18 = atan2_wide(sqrt_wide(v30), T33 * c23_mp - s23_mp * v26);
+    const wide angle19 = atan2_wide(sqrt_wide(v31), T33 * c23_mm - s23_mm * v26);
+    const wide v51 = angle16 - offset5;
+    const wide v52 = offset5 + angle16;
+    const wide v53 = angle17 - offset5;
+    const wide v54 = offset5 + angle17;
+    const wide v55 = angle18 - offset5;
+    const wide v56 = offset5 + angle18;
+    const wide v57 = angle19 - offset5;
+    const wide v58 = offset5 + angle19;
+    const wide q5_ppp = v51 + only_wide(v51 <= -half_turn, m10);
+    const wide q5_ppm = only_wide(-v52 <= -half_turn, m10) - v52;
+    const wide q5_pmp = v53 + only_wide(v53 <= -half_turn, m10);
+    const wide q5_pmm = only_wide(-v54 <= -half_turn, m10) - v54;
+    const wide q5_mpp = v55 + only_wide(v55 <= -half_turn, m10);
+    const wide q5_mpm = only_wide(-v56 <= -half_turn, m10) - v56;
+    const wide q5_mmp = v57 + only_wide(v57 <= -half_turn, m10);
+    const wide q5_mmm = only_wide(-v58 <= -half_turn, m10) - v58;
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
     const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
@@ -693,9 +663,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = angle1_;
+    q[3] = angle2;
     q[4] = q5_ppp;
-    q[5] = angle1_____;
+    q[5] = angle6;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
     q[7] = q2_ppp;
@@ -706,14 +676,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
     q[13] = q2_pmp;
-    q[14] = -(v48 + pick_wide(half_turn < -v48, all_wide(m10), all_wide(0.0)));
-    q[15] = angle1__;
+    q[14] = -(v48 + only_wide(half_turn < -v48, m10));
+    q[15] = angle3;
     q[16] = q5_pmp;
-    q[17] = angle1______;
+    q[17] = angle7;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
-    q[20] = -(v48 + pick_wide(half_turn < -v48, all_wide(m10), all_wide(0.0)));
+    q[20] = -(v48 + only_wide(half_turn < -v48, m10));
     q[21] = q4_pmm;
     q[22] = q5_pmm;
     q[23] = q6_pmm;
@@ -721,9 +691,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_mpp;
-    q[27] = angle1___;
+    q[27] = angle4;
     q[28] = q5_mpp;
-    q[29] = angle1_______;
+    q[29] = angle8;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -734,14 +704,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = q2_mmp;
-    q[38] = -(v50 + pick_wide(half_turn < -v50, all_wide(m10), all_wide(0.0)));
-    q[39] = angle1____;
+    q[38] = -(v50 + only_wide(half_turn < -v50, m10));
+    q[39] = angle5;
     q[40] = q5_mmp;
-    q[41] = angle1________;
+    q[41] = angle9;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
-    q[44] = -(v50 + pick_wide(half_turn < -v50, all_wide(m10), all_wide(0.0)));
+    q[44] = -(v50 + only_wide(half_turn < -v50, m10));
     q[45] = q4_mmm;
     q[46] = q5_mmm;
     q[47] = q6_mmm;
@@ -816,30 +786,30 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1_ = atan2_four(v20, -X4);
-    const four angle1__ = atan2_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) - -X4 * v22));
-    const four angle1___ = atan2_four(w3 * (m3 * (e2 * v4)) - v6, -(v7 + w3 * v8));
-    const four angle1_____ = atan2_four(sqrt_four(v19), T33 * c23 + e1 * (s23 * v17));
+    const four angle2 = atan2_four(v20, -X4);
+    const four angle3 = atan2_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) - -X4 * v22));
+    const four angle4 = atan2_four(w3 * (m3 * (e2 * v4)) - v6, -(v7 + w3 * v8));
+    const four angle6 = atan2_four(sqrt_four(v19), T33 * c23 + e1 * (s23 * v17));
     const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
         __builtin_shufflevector(N3 - k3, all_four(-wx), 0, 5, 2, 3));
-    const four angle1____ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle5 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle1_ - v21;
-    const four q6_m = angle1__ - h1 * copysign_four(all_four(half_turn), v26);
-    const four v27 = angle1___ - offset2;
-    const four q2_p = v27 - pick_four(half_turn < v27, all_four(m10), all_four(0.0));
-    const four v28 = e2 * angle1____ - turn1 - offset3;
-    const four q3_p = v28 - pick_four(half_turn < v28, all_four(m10), all_four(0.0));
-    const four v29 = angle1_____ - offset5;
-    const four v30 = offset5 + angle1_____;
-    const four q5_p = v29 + pick_four(v29 <= -half_turn, all_four(m10), all_four(0.0));
-    const four q5_m = pick_four(-v30 <= -half_turn, all_four(m10), all_four(0.0)) - v30;
+    const four q4_m = angle2 - v21;
+    const four q6_m = angle3 - h1 * copysign_four(all_four(half_turn), v26);
+    const four v27 = angle4 - offset2;
+    const four q2_p = v27 - only_four(half_turn < v27, m10);
+    const four v28 = e2 * angle5 - turn1 - offset3;
+    const four q3_p = v28 - only_four(half_turn < v28, m10);
+    const four v29 = angle6 - offset5;
+    const four v30 = offset5 + angle6;
+    const four q5_p = v29 + only_four(v29 <= -half_turn, m10);
+    const four q5_m = only_four(-v30 <= -half_turn, m10) - v30;
     const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1_);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle1__);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle2);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, angle3);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &

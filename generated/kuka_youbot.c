@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef KUKA_YOUBOT_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -528,7 +498,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide factor234 = w234 * v4;
     const wide v5 = T33 * factor234;
     const wide s234 = Z2_234 * factor234;
-    const wide angle1_ = atan2_wide(Z2_234, -T33);
+    const wide angle2 = atan2_wide(Z2_234, -T33);
 
     /* theta5 */
     const wide S5 = w1 * (v2 * (T14 * T21 - T24 * T11));
@@ -537,7 +507,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v7 = sqrt_wide(v6) * (1.0 / v6);
     const wide v8 = C5 * v7;
     const wide v9 = S5 * v7;
-    const wide angle1__ = atan2_wide(-S5, -C5);
+    const wide angle3 = atan2_wide(-S5, -C5);
 
     /* theta3 */
     const wide v10 = T34 - d1;
@@ -559,8 +529,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
     const wide v20 = w3_p - w3_p;
     const wide v21 = w3_m - w3_m;
-    const wide angle1___ = atan2_wide(w3_p, N3_p - k1);
-    const wide angle1____ = atan2_wide(w3_m, N3_m - k1);
+    const wide angle4 = atan2_wide(w3_p, N3_p - k1);
+    const wide angle5 = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
     const wide v22 = m6 + m5 * N3_p;
@@ -595,10 +565,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide factor2_pm = w2_pm * v35;
     const wide factor2_mp = w2_mp * v36;
     const wide factor2_mm = w2_mm * v37;
-    const wide angle1_____ = atan2_wide(S2_pp, C2_pp);
-    const wide angle1______ = atan2_wide(S2_pm, C2_pm);
-    const wide angle1_______ = atan2_wide(S2_mp, C2_mp);
-    const wide angle1________ = atan2_wide(S2_mm, C2_mm);
+    const wide angle6 = atan2_wide(S2_pp, C2_pp);
+    const wide angle7 = atan2_wide(S2_pm, C2_pm);
+    const wide angle8 = atan2_wide(S2_mp, C2_mp);
+    const wide angle9 = atan2_wide(S2_mm, C2_mm);
 
     /* is the pose one that the arm can take? */
     const wide v38 = c1 * v5;
@@ -639,50 +609,38 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         abs_wide(T14 + c1 * v52))) <= pose_slack1, all_wide(0.0), all_wide(v55));
 
     /* joint values */
-    const wide v61 = angle1_____ - offset2;
-    const wide v62 = angle1______ - offset2;
-    const wide v63 = angle1_______ - offset2;
-    const wide v64 = angle1________ - offset2;
-    const wide v65 = angle1_ - (angle1___ + angle1_____) - offset4;
-    const wide v66 = angle1_ - (angle1______ - angle1___) - offset4;
-    const wide v67 = offset4 + (angle1_ + (angle1____ + angle1_______));
-    const wide v68 = offset4 + (angle1_ + (angle1________ - angle1____));
-    const wide v69 = v65 - pick_wide(half_turn < v65, all_wide(m11), all_wide(0.0)) + pick_wide(v65
-        <= -half_turn, all_wide(m11), all_wide(0.0));
-    const wide v70 = v66 - pick_wide(half_turn < v66, all_wide(m11), all_wide(0.0)) + pick_wide(v66
-        <= -half_turn, all_wide(m11), all_wide(0.0));
-    const wide v71 = pick_wide(-v67 <= -half_turn, all_wide(m11), all_wide(0.0)) - (v67 +
-        pick_wide(half_turn < -v67, all_wide(m11), all_wide(0.0)));
-    const wide v72 = pick_wide(-v68 <= -half_turn, all_wide(m11), all_wide(0.0)) - (v68 +
-        pick_wide(half_turn < -v68, all_wide(m11), all_wide(0.0)));
+    const wide v61 = angle6 - offset2;
+    const wide v62 = angle7 - offset2;
+    const wide v63 = angle8 - offset2;
+    const wide v64 = angle9 - offset2;
+    const wide v65 = angle2 - (angle4 + angle6) - offset4;
+    const wide v66 = angle2 - (angle7 - angle4) - offset4;
+    const wide v67 = offset4 + (angle2 + (angle5 + angle8));
+    const wide v68 = offset4 + (angle2 + (angle9 - angle5));
+    const wide v69 = v65 - only_wide(half_turn < v65, m11) + only_wide(v65 <= -half_turn, m11);
+    const wide v70 = v66 - only_wide(half_turn < v66, m11) + only_wide(v66 <= -half_turn, m11);
+    const wide v71 = only_wide(-v67 <= -half_turn, m11) - (v67 + only_wide(half_turn < -v67, m11));
+    const wide v72 = only_wide(-v68 <= -half_turn, m11) - (v68 + only_wide(half_turn < -v68, m11));
     const wide v73 = v56 + (angle1 + v20);
     const wide v74 = v56 + (v21 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
     const wide q1_pp = v57 + v73;
     const wide q1_pm = v58 + v73;
     const wide q1_mp = v59 + v74;
     const wide q1_mm = v60 + v74;
-    const wide q2_pp = v57 + (v56 + (v61 + pick_wide(v61 <= -half_turn, all_wide(m11),
-        all_wide(0.0))));
-    const wide q2_pm = v58 + (v56 + (v62 + pick_wide(v62 <= -half_turn, all_wide(m11),
-        all_wide(0.0))));
-    const wide q2_mp = v59 + (v56 + (v63 + pick_wide(v63 <= -half_turn, all_wide(m11),
-        all_wide(0.0))));
-    const wide q2_mm = v60 + (v56 + (v64 + pick_wide(v64 <= -half_turn, all_wide(m11),
-        all_wide(0.0))));
-    const wide q3_pp = v57 + (angle1___ + v56);
-    const wide q3_pm = v58 + (v56 - angle1___);
-    const wide q3_mp = v59 + (angle1____ + v56);
-    const wide q3_mm = v60 + (v56 - angle1____);
-    const wide q4_pp = v57 + (v56 + (v69 + pick_wide(v69 <= -half_turn, all_wide(m11),
-        all_wide(0.0))));
-    const wide q4_pm = v58 + (v56 + (v70 + pick_wide(v70 <= -half_turn, all_wide(m11),
-        all_wide(0.0))));
-    const wide q4_mp = v59 + (v56 + (v71 + pick_wide(v71 <= -half_turn, all_wide(m11),
-        all_wide(0.0))));
-    const wide q4_mm = v60 + (v56 + (v72 + pick_wide(v72 <= -half_turn, all_wide(m11),
-        all_wide(0.0))));
-    const wide v75 = v56 + (angle1__ + v20);
-    const wide v76 = v56 + (v21 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -S5)));
+    const wide q2_pp = v57 + (v56 + (v61 + only_wide(v61 <= -half_turn, m11)));
+    const wide q2_pm = v58 + (v56 + (v62 + only_wide(v62 <= -half_turn, m11)));
+    const wide q2_mp = v59 + (v56 + (v63 + only_wide(v63 <= -half_turn, m11)));
+    const wide q2_mm = v60 + (v56 + (v64 + only_wide(v64 <= -half_turn, m11)));
+    const wide q3_pp = v57 + (angle4 + v56);
+    const wide q3_pm = v58 + (v56 - angle4);
+    const wide q3_mp = v59 + (angle5 + v56);
+    const wide q3_mm = v60 + (v56 - angle5);
+    const wide q4_pp = v57 + (v56 + (v69 + only_wide(v69 <= -half_turn, m11)));
+    const wide q4_pm = v58 + (v56 + (v70 + only_wide(v70 <= -half_turn, m11)));
+    const wide q4_mp = v59 + (v56 + (v71 + only_wide(v71 <= -half_turn, m11)));
+    const wide q4_mm = v60 + (v56 + (v72 + only_wide(v72 <= -half_turn, m11)));
+    const wide v75 = v56 + (angle3 + v20);
+    const wide v76 = v56 + (v21 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -S5)));
     const wide q5_pp = v57 + v75;
     const wide q5_pm = v58 + v75;
     const wide q5_mp = v59 + v76;
@@ -817,30 +775,27 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* joint values */
     const int doubt1 = (v6 <= m3) | ((v9 <= m3) | (v1 <= m1));
 
-    const four angle1____ = atan2_four(S2, C2);
+    const four angle5 = atan2_four(S2, C2);
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
         all_four(T24), 0, 5, 2, 3), all_four(Z2_234), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T14), 0, 5, 2, 3),
         all_four(-T33), 0, 1, 2, 7));
-    const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
+    const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
     const four packed3 = atan2_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5 });
-    const four angle1__ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v43 = angle1____ - offset2;
-    const four v44 = e2 * angle1___;
-    const four v45 = e1 * angle1_;
-    const four v46 = v45 - (angle1____ + v44) - offset4;
-    const four v47 = v46 - pick_four(half_turn < v46, all_four(m11), all_four(0.0)) + pick_four(v46
-        <= -half_turn, all_four(m11), all_four(0.0));
+    const four angle3 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four v43 = angle5 - offset2;
+    const four v44 = e2 * angle4;
+    const four v45 = e1 * angle2;
+    const four v46 = v45 - (angle5 + v44) - offset4;
+    const four v47 = v46 - only_four(half_turn < v46, m11) + only_four(v46 <= -half_turn, m11);
     const four v48 = v41 + (v22 + (angle1 + v3 * v4));
     const four q1 = v42 + v48;
-    const four q2 = v42 + (v41 + (v43 + pick_four(v43 <= -half_turn, all_four(m11),
-        all_four(0.0))));
+    const four q2 = v42 + (v41 + (v43 + only_four(v43 <= -half_turn, m11)));
     const four q3 = v42 + (v41 + v44);
-    const four q4 = v42 + (v41 + (v47 + pick_four(v47 <= -half_turn, all_four(m11),
-        all_four(0.0))));
-    const four v49 = v41 + (v22 + (angle1__ + v4 * v13));
+    const four q4 = v42 + (v41 + (v47 + only_four(v47 <= -half_turn, m11)));
+    const four v49 = v41 + (v22 + (angle3 + v4 * v13));
     const four q5 = v42 + v49;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))

@@ -780,24 +780,24 @@ def _regular(pose, q, status):
     for k in range(16):
         room[k] = _atan2(room[k], room[k + 16])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
 
     # joint values
-    v61 = angle1_____ - offset2
-    v62 = angle1______ - offset2
-    v63 = angle1_______ - offset2
-    v64 = angle1________ - offset2
-    v65 = angle1_ - (angle1___ + angle1_____) - offset4
-    v66 = angle1_ - (angle1______ - angle1___) - offset4
-    v67 = offset4 + (angle1_ + (angle1____ + angle1_______))
-    v68 = offset4 + (angle1_ + (angle1________ - angle1____))
+    v61 = angle6 - offset2
+    v62 = angle7 - offset2
+    v63 = angle8 - offset2
+    v64 = angle9 - offset2
+    v65 = angle2 - (angle4 + angle6) - offset4
+    v66 = angle2 - (angle7 - angle4) - offset4
+    v67 = offset4 + (angle2 + (angle5 + angle8))
+    v68 = offset4 + (angle2 + (angle9 - angle5))
     v69 = v65 - (m11 if half_turn < v65 else 0.0) + (m11 if v65 <= -half_turn else 0.0)
     v70 = v66 - (m11 if half_turn < v66 else 0.0) + (m11 if v66 <= -half_turn else 0.0)
     v71 = (m11 if -v67 <= -half_turn else 0.0) - (v67 + (m11 if half_turn < -v67 else 0.0))
@@ -812,16 +812,16 @@ def _regular(pose, q, status):
     q2_pm = v58 + (v56 + (v62 + (m11 if v62 <= -half_turn else 0.0)))
     q2_mp = v59 + (v56 + (v63 + (m11 if v63 <= -half_turn else 0.0)))
     q2_mm = v60 + (v56 + (v64 + (m11 if v64 <= -half_turn else 0.0)))
-    q3_pp = v57 + (angle1___ + v56)
-    q3_pm = v58 + (v56 - angle1___)
-    q3_mp = v59 + (angle1____ + v56)
-    q3_mm = v60 + (v56 - angle1____)
+    q3_pp = v57 + (angle4 + v56)
+    q3_pm = v58 + (v56 - angle4)
+    q3_mp = v59 + (angle5 + v56)
+    q3_mm = v60 + (v56 - angle5)
     q4_pp = v57 + (v56 + (v69 + (m11 if v69 <= -half_turn else 0.0)))
     q4_pm = v58 + (v56 + (v70 + (m11 if v70 <= -half_turn else 0.0)))
     q4_mp = v59 + (v56 + (v71 + (m11 if v71 <= -half_turn else 0.0)))
     q4_mm = v60 + (v56 + (v72 + (m11 if v72 <= -half_turn else 0.0)))
-    v75 = v56 + (angle1__ + v20)
-    v76 = v56 + (v21 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+    v75 = v56 + (angle3 + v20)
+    v76 = v56 + (v21 + (angle3 - h1 * math.copysign(half_turn, -S5)))
     q5_pp = v57 + v75
     q5_pm = v58 + v75
     q5_mp = v59 + v76
@@ -1223,22 +1223,22 @@ def _in_tiles(T, q, status):
             v60 = work[768 + k]
             doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
-            angle1_ = work[864 + k]
-            angle1__ = work[896 + k]
-            angle1___ = work[928 + k]
-            angle1____ = work[960 + k]
-            angle1_____ = work[992 + k]
-            angle1______ = work[1024 + k]
-            angle1_______ = work[1056 + k]
-            angle1________ = work[1088 + k]
-            v61 = angle1_____ - offset2
-            v62 = angle1______ - offset2
-            v63 = angle1_______ - offset2
-            v64 = angle1________ - offset2
-            v65 = angle1_ - (angle1___ + angle1_____) - offset4
-            v66 = angle1_ - (angle1______ - angle1___) - offset4
-            v67 = offset4 + (angle1_ + (angle1____ + angle1_______))
-            v68 = offset4 + (angle1_ + (angle1________ - angle1____))
+            angle2 = work[864 + k]
+            angle3 = work[896 + k]
+            angle4 = work[928 + k]
+            angle5 = work[960 + k]
+            angle6 = work[992 + k]
+            angle7 = work[1024 + k]
+            angle8 = work[1056 + k]
+            angle9 = work[1088 + k]
+            v61 = angle6 - offset2
+            v62 = angle7 - offset2
+            v63 = angle8 - offset2
+            v64 = angle9 - offset2
+            v65 = angle2 - (angle4 + angle6) - offset4
+            v66 = angle2 - (angle7 - angle4) - offset4
+            v67 = offset4 + (angle2 + (angle5 + angle8))
+            v68 = offset4 + (angle2 + (angle9 - angle5))
             v69 = v65 - (m11 if half_turn < v65 else 0.0) + (m11 if v65 <= -half_turn else 0.0)
             v70 = v66 - (m11 if half_turn < v66 else 0.0) + (m11 if v66 <= -half_turn else 0.0)
             v71 = (m11 if -v67 <= -half_turn else 0.0) - (v67 + (m11 if half_turn < -v67 else 0.0))
@@ -1253,16 +1253,16 @@ def _in_tiles(T, q, status):
             q2_pm = v58 + (v56 + (v62 + (m11 if v62 <= -half_turn else 0.0)))
             q2_mp = v59 + (v56 + (v63 + (m11 if v63 <= -half_turn else 0.0)))
             q2_mm = v60 + (v56 + (v64 + (m11 if v64 <= -half_turn else 0.0)))
-            q3_pp = v57 + (angle1___ + v56)
-            q3_pm = v58 + (v56 - angle1___)
-            q3_mp = v59 + (angle1____ + v56)
-            q3_mm = v60 + (v56 - angle1____)
+            q3_pp = v57 + (angle4 + v56)
+            q3_pm = v58 + (v56 - angle4)
+            q3_mp = v59 + (angle5 + v56)
+            q3_mm = v60 + (v56 - angle5)
             q4_pp = v57 + (v56 + (v69 + (m11 if v69 <= -half_turn else 0.0)))
             q4_pm = v58 + (v56 + (v70 + (m11 if v70 <= -half_turn else 0.0)))
             q4_mp = v59 + (v56 + (v71 + (m11 if v71 <= -half_turn else 0.0)))
             q4_mm = v60 + (v56 + (v72 + (m11 if v72 <= -half_turn else 0.0)))
-            v75 = v56 + (angle1__ + v20)
-            v76 = v56 + (v21 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+            v75 = v56 + (angle3 + v20)
+            v76 = v56 + (v21 + (angle3 - h1 * math.copysign(half_turn, -S5)))
             q5_pp = v57 + v75
             q5_pm = v58 + v75
             q5_mp = v59 + v76

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef OLSON_PPRRRR_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -474,12 +444,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide angle1 = atan2_wide(-T13, T23);
 
     /* theta45 */
-    const wide angle1_ = atan2_wide(-w3, -T33);
+    const wide angle2 = atan2_wide(-w3, -T33);
 
     /* theta6 */
     const wide v3 = v2 * (T23 * T12 - T13 * T22);
     const wide v4 = v2 * (T23 * T11 - T13 * T21);
-    const wide angle1__ = atan2_wide(-v4, -v3);
+    const wide angle3 = atan2_wide(-v4, -v3);
 
     /* theta5 */
     const wide X5 = a4 * T33;
@@ -499,11 +469,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide v11 = Y5 * w5;
     const wide v12 = v11 - v8;
     const wide v13 = v9 + v10;
-    const wide angle1___ = atan2_wide(v12, -v13);
+    const wide angle4 = atan2_wide(v12, -v13);
     const wide v14 = v9 - v10;
-    const wide angle1____ = atan2_wide(-(v8 + v11), -v14);
-    const wide angle1_____ = atan2_wide(-(v8 + v11), v14);
-    const wide angle1______ = atan2_wide(v12, v13);
+    const wide angle5 = atan2_wide(-(v8 + v11), -v14);
+    const wide angle6 = atan2_wide(-(v8 + v11), v14);
+    const wide angle7 = atan2_wide(v12, v13);
 
     /* r2 */
     const wide v15 = a4 * (T13 * factor3);
@@ -520,22 +490,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide q1_pm = v20 + w5 * (inverse5 * (-v16 * v19));
 
     /* joint values */
-    const wide v21 = angle1_ - angle1___;
-    const wide v22 = angle1_ - angle1____;
-    const wide v23 = angle1_ + angle1_____;
-    const wide v24 = angle1_ + angle1______;
-    const wide q4_pp = v21 - pick_wide(half_turn < v21, all_wide(m5), all_wide(0.0)) + pick_wide(v21
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_pm = v22 - pick_wide(half_turn < v22, all_wide(m5), all_wide(0.0)) + pick_wide(v22
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mp = pick_wide(-v23 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v23 +
-        pick_wide(half_turn < -v23, all_wide(m5), all_wide(0.0)));
-    const wide q4_mm = pick_wide(-v24 <= -half_turn, all_wide(m5), all_wide(0.0)) - (v24 +
-        pick_wide(half_turn < -v24, all_wide(m5), all_wide(0.0)));
+    const wide v21 = angle2 - angle4;
+    const wide v22 = angle2 - angle5;
+    const wide v23 = angle2 + angle6;
+    const wide v24 = angle2 + angle7;
+    const wide q4_pp = v21 - only_wide(half_turn < v21, m5) + only_wide(v21 <= -half_turn, m5);
+    const wide q4_pm = v22 - only_wide(half_turn < v22, m5) + only_wide(v22 <= -half_turn, m5);
+    const wide q4_mp = only_wide(-v23 <= -half_turn, m5) - (v23 + only_wide(half_turn < -v23, m5));
+    const wide q4_mm = only_wide(-v24 <= -half_turn, m5) - (v24 + only_wide(half_turn < -v24, m5));
     const wide q3_pp = angle1 + v7;
     const wide q3_mp = v7 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1);
-    const wide q6_pp = angle1__ + v7;
-    const wide q6_mp = v7 + (angle1__ - h1 * copysign_wide(all_wide(half_turn), -v4));
+    const wide q6_pp = angle3 + v7;
+    const wide q6_mp = v7 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -v4));
     const wide_mask doubt1 = (v1 <= m2) | ((v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 +
         v6)) <= D5) & (free5 | ((merge_slack1 * (merge_slack1 + v6) < D5) == 0)))));
 
@@ -543,28 +509,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     q[1] = q2_pp;
     q[2] = q3_pp;
     q[3] = q4_pp;
-    q[4] = angle1___;
+    q[4] = angle4;
     q[5] = q6_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_pm;
     q[7] = q2_pm;
     q[8] = q3_pp;
     q[9] = q4_pm;
-    q[10] = angle1____;
+    q[10] = angle5;
     q[11] = q6_pp;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_pm;
     q[13] = q2_pm;
     q[14] = q3_mp;
     q[15] = q4_mp;
-    q[16] = angle1_____;
+    q[16] = angle6;
     q[17] = q6_mp;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_pp;
     q[19] = q2_pp;
     q[20] = q3_mp;
     q[21] = q4_mm;
-    q[22] = angle1______;
+    q[22] = angle7;
     q[23] = q6_mp;
     kind[3] = kind_of(q[18] != q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -636,22 +602,21 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const int doubt1 = (v1 <= m2) | ((v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 + v10))
         <= D5) & (free5 | ((merge_slack1 * (merge_slack1 + v10) < D5) == 0)))));
 
-    const four angle1___ = atan2_four(v17 * v18 - v12, -(v15 + v16));
+    const four angle4 = atan2_four(v17 * v18 - v12, -(v15 + v16));
     const four packed2 = atan2_four((four){ -T13, -w3, -v6, -T13 }, (four){ T23, -T33, -v5, T23 });
     const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four angle1_ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four angle1__ = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four v26 = e1 * angle1_;
-    const four v27 = v26 - angle1___;
-    const four q4 = v27 - pick_four(half_turn < v27, all_four(m5), all_four(0.0)) + pick_four(v27 <=
-        -half_turn, all_four(m5), all_four(0.0));
+    const four angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
+    const four v26 = e1 * angle2;
+    const four v27 = v26 - angle4;
+    const four q4 = v27 - only_four(half_turn < v27, m5) + only_four(v27 <= -half_turn, m5);
     const four q3 = v11 + (angle1 + v3 * v4);
-    const four q6 = v11 + (angle1__ + v4 * v7);
+    const four q6 = v11 + (angle3 + v4 * v7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
-    store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], angle1___, q6);
+    store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], angle4, q6);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x204081ull & 0x1010101ull);
     const unsigned long long kind1 = none1 * OLSON_PPRRRR_UNREACHABLE;
     __builtin_memcpy(status + 0, &kind1, 4);

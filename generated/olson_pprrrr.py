@@ -618,26 +618,26 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
 
     # joint values
-    v21 = angle1_ - angle1___
-    v22 = angle1_ - angle1____
-    v23 = angle1_ + angle1_____
-    v24 = angle1_ + angle1______
+    v21 = angle2 - angle4
+    v22 = angle2 - angle5
+    v23 = angle2 + angle6
+    v24 = angle2 + angle7
     q4_pp = v21 - (m5 if half_turn < v21 else 0.0) + (m5 if v21 <= -half_turn else 0.0)
     q4_pm = v22 - (m5 if half_turn < v22 else 0.0) + (m5 if v22 <= -half_turn else 0.0)
     q4_mp = (m5 if -v23 <= -half_turn else 0.0) - (v23 + (m5 if half_turn < -v23 else 0.0))
     q4_mm = (m5 if -v24 <= -half_turn else 0.0) - (v24 + (m5 if half_turn < -v24 else 0.0))
     q3_pp = angle1 + v7
     q3_mp = v7 + (angle1 - math.copysign(half_turn, -T13) * h1)
-    q6_pp = angle1__ + v7
-    q6_mp = v7 + (angle1__ - h1 * math.copysign(half_turn, -v4))
+    q6_pp = angle3 + v7
+    q6_mp = v7 + (angle3 - h1 * math.copysign(half_turn, -v4))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -646,28 +646,28 @@ def _regular(pose, q, status):
     q[0, 1] = q2_pp
     q[0, 2] = q3_pp
     q[0, 3] = q4_pp
-    q[0, 4] = angle1___
+    q[0, 4] = angle4
     q[0, 5] = q6_pp
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_pm
     q[1, 1] = q2_pm
     q[1, 2] = q3_pp
     q[1, 3] = q4_pm
-    q[1, 4] = angle1____
+    q[1, 4] = angle5
     q[1, 5] = q6_pp
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_pm
     q[2, 1] = q2_pm
     q[2, 2] = q3_mp
     q[2, 3] = q4_mp
-    q[2, 4] = angle1_____
+    q[2, 4] = angle6
     q[2, 5] = q6_mp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_pp
     q[3, 1] = q2_pp
     q[3, 2] = q3_mp
     q[3, 3] = q4_mm
-    q[3, 4] = angle1______
+    q[3, 4] = angle7
     q[3, 5] = q6_mp
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
     return True
@@ -949,24 +949,24 @@ def _in_tiles(T, q, status):
             q1_pm = work[704 + k]
             doubt1 = work[736 + k] != 0.0
             angle1 = work[768 + k]
-            angle1_ = work[800 + k]
-            angle1__ = work[832 + k]
-            angle1___ = work[864 + k]
-            angle1____ = work[896 + k]
-            angle1_____ = work[928 + k]
-            angle1______ = work[960 + k]
-            v21 = angle1_ - angle1___
-            v22 = angle1_ - angle1____
-            v23 = angle1_ + angle1_____
-            v24 = angle1_ + angle1______
+            angle2 = work[800 + k]
+            angle3 = work[832 + k]
+            angle4 = work[864 + k]
+            angle5 = work[896 + k]
+            angle6 = work[928 + k]
+            angle7 = work[960 + k]
+            v21 = angle2 - angle4
+            v22 = angle2 - angle5
+            v23 = angle2 + angle6
+            v24 = angle2 + angle7
             q4_pp = v21 - (m5 if half_turn < v21 else 0.0) + (m5 if v21 <= -half_turn else 0.0)
             q4_pm = v22 - (m5 if half_turn < v22 else 0.0) + (m5 if v22 <= -half_turn else 0.0)
             q4_mp = (m5 if -v23 <= -half_turn else 0.0) - (v23 + (m5 if half_turn < -v23 else 0.0))
             q4_mm = (m5 if -v24 <= -half_turn else 0.0) - (v24 + (m5 if half_turn < -v24 else 0.0))
             q3_pp = angle1 + v7
             q3_mp = v7 + (angle1 - math.copysign(half_turn, -T13) * h1)
-            q6_pp = angle1__ + v7
-            q6_mp = v7 + (angle1__ - h1 * math.copysign(half_turn, -v4))
+            q6_pp = angle3 + v7
+            q6_mp = v7 + (angle3 - h1 * math.copysign(half_turn, -v4))
             _1216 = q1_pp
             work[1216 + k] = _1216
             _1248 = q2_pp
@@ -975,7 +975,7 @@ def _in_tiles(T, q, status):
             work[1280 + k] = _1280
             _1312 = q4_pp
             work[1312 + k] = _1312
-            _1344 = angle1___
+            _1344 = angle4
             work[1344 + k] = _1344
             _1376 = q6_pp
             work[1376 + k] = _1376
@@ -985,19 +985,19 @@ def _in_tiles(T, q, status):
             work[1440 + k] = _1440
             _1472 = q4_pm
             work[1472 + k] = _1472
-            _1504 = angle1____
+            _1504 = angle5
             work[1504 + k] = _1504
             _1536 = q3_mp
             work[1536 + k] = _1536
             _1568 = q4_mp
             work[1568 + k] = _1568
-            _1600 = angle1_____
+            _1600 = angle6
             work[1600 + k] = _1600
             _1632 = q6_mp
             work[1632 + k] = _1632
             _1664 = q4_mm
             work[1664 + k] = _1664
-            _1696 = angle1______
+            _1696 = angle7
             work[1696 + k] = _1696
             work[1728 + k] = UNREACHABLE if _1216 != _1216 else OK
             work[1760 + k] = UNREACHABLE if _1408 != _1408 else OK

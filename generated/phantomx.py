@@ -627,23 +627,23 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
 
     # joint values
-    v19 = angle1__ - offset2
-    v20 = angle1___ - offset2
-    v21 = angle1__ - angle1_ - angle1
-    v22 = angle1_ + angle1___ - angle1
-    v23 = v14 + (angle1____ + (w3 - w3))
+    v19 = angle3 - offset2
+    v20 = angle4 - offset2
+    v21 = angle3 - angle2 - angle1
+    v22 = angle2 + angle4 - angle1
+    v23 = v14 + (angle5 + (w3 - w3))
     q1_p = v17 + v23
     q1_m = v18 + v23
     q2_p = v17 + (v14 + (v19 + (m3 if v19 <= -half_turn else 0.0)))
     q2_m = v18 + (v14 + (v20 + (m3 if v20 <= -half_turn else 0.0)))
-    q3_p = v17 + (angle1_ + v14)
-    q3_m = v18 + (v14 - angle1_)
+    q3_p = v17 + (angle2 + v14)
+    q3_m = v18 + (v14 - angle2)
     q4_p = (
         v17 + (v14 + (v21 - (m3 if half_turn < v21 else 0.0) + (m3 if v21 <= -half_turn else 0.0)))
     )
@@ -935,21 +935,21 @@ def _in_tiles(T, q, status):
             v18 = work[640 + k]
             doubt1 = work[672 + k] != 0.0
             angle1 = work[704 + k]
-            angle1_ = work[736 + k]
-            angle1__ = work[768 + k]
-            angle1___ = work[800 + k]
-            angle1____ = work[832 + k]
-            v19 = angle1__ - offset2
-            v20 = angle1___ - offset2
-            v21 = angle1__ - angle1_ - angle1
-            v22 = angle1_ + angle1___ - angle1
-            v23 = v14 + (angle1____ + (w3 - w3))
+            angle2 = work[736 + k]
+            angle3 = work[768 + k]
+            angle4 = work[800 + k]
+            angle5 = work[832 + k]
+            v19 = angle3 - offset2
+            v20 = angle4 - offset2
+            v21 = angle3 - angle2 - angle1
+            v22 = angle2 + angle4 - angle1
+            v23 = v14 + (angle5 + (w3 - w3))
             q1_p = v17 + v23
             q1_m = v18 + v23
             q2_p = v17 + (v14 + (v19 + (m3 if v19 <= -half_turn else 0.0)))
             q2_m = v18 + (v14 + (v20 + (m3 if v20 <= -half_turn else 0.0)))
-            q3_p = v17 + (angle1_ + v14)
-            q3_m = v18 + (v14 - angle1_)
+            q3_p = v17 + (angle2 + v14)
+            q3_m = v18 + (v14 - angle2)
             q4_p = (
                 v17 + (v14 + (v21 - (m3 if half_turn < v21 else 0.0) + (m3 if v21 <= -half_turn else
                 0.0)))

@@ -291,7 +291,7 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
+    angle2 = room[1]
 
     # a joint is free, or branches meet
     if doubt1:
@@ -300,7 +300,7 @@ def _regular(pose, q, status):
     q[0, 1] = angle1
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_m
-    q[1, 1] = angle1_
+    q[1, 1] = angle2
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     return True
 
@@ -515,14 +515,14 @@ def _in_tiles(T, q, status):
             q1_p = work[576 + k]
             q1_m = work[608 + k]
             angle1 = work[640 + k]
-            angle1_ = work[672 + k]
+            angle2 = work[672 + k]
             _768 = q1_p
             work[768 + k] = _768
             _800 = angle1
             work[800 + k] = _800
             _832 = q1_m
             work[832 + k] = _832
-            _864 = angle1_
+            _864 = angle2
             work[864 + k] = _864
             work[896 + k] = UNREACHABLE if _768 != _768 else OK
             work[928 + k] = UNREACHABLE if _832 != _832 else OK

@@ -307,16 +307,16 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
+    angle2 = room[1]
+    angle3 = room[2]
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = angle1_
+    q[0, 0] = angle2
     q[0, 1] = angle1
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = angle1__
+    q[1, 0] = angle3
     q[1, 1] = -angle1
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     return True
@@ -526,13 +526,13 @@ def _in_tiles(T, q, status):
         for k in range(0, 32):
             doubt1 = work[544 + k] != 0.0
             angle1 = work[576 + k]
-            angle1_ = work[608 + k]
-            angle1__ = work[640 + k]
-            _768 = angle1_
+            angle2 = work[608 + k]
+            angle3 = work[640 + k]
+            _768 = angle2
             work[768 + k] = _768
             _800 = angle1
             work[800 + k] = _800
-            _832 = angle1__
+            _832 = angle3
             work[832 + k] = _832
             _864 = -angle1
             work[864 + k] = _864

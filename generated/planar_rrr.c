@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef PLANAR_RRR_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -466,7 +436,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide Z2_2 = T24 - v4;
     const wide N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
     const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide angle1_ = atan2_wide(w2, N2 - k1);
+    const wide angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
     const wide v5 = m3 + m2 * N2;
@@ -477,8 +447,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide C1_p = v7 + w2 * (m2 * Z2_2);
     const wide C1_m = v7 + w2 * (m2 * -Z2_2);
     const wide factor1 = 1.0 / N2;
-    const wide angle1__ = atan2_wide(S1_p, C1_p);
-    const wide angle1___ = atan2_wide(S1_m, C1_m);
+    const wide angle3 = atan2_wide(S1_p, C1_p);
+    const wide angle4 = atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
     const wide v8 = m4 - m5 * factor1;
@@ -500,16 +470,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         factor1))) + (v4 + a1 * (S1_m * factor1))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
 
     /* joint values */
-    const wide v18 = angle1 - (angle1_ + angle1__);
-    const wide v19 = angle1 - (angle1___ - angle1_);
-    const wide q1_p = v16 + (v15 + (angle1__ + v14));
-    const wide q1_m = v17 + (v15 + (angle1___ + v14));
-    const wide q2_p = v16 + (v15 + (angle1_ + v14));
-    const wide q2_m = v17 + (v15 + (v14 - angle1_));
-    const wide q3_p = v16 + (v15 + (v14 + (v18 - pick_wide(half_turn < v18, all_wide(m6),
-        all_wide(0.0)) + pick_wide(v18 <= -half_turn, all_wide(m6), all_wide(0.0)))));
-    const wide q3_m = v17 + (v15 + (v14 + (v19 - pick_wide(half_turn < v19, all_wide(m6),
-        all_wide(0.0)) + pick_wide(v19 <= -half_turn, all_wide(m6), all_wide(0.0)))));
+    const wide v18 = angle1 - (angle2 + angle3);
+    const wide v19 = angle1 - (angle4 - angle2);
+    const wide q1_p = v16 + (v15 + (angle3 + v14));
+    const wide q1_m = v17 + (v15 + (angle4 + v14));
+    const wide q2_p = v16 + (v15 + (angle2 + v14));
+    const wide q2_m = v17 + (v15 + (v14 - angle2));
+    const wide q3_p = v16 + (v15 + (v14 + (v18 - only_wide(half_turn < v18, m6) + only_wide(v18 <=
+        -half_turn, m6))));
+    const wide q3_m = v17 + (v15 + (v14 + (v19 - only_wide(half_turn < v19, m6) + only_wide(v19 <=
+        -half_turn, m6))));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
         (v1 <= m1));
@@ -582,15 +552,15 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
         all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(C1, all_four(T11), 0, 1, 6, 3), all_four(N2
         - k1), 0, 1, 2, 7));
-    const four angle1__ = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
+    const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four angle1_ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v19 = e1 * angle1_;
-    const four v20 = angle1 - (angle1__ + v19);
-    const four q1 = v18 + (v17 + (angle1__ + v16));
+    const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four v19 = e1 * angle2;
+    const four v20 = angle1 - (angle3 + v19);
+    const four q1 = v18 + (v17 + (angle3 + v16));
     const four q2 = v18 + (v17 + (v16 + v19));
-    const four q3 = v18 + (v17 + (v16 + (v20 - pick_four(half_turn < v20, all_four(m6),
-        all_four(0.0)) + pick_four(v20 <= -half_turn, all_four(m6), all_four(0.0)))));
+    const four q3 = v18 + (v17 + (v16 + (v20 - only_four(half_turn < v20, m6) + only_four(v20 <=
+        -half_turn, m6))));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

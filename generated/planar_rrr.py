@@ -565,17 +565,17 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
 
     # joint values
-    v18 = angle1 - (angle1_ + angle1__)
-    v19 = angle1 - (angle1___ - angle1_)
-    q1_p = v16 + (v15 + (angle1__ + v14))
-    q1_m = v17 + (v15 + (angle1___ + v14))
-    q2_p = v16 + (v15 + (angle1_ + v14))
-    q2_m = v17 + (v15 + (v14 - angle1_))
+    v18 = angle1 - (angle2 + angle3)
+    v19 = angle1 - (angle4 - angle2)
+    q1_p = v16 + (v15 + (angle3 + v14))
+    q1_m = v17 + (v15 + (angle4 + v14))
+    q2_p = v16 + (v15 + (angle2 + v14))
+    q2_m = v17 + (v15 + (v14 - angle2))
     q3_p = (
         v16 + (v15 + (v14 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else
         0.0))))
@@ -865,15 +865,15 @@ def _in_tiles(T, q, status):
             v17 = work[640 + k]
             doubt1 = work[672 + k] != 0.0
             angle1 = work[704 + k]
-            angle1_ = work[736 + k]
-            angle1__ = work[768 + k]
-            angle1___ = work[800 + k]
-            v18 = angle1 - (angle1_ + angle1__)
-            v19 = angle1 - (angle1___ - angle1_)
-            q1_p = v16 + (v15 + (angle1__ + v14))
-            q1_m = v17 + (v15 + (angle1___ + v14))
-            q2_p = v16 + (v15 + (angle1_ + v14))
-            q2_m = v17 + (v15 + (v14 - angle1_))
+            angle2 = work[736 + k]
+            angle3 = work[768 + k]
+            angle4 = work[800 + k]
+            v18 = angle1 - (angle2 + angle3)
+            v19 = angle1 - (angle4 - angle2)
+            q1_p = v16 + (v15 + (angle3 + v14))
+            q1_m = v17 + (v15 + (angle4 + v14))
+            q2_p = v16 + (v15 + (angle2 + v14))
+            q2_m = v17 + (v15 + (v14 - angle2))
             q3_p = (
                 v16 + (v15 + (v14 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <=
                 -half_turn else 0.0))))

@@ -26,6 +26,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -66,6 +90,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -77,29 +106,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -108,6 +114,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -121,28 +132,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -150,37 +140,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef PRISMATIC_2_WRIST_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -595,21 +565,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v44 = v41 + X4_mp * X4_mp;
     const wide v45 = v41 + X4_mm * X4_mm;
     const wide angle1 = atan2_wide(-v38, -X4_pp);
-    const wide angle1_ = atan2_wide(-v38, -X4_pm);
-    const wide angle1__ = atan2_wide(-v39, -X4_mp);
-    const wide angle1___ = atan2_wide(-v39, -X4_mm);
+    const wide angle2 = atan2_wide(-v38, -X4_pm);
+    const wide angle3 = atan2_wide(-v39, -X4_mp);
+    const wide angle4 = atan2_wide(-v39, -X4_mm);
     const wide v46 = copysign_wide(all_wide(half_turn), -v38) * h1;
     const wide v47 = copysign_wide(all_wide(half_turn), -v39) * h1;
     const wide q4_ppm = angle1 - v46;
-    const wide q4_pmm = angle1_ - v46;
-    const wide q4_mpm = angle1__ - v47;
-    const wide q4_mmm = angle1___ - v47;
+    const wide q4_pmm = angle2 - v46;
+    const wide q4_mpm = angle3 - v47;
+    const wide q4_mmm = angle4 - v47;
 
     /* theta5 */
-    const wide angle1____ = atan2_wide(-sqrt_wide(v42), -(v18 * v32 + s3_p * v30));
-    const wide angle1_____ = atan2_wide(-sqrt_wide(v43), -(v19 * v32 + s3_m * v30));
-    const wide angle1______ = atan2_wide(-sqrt_wide(v44), -(v18 * v33 + s3_p * v31));
-    const wide angle1_______ = atan2_wide(-sqrt_wide(v45), -(v19 * v33 + s3_m * v31));
+    const wide angle5 = atan2_wide(-sqrt_wide(v42), -(v18 * v32 + s3_p * v30));
+    const wide angle6 = atan2_wide(-sqrt_wide(v43), -(v19 * v32 + s3_m * v30));
+    const wide angle7 = atan2_wide(-sqrt_wide(v44), -(v18 * v33 + s3_p * v31));
+    const wide angle8 = atan2_wide(-sqrt_wide(v45), -(v19 * v33 + s3_m * v31));
 
     /* theta6 */
     const wide v48 = sat2 * T12;
@@ -644,24 +614,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v77 = v38 * (s3_m * v74 - v19 * v72) - -X4_pm * v66;
     const wide v78 = v39 * (s3_p * v75 - v18 * v73) - -X4_mp * v67;
     const wide v79 = v39 * (s3_m * v75 - v19 * v73) - -X4_mm * v67;
-    const wide angle1________ = atan2_wide(v76, v38 * (s3_p * v60 - v18 * v58) - -X4_pp * v52);
-    const wide angle1_________ = atan2_wide(v77, v38 * (s3_m * v60 - v19 * v58) - -X4_pm * v52);
-    const wide angle1__________ = atan2_wide(v78, v39 * (s3_p * v61 - v18 * v59) - -X4_mp * v53);
-    const wide angle1___________ = atan2_wide(v79, v39 * (s3_m * v61 - v19 * v59) - -X4_mm * v53);
-    const wide q6_ppm = angle1________ - h1 * copysign_wide(all_wide(half_turn), v76);
-    const wide q6_pmm = angle1_________ - h1 * copysign_wide(all_wide(half_turn), v77);
-    const wide q6_mpm = angle1__________ - h1 * copysign_wide(all_wide(half_turn), v78);
-    const wide q6_mmm = angle1___________ - h1 * copysign_wide(all_wide(half_turn), v79);
+    const wide angle9 = atan2_wide(v76, v38 * (s3_p * v60 - v18 * v58) - -X4_pp * v52);
+    const wide angle10 = atan2_wide(v77, v38 * (s3_m * v60 - v19 * v58) - -X4_pm * v52);
+    const wide angle11 = atan2_wide(v78, v39 * (s3_p * v61 - v18 * v59) - -X4_mp * v53);
+    const wide angle12 = atan2_wide(v79, v39 * (s3_m * v61 - v19 * v59) - -X4_mm * v53);
+    const wide q6_ppm = angle9 - h1 * copysign_wide(all_wide(half_turn), v76);
+    const wide q6_pmm = angle10 - h1 * copysign_wide(all_wide(half_turn), v77);
+    const wide q6_mpm = angle11 - h1 * copysign_wide(all_wide(half_turn), v78);
+    const wide q6_mmm = angle12 - h1 * copysign_wide(all_wide(half_turn), v79);
 
     /* joint values */
-    const wide angle1____________ = atan2_wide(-v12, c1_p);
-    const wide q1_ppp = v15 + angle1____________;
-    const wide angle1_____________ = atan2_wide(-v13, -v9);
-    const wide q1_mpp = v15 + angle1_____________;
-    const wide angle1______________ = atan2_wide(s3_p, -v18);
-    const wide q3_ppp = v4 + angle1______________;
-    const wide angle1_______________ = atan2_wide(s3_m, -v19);
-    const wide q3_pmp = v4 + angle1_______________;
+    const wide angle13 = atan2_wide(-v12, c1_p);
+    const wide q1_ppp = v15 + angle13;
+    const wide angle14 = atan2_wide(-v13, -v9);
+    const wide q1_mpp = v15 + angle14;
+    const wide angle15 = atan2_wide(s3_p, -v18);
+    const wide q3_ppp = v4 + angle15;
+    const wide angle16 = atan2_wide(s3_m, -v19);
+    const wide q3_pmp = v4 + angle16;
     const wide q2_mpp = v25 - v22;
     const wide q2_mmp = v25 - v23;
     const wide_mask doubt1 = ((-(reach_slack1 * (reach_slack1 + v3)) <= D1) & (free1 |
@@ -673,56 +643,56 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[1] = -(v22 + v24);
     q[2] = q3_ppp;
     q[3] = angle1;
-    q[4] = angle1____;
-    q[5] = angle1________;
+    q[4] = angle5;
+    q[5] = angle9;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
     q[7] = -(v22 + v24);
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -angle1____;
+    q[10] = -angle5;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
     q[13] = -(v23 + v24);
     q[14] = q3_pmp;
-    q[15] = angle1_;
-    q[16] = angle1_____;
-    q[17] = angle1_________;
+    q[15] = angle2;
+    q[16] = angle6;
+    q[17] = angle10;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
     q[19] = -(v23 + v24);
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -angle1_____;
+    q[22] = -angle6;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_ppp;
-    q[27] = angle1__;
-    q[28] = angle1______;
-    q[29] = angle1__________;
+    q[27] = angle3;
+    q[28] = angle7;
+    q[29] = angle11;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
     q[32] = q3_ppp;
     q[33] = q4_mpm;
-    q[34] = -angle1______;
+    q[34] = -angle7;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_pmp;
-    q[39] = angle1___;
-    q[40] = angle1_______;
-    q[41] = angle1___________;
+    q[39] = angle4;
+    q[40] = angle8;
+    q[41] = angle12;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
     q[44] = q3_pmp;
     q[45] = q4_mmm;
-    q[46] = -angle1_______;
+    q[46] = -angle8;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -825,23 +795,23 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         & ((merge_slack1 * (merge_slack1 + v10) < D3) == 0)));
 
     const four angle1 = atan2_four(-v27, -X4);
-    const four angle1_ = atan2_four(-sqrt_four(v29), -(v13 * v22 + s3 * v21));
-    const four angle1__ = atan2_four(v53, v27 * (s3 * v41 - v13 * v40) - -X4 * v35);
+    const four angle2 = atan2_four(-sqrt_four(v29), -(v13 * v22 + s3 * v21));
+    const four angle3 = atan2_four(v53, v27 * (s3 * v41 - v13 * v40) - -X4 * v35);
     const four packed4 = atan2_four(-v9, c1);
-    const four angle1___ = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
+    const four angle4 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
     const four packed5 = atan2_four(s3, -v13);
-    const four angle1____ = __builtin_shufflevector(packed5, packed5, 0, 1, 0, 1);
+    const four angle5 = __builtin_shufflevector(packed5, packed5, 0, 1, 0, 1);
     const four q4_m = angle1 - v30;
-    const four q6_m = angle1__ - h1 * copysign_four(all_four(half_turn), v53);
-    const four q1_p = v11 + angle1___;
-    const four q3_p = v4 + angle1____;
+    const four q6_m = angle3 - h1 * copysign_four(all_four(half_turn), v53);
+    const four q1_p = v11 + angle4;
+    const four q3_p = v4 + angle5;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, -(v15 + v16), q3_p, angle1);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1_, angle1__);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle2, angle3);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, -(v15 + v16), q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1_, q6_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle2, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
     const unsigned long long kind1 = none1 * PRISMATIC_2_WRIST_UNREACHABLE;

@@ -25,6 +25,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -64,6 +88,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -75,29 +104,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -106,6 +112,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -119,28 +130,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -148,37 +138,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef PUMA_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -566,10 +536,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide factor2_pp = sqrt_wide(v13) * (1.0 / v13);
     const wide factor2_pm = sqrt_wide(v15) * (1.0 / v15);
     const wide factor2_mp = sqrt_wide(v16) * (1.0 / v16);
-    const wide angle1_ = atan2_wide(-v9, C2_pp);
-    const wide angle1__ = atan2_wide(-v10, C2_pm);
-    const wide angle1___ = atan2_wide(v10, C2_pm);
-    const wide angle1____ = atan2_wide(v9, C2_pp);
+    const wide angle2 = atan2_wide(-v9, C2_pp);
+    const wide angle3 = atan2_wide(-v10, C2_pm);
+    const wide angle4 = atan2_wide(v10, C2_pm);
+    const wide angle5 = atan2_wide(v9, C2_pp);
 
     /* theta4 */
     const wide v17 = m3 * N3;
@@ -595,24 +565,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
     const wide v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp));
     const wide v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm));
-    const wide angle1_____ = atan2_wide(-v24, factor2_pp * -X4_pp);
-    const wide angle1______ = atan2_wide(-v24, factor2_pm * -X4_pm);
-    const wide angle1_______ = atan2_wide(-v25, factor2_mp * -X4_mp);
-    const wide angle1________ = atan2_wide(-v25, factor2_pp * -X4_mm);
+    const wide angle6 = atan2_wide(-v24, factor2_pp * -X4_pp);
+    const wide angle7 = atan2_wide(-v24, factor2_pm * -X4_pm);
+    const wide angle8 = atan2_wide(-v25, factor2_mp * -X4_mp);
+    const wide angle9 = atan2_wide(-v25, factor2_pp * -X4_mm);
     const wide v32 = copysign_wide(all_wide(half_turn), -v24) * h1;
     const wide v33 = copysign_wide(all_wide(half_turn), -v25) * h1;
-    const wide q4_ppm = angle1_____ - v32;
-    const wide q4_pmm = angle1______ - v32;
-    const wide q4_mpm = angle1_______ - v33;
-    const wide q4_mmm = angle1________ - v33;
+    const wide q4_ppm = angle6 - v32;
+    const wide q4_pmm = angle7 - v32;
+    const wide q4_mpm = angle8 - v33;
+    const wide q4_mmm = angle9 - v33;
 
     /* theta5 */
     const wide v34 = T33 * C2_pm;
-    const wide angle1_________ = atan2_wide(-sqrt_wide(v28), factor2_pp * (v34 + s23_pp * v22));
+    const wide angle10 = atan2_wide(-sqrt_wide(v28), factor2_pp * (v34 + s23_pp * v22));
     const wide v35 = T33 * C2_pp;
-    const wide angle1__________ = atan2_wide(-sqrt_wide(v29), factor2_pm * (v35 + s23_pm * v22));
-    const wide angle1___________ = atan2_wide(-sqrt_wide(v30), factor2_mp * (v35 + s23_mp * v23));
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v31), factor2_pp * (v34 + s23_mm * v23));
+    const wide angle11 = atan2_wide(-sqrt_wide(v29), factor2_pm * (v35 + s23_pm * v22));
+    const wide angle12 = atan2_wide(-sqrt_wide(v30), factor2_mp * (v35 + s23_mp * v23));
+    const wide angle13 = atan2_wide(-sqrt_wide(v31), factor2_pp * (v34 + s23_mm * v23));
 
     /* theta6 */
     const wide v36 = c1_p * T12 + s1_p * T22;
@@ -627,24 +597,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36;
     const wide v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37;
     const wide v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37;
-    const wide angle1_____________ = atan2_wide(v44, -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm *
-        v42));
-    const wide angle1______________ = atan2_wide(v45, -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp *
-        v42));
-    const wide angle1_______________ = atan2_wide(v46, -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp *
-        v43));
-    const wide angle1________________ = atan2_wide(v47, -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm *
-        v43));
-    const wide q6_ppm = angle1_____________ - h1 * copysign_wide(all_wide(half_turn), v44);
-    const wide q6_pmm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v45);
-    const wide q6_mpm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v46);
-    const wide q6_mmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v47);
+    const wide angle14 = atan2_wide(v44, -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42));
+    const wide angle15 = atan2_wide(v45, -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42));
+    const wide angle16 = atan2_wide(v46, -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43));
+    const wide angle17 = atan2_wide(v47, -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43));
+    const wide q6_ppm = angle14 - h1 * copysign_wide(all_wide(half_turn), v44);
+    const wide q6_pmm = angle15 - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide q6_mpm = angle16 - h1 * copysign_wide(all_wide(half_turn), v46);
+    const wide q6_mmm = angle17 - h1 * copysign_wide(all_wide(half_turn), v47);
 
     /* joint values */
-    const wide angle1_________________ = atan2_wide(s1_p, c1_p);
-    const wide q1_ppp = v6 + angle1_________________;
-    const wide angle1__________________ = atan2_wide(s1_m, c1_m);
-    const wide q1_mpp = v6 + angle1__________________;
+    const wide angle18 = atan2_wide(s1_p, c1_p);
+    const wide q1_ppp = v6 + angle18;
+    const wide angle19 = atan2_wide(s1_m, c1_m);
+    const wide q1_mpp = v6 + angle19;
     const wide q3_ppp = v1 + angle1;
     const wide q3_pmp = v1 - angle1;
     const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v31 <= m5) |
@@ -653,59 +619,59 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         longest3_apart)) == 0)) | (v13 <= m2)))))))));
 
     q[0] = q1_ppp;
-    q[1] = angle1_;
+    q[1] = angle2;
     q[2] = q3_ppp;
-    q[3] = angle1_____;
-    q[4] = angle1_________;
-    q[5] = angle1_____________;
+    q[3] = angle6;
+    q[4] = angle10;
+    q[5] = angle14;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = angle1_;
+    q[7] = angle2;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -angle1_________;
+    q[10] = -angle10;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
-    q[13] = angle1__;
+    q[13] = angle3;
     q[14] = q3_pmp;
-    q[15] = angle1______;
-    q[16] = angle1__________;
-    q[17] = angle1______________;
+    q[15] = angle7;
+    q[16] = angle11;
+    q[17] = angle15;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
-    q[19] = angle1__;
+    q[19] = angle3;
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -angle1__________;
+    q[22] = -angle11;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = angle1___;
+    q[25] = angle4;
     q[26] = q3_ppp;
-    q[27] = angle1_______;
-    q[28] = angle1___________;
-    q[29] = angle1_______________;
+    q[27] = angle8;
+    q[28] = angle12;
+    q[29] = angle16;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = angle1___;
+    q[31] = angle4;
     q[32] = q3_ppp;
     q[33] = q4_mpm;
-    q[34] = -angle1___________;
+    q[34] = -angle12;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
-    q[37] = angle1____;
+    q[37] = angle5;
     q[38] = q3_pmp;
-    q[39] = angle1________;
-    q[40] = angle1____________;
-    q[41] = angle1________________;
+    q[39] = angle9;
+    q[40] = angle13;
+    q[41] = angle17;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
-    q[43] = angle1____;
+    q[43] = angle5;
     q[44] = q3_pmp;
     q[45] = q4_mmm;
-    q[46] = -angle1____________;
+    q[46] = -angle13;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -780,25 +746,25 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (((shortest3_reach <=
         N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
-    const four angle1_ = atan2_four(-v7, C2);
-    const four angle1__ = atan2_four(-v17, factor2 * -X4);
-    const four angle1___ = atan2_four(-sqrt_four(v19), factor2 * (T33 * c23 + s23 * v16));
-    const four angle1____ = atan2_four(v25, -X4 * v23 - v17 * (T31 * s23 - c23 * v24));
+    const four angle2 = atan2_four(-v7, C2);
+    const four angle3 = atan2_four(-v17, factor2 * -X4);
+    const four angle4 = atan2_four(-sqrt_four(v19), factor2 * (T33 * c23 + s23 * v16));
+    const four angle5 = atan2_four(v25, -X4 * v23 - v17 * (T31 * s23 - c23 * v24));
     const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
         __builtin_shufflevector(c1, all_four(N3 - k5), 0, 5, 2, 3));
-    const four angle1_____ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle6 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle1__ - v20;
-    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), v25);
-    const four q1_p = v4 + angle1_____;
+    const four q4_m = angle3 - v20;
+    const four q6_m = angle5 - h1 * copysign_four(all_four(half_turn), v25);
+    const four q1_p = v4 + angle6;
     const four q3_p = v1 + e2 * angle1;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1_, q3_p, angle1__);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1___, angle1____);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1_, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1___, q6_m);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle2, q3_p, angle3);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle4, angle5);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle2, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle4, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
     const unsigned long long kind1 = none1 * PUMA_UNREACHABLE;

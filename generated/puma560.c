@@ -25,6 +25,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -64,6 +88,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -75,29 +104,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -106,6 +112,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -119,28 +130,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -148,37 +138,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef PUMA560_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -541,7 +511,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s1_p = v5 + v6;
     const wide s1_m = v5 - v6;
     const wide angle1 = atan2_wide(s1_p, c1_p);
-    const wide angle1_ = atan2_wide(s1_m, -v4);
+    const wide angle2 = atan2_wide(s1_m, -v4);
 
     /* theta3 */
     const wide Z1_3 = T34 - d1;
@@ -556,9 +526,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v11 = m3 * w3;
     const wide c3_p = v10 + v11;
     const wide c3_m = v10 - v11;
-    const wide angle1__ = atan2_wide(w3, N3 - k6);
-    const wide q3__p = angle1__ - turn1;
-    const wide v12 = turn1 + angle1__;
+    const wide angle3 = atan2_wide(w3, N3 - k6);
+    const wide q3__p = angle3 - turn1;
+    const wide v12 = turn1 + angle3;
 
     /* theta2 */
     const wide X1_2 = m5 * N3 - m6;
@@ -575,10 +545,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide C2_mp = v15 + v18;
     const wide C2_mm = v16 + v18;
     const wide factor2 = 1.0 / N3;
-    const wide angle1___ = atan2_wide(S2_pp, C2_pp);
-    const wide angle1____ = atan2_wide(S2_pm, C2_pm);
-    const wide angle1_____ = atan2_wide(S2_pm, C2_mp);
-    const wide angle1______ = atan2_wide(S2_pp, C2_mm);
+    const wide angle4 = atan2_wide(S2_pp, C2_pp);
+    const wide angle5 = atan2_wide(S2_pm, C2_pm);
+    const wide angle6 = atan2_wide(S2_pm, C2_mp);
+    const wide angle7 = atan2_wide(S2_pp, C2_mm);
 
     /* theta4 */
     const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp;
@@ -607,26 +577,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v29 = v22 + factor2 * (c4_pm * v25);
     const wide v30 = v23 + factor2 * (c4_mp * v26);
     const wide v31 = v23 + factor2 * (c4_mm * v27);
-    const wide angle1_______ = atan2_wide(Y4_p, v24);
-    const wide angle1________ = atan2_wide(Y4_p, v25);
-    const wide angle1_________ = atan2_wide(-v21, v26);
-    const wide angle1__________ = atan2_wide(-v21, v27);
+    const wide angle8 = atan2_wide(Y4_p, v24);
+    const wide angle9 = atan2_wide(Y4_p, v25);
+    const wide angle10 = atan2_wide(-v21, v26);
+    const wide angle11 = atan2_wide(-v21, v27);
     const wide v32 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
     const wide v33 = copysign_wide(all_wide(half_turn), -v21) * h1;
-    const wide q4_ppm = angle1_______ - v32;
-    const wide q4_pmm = angle1________ - v32;
-    const wide q4_mpm = angle1_________ - v33;
-    const wide q4_mmm = angle1__________ - v33;
+    const wide q4_ppm = angle8 - v32;
+    const wide q4_pmm = angle9 - v32;
+    const wide q4_mpm = angle10 - v33;
+    const wide q4_mmm = angle11 - v33;
 
     /* theta5 */
-    const wide angle1___________ = atan2_wide(-sqrt_wide(v28), factor2 * (c23_pp * T33 - s23_pp *
-        v19));
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v29), factor2 * (c23_pm * T33 - s23_pm *
-        v19));
-    const wide angle1_____________ = atan2_wide(-sqrt_wide(v30), factor2 * (c23_mp * T33 - s23_mp *
-        v20));
-    const wide angle1______________ = atan2_wide(-sqrt_wide(v31), factor2 * (c23_mm * T33 - s23_mm *
-        v20));
+    const wide angle12 = atan2_wide(-sqrt_wide(v28), factor2 * (c23_pp * T33 - s23_pp * v19));
+    const wide angle13 = atan2_wide(-sqrt_wide(v29), factor2 * (c23_pm * T33 - s23_pm * v19));
+    const wide angle14 = atan2_wide(-sqrt_wide(v30), factor2 * (c23_mp * T33 - s23_mp * v20));
+    const wide angle15 = atan2_wide(-sqrt_wide(v31), factor2 * (c23_mm * T33 - s23_mm * v20));
 
     /* theta6 */
     const wide v34 = s1_p * T12 - c1_p * T22;
@@ -637,112 +603,103 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v39 = s1_m * T11 + v4 * T21;
     const wide v40 = c1_p * T11 + s1_p * T21;
     const wide v41 = s1_m * T21 - v4 * T11;
-    const wide angle1_______________ = atan2_wide(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp *
-        T31)), -(c4_pp * v34 + Y4_p * (c23_pp * v36 + s23_pp * T32)));
-    const wide angle1________________ = atan2_wide(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm *
-        T31)), -(c4_pm * v34 + Y4_p * (c23_pm * v36 + s23_pm * T32)));
+    const wide angle16 = atan2_wide(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)), -(c4_pp *
+        v34 + Y4_p * (c23_pp * v36 + s23_pp * T32)));
+    const wide angle17 = atan2_wide(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)), -(c4_pm *
+        v34 + Y4_p * (c23_pm * v36 + s23_pm * T32)));
     const wide v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39;
-    const wide angle1_________________ = atan2_wide(v42, v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp
-        * v35);
+    const wide angle18 = atan2_wide(v42, v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35);
     const wide v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39;
-    const wide angle1__________________ = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) -
-        c4_mm * v35);
-    const wide q6_ppm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), -(c4_pp *
-        v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)));
-    const wide q6_pmm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), -(c4_pm *
-        v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)));
-    const wide q6_mpm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_mmm = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
+    const wide q6_ppm = angle16 - h1 * copysign_wide(all_wide(half_turn), -(c4_pp * v38 + Y4_p *
+        (c23_pp * v40 + s23_pp * T31)));
+    const wide q6_pmm = angle17 - h1 * copysign_wide(all_wide(half_turn), -(c4_pm * v38 + Y4_p *
+        (c23_pm * v40 + s23_pm * T31)));
+    const wide q6_mpm = angle18 - h1 * copysign_wide(all_wide(half_turn), v42);
+    const wide q6_mmm = angle19 - h1 * copysign_wide(all_wide(half_turn), v43);
 
     /* joint values */
-    const wide v44 = q3__p + pick_wide(q3__p <= -half_turn, all_wide(m9), all_wide(0.0));
-    const wide v45 = pick_wide(-v12 <= -half_turn, all_wide(m9), all_wide(0.0)) - v12;
+    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, m9);
+    const wide v45 = only_wide(-v12 <= -half_turn, m9) - v12;
     const wide_mask v46 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v47 = (angle1_ < low1) | (high1 < angle1_);
+    const wide_mask v47 = (angle2 < low1) | (high1 < angle2);
     const wide_mask v48 = (v44 < low3) | (high3 < v44);
     const wide_mask v49 = (v45 < low3) | (high3 < v45);
     const wide q1_ppp = angle1 + v7;
-    const wide q1_mpp = angle1_ + v7;
+    const wide q1_mpp = angle2 + v7;
     const wide q3_ppp = v1 + v44;
     const wide q3_pmp = v1 + v45;
-    const wide_mask v50 = v48 | (v46 | ((angle1___ < low2) | (high2 < angle1___)));
-    const wide_mask v51 = v49 | (v46 | ((angle1____ < low2) | (high2 < angle1____)));
-    const wide_mask v52 = v48 | (v47 | ((angle1_____ < low2) | (high2 < angle1_____)));
-    const wide_mask v53 = v49 | (v47 | ((angle1______ < low2) | (high2 < angle1______)));
-    const wide_mask outside_ppp = v50 | ((angle1___________ < low5) | (high5 < angle1___________));
-    const wide_mask outside_ppm = v50 | ((-angle1___________ < low5) | (high5 <
-        -angle1___________));
-    const wide_mask outside_pmp = v51 | ((angle1____________ < low5) | (high5 <
-        angle1____________));
-    const wide_mask outside_pmm = v51 | ((-angle1____________ < low5) | (high5 <
-        -angle1____________));
-    const wide_mask outside_mpp = v52 | ((angle1_____________ < low5) | (high5 <
-        angle1_____________));
-    const wide_mask outside_mpm = v52 | ((-angle1_____________ < low5) | (high5 <
-        -angle1_____________));
-    const wide_mask outside_mmp = v53 | ((angle1______________ < low5) | (high5 <
-        angle1______________));
-    const wide_mask outside_mmm = v53 | ((-angle1______________ < low5) | (high5 <
-        -angle1______________));
+    const wide_mask v50 = v48 | (v46 | ((angle4 < low2) | (high2 < angle4)));
+    const wide_mask v51 = v49 | (v46 | ((angle5 < low2) | (high2 < angle5)));
+    const wide_mask v52 = v48 | (v47 | ((angle6 < low2) | (high2 < angle6)));
+    const wide_mask v53 = v49 | (v47 | ((angle7 < low2) | (high2 < angle7)));
+    const wide_mask outside_ppp = v50 | ((angle12 < low5) | (high5 < angle12));
+    const wide_mask outside_ppm = v50 | ((-angle12 < low5) | (high5 < -angle12));
+    const wide_mask outside_pmp = v51 | ((angle13 < low5) | (high5 < angle13));
+    const wide_mask outside_pmm = v51 | ((-angle13 < low5) | (high5 < -angle13));
+    const wide_mask outside_mpp = v52 | ((angle14 < low5) | (high5 < angle14));
+    const wide_mask outside_mpm = v52 | ((-angle14 < low5) | (high5 < -angle14));
+    const wide_mask outside_mmp = v53 | ((angle15 < low5) | (high5 < angle15));
+    const wide_mask outside_mmm = v53 | ((-angle15 < low5) | (high5 < -angle15));
     const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) | ((v28
         <= m7) | (v29 <= m7)))))));
 
     q[0] = q1_ppp;
-    q[1] = angle1___;
+    q[1] = angle4;
     q[2] = q3_ppp;
-    q[3] = angle1_______;
-    q[4] = angle1___________;
-    q[5] = angle1_______________;
+    q[3] = angle8;
+    q[4] = angle12;
+    q[5] = angle16;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
-    q[7] = angle1___;
+    q[7] = angle4;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -angle1___________;
+    q[10] = -angle12;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp;
-    q[13] = angle1____;
+    q[13] = angle5;
     q[14] = q3_pmp;
-    q[15] = angle1________;
-    q[16] = angle1____________;
-    q[17] = angle1________________;
+    q[15] = angle9;
+    q[16] = angle13;
+    q[17] = angle17;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
-    q[19] = angle1____;
+    q[19] = angle5;
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -angle1____________;
+    q[22] = -angle13;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
     q[24] = q1_mpp;
-    q[25] = angle1_____;
+    q[25] = angle6;
     q[26] = q3_ppp;
-    q[27] = angle1_________;
-    q[28] = angle1_____________;
-    q[29] = angle1_________________;
+    q[27] = angle10;
+    q[28] = angle14;
+    q[29] = angle18;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
-    q[31] = angle1_____;
+    q[31] = angle6;
     q[32] = q3_ppp;
     q[33] = q4_mpm;
-    q[34] = -angle1_____________;
+    q[34] = -angle14;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp;
-    q[37] = angle1______;
+    q[37] = angle7;
     q[38] = q3_pmp;
-    q[39] = angle1__________;
-    q[40] = angle1______________;
-    q[41] = angle1__________________;
+    q[39] = angle11;
+    q[40] = angle15;
+    q[41] = angle19;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
-    q[43] = angle1______;
+    q[43] = angle7;
     q[44] = q3_pmp;
     q[45] = q4_mmm;
-    q[46] = -angle1______________;
+    q[46] = -angle15;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -814,34 +771,34 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         free_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
 
-    const four angle1__ = atan2_four(S2, C2);
-    const four angle1___ = atan2_four(Y4, v12);
-    const four angle1____ = atan2_four(-sqrt_four(v13), factor2 * (c23 * T33 - s23 * v10));
-    const four angle1_____ = atan2_four(-(c4 * v17 + Y4 * (c23 * v18 + s23 * T31)), -(c4 * v15 + Y4
-        * (c23 * v16 + s23 * T32)));
+    const four angle3 = atan2_four(S2, C2);
+    const four angle4 = atan2_four(Y4, v12);
+    const four angle5 = atan2_four(-sqrt_four(v13), factor2 * (c23 * T33 - s23 * v10));
+    const four angle6 = atan2_four(-(c4 * v17 + Y4 * (c23 * v18 + s23 * T31)), -(c4 * v15 + Y4 *
+        (c23 * v16 + s23 * T32)));
     const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
         __builtin_shufflevector(c1, all_four(N3 - k6), 0, 5, 2, 3));
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1_ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_ = e2 * angle1_ - turn1;
-    const four q4_m = angle1___ - v14;
-    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), -(c4 * v17 + Y4 * (c23 *
-        v18 + s23 * T31)));
-    const four v19 = q3_ + pick_four(q3_ <= -half_turn, all_four(m9), all_four(0.0));
+    const four angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_ = e2 * angle2 - turn1;
+    const four q4_m = angle4 - v14;
+    const four q6_m = angle6 - h1 * copysign_four(all_four(half_turn), -(c4 * v17 + Y4 * (c23 * v18
+        + s23 * T31)));
+    const four v19 = q3_ + only_four(q3_ <= -half_turn, m9);
     const four_mask v20 = (angle1 < low1) | (high1 < angle1);
     const four_mask v21 = (v19 < low3) | (high3 < v19);
     const four q1_p = angle1 + v4;
     const four q3_p = v1 + v19;
-    const four_mask v22 = v21 | (v20 | ((angle1__ < low2) | (high2 < angle1__)));
-    const four_mask outside_p = v22 | ((angle1____ < low5) | (high5 < angle1____));
-    const four_mask outside_m = v22 | ((-angle1____ < low5) | (high5 < -angle1____));
+    const four_mask v22 = v21 | (v20 | ((angle3 < low2) | (high2 < angle3)));
+    const four_mask outside_p = v22 | ((angle5 < low5) | (high5 < angle5));
+    const four_mask outside_m = v22 | ((-angle5 < low5) | (high5 < -angle5));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1__, q3_p, angle1___);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1____, angle1_____);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1__, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1____, q6_m);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle3, q3_p, angle4);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle5, angle6);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle3, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle5, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &

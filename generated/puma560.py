@@ -643,128 +643,128 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
-    q3__p = angle1__ - turn1
-    v12 = turn1 + angle1__
+    q3__p = angle3 - turn1
+    v12 = turn1 + angle3
 
     # theta4, type 2: U4[3, 3]
-    q4_ppm = angle1_______ - v32
-    q4_pmm = angle1________ - v32
-    q4_mpm = angle1_________ - v33
-    q4_mmm = angle1__________ - v33
+    q4_ppm = angle8 - v32
+    q4_pmm = angle9 - v32
+    q4_mpm = angle10 - v33
+    q4_mmm = angle11 - v33
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = (
-        angle1_______________ - h1 * math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 +
-        s23_pp * T31)))
+        angle16 - h1 * math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp *
+        T31)))
     )
     q6_pmm = (
-        angle1________________ - h1 * math.copysign(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40
-        + s23_pm * T31)))
+        angle17 - h1 * math.copysign(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm *
+        T31)))
     )
-    q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v42)
-    q6_mmm = angle1__________________ - h1 * math.copysign(half_turn, v43)
+    q6_mpm = angle18 - h1 * math.copysign(half_turn, v42)
+    q6_mmm = angle19 - h1 * math.copysign(half_turn, v43)
 
     # joint values
     v44 = q3__p + (m9 if q3__p <= -half_turn else 0.0)
     v45 = (m9 if -v12 <= -half_turn else 0.0) - v12
     v46 = angle1 < low1 or high1 < angle1
-    v47 = angle1_ < low1 or high1 < angle1_
+    v47 = angle2 < low1 or high1 < angle2
     v48 = v44 < low3 or high3 < v44
     v49 = v45 < low3 or high3 < v45
     q1_ppp = angle1 + v7
-    q1_mpp = angle1_ + v7
+    q1_mpp = angle2 + v7
     q3_ppp = v1 + v44
     q3_pmp = v1 + v45
-    v50 = v48 or (v46 or (angle1___ < low2 or high2 < angle1___))
-    v51 = v49 or (v46 or (angle1____ < low2 or high2 < angle1____))
-    v52 = v48 or (v47 or (angle1_____ < low2 or high2 < angle1_____))
-    v53 = v49 or (v47 or (angle1______ < low2 or high2 < angle1______))
-    outside_ppp = v50 or (angle1___________ < low5 or high5 < angle1___________)
-    outside_ppm = v50 or (-angle1___________ < low5 or high5 < -angle1___________)
-    outside_pmp = v51 or (angle1____________ < low5 or high5 < angle1____________)
-    outside_pmm = v51 or (-angle1____________ < low5 or high5 < -angle1____________)
-    outside_mpp = v52 or (angle1_____________ < low5 or high5 < angle1_____________)
-    outside_mpm = v52 or (-angle1_____________ < low5 or high5 < -angle1_____________)
-    outside_mmp = v53 or (angle1______________ < low5 or high5 < angle1______________)
-    outside_mmm = v53 or (-angle1______________ < low5 or high5 < -angle1______________)
+    v50 = v48 or (v46 or (angle4 < low2 or high2 < angle4))
+    v51 = v49 or (v46 or (angle5 < low2 or high2 < angle5))
+    v52 = v48 or (v47 or (angle6 < low2 or high2 < angle6))
+    v53 = v49 or (v47 or (angle7 < low2 or high2 < angle7))
+    outside_ppp = v50 or (angle12 < low5 or high5 < angle12)
+    outside_ppm = v50 or (-angle12 < low5 or high5 < -angle12)
+    outside_pmp = v51 or (angle13 < low5 or high5 < angle13)
+    outside_pmm = v51 or (-angle13 < low5 or high5 < -angle13)
+    outside_mpp = v52 or (angle14 < low5 or high5 < angle14)
+    outside_mpm = v52 or (-angle14 < low5 or high5 < -angle14)
+    outside_mmp = v53 or (angle15 < low5 or high5 < angle15)
+    outside_mmm = v53 or (-angle15 < low5 or high5 < -angle15)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
     q[0, 0] = q1_ppp
-    q[0, 1] = angle1___
+    q[0, 1] = angle4
     q[0, 2] = q3_ppp
-    q[0, 3] = angle1_______
-    q[0, 4] = angle1___________
-    q[0, 5] = angle1_______________
+    q[0, 3] = angle8
+    q[0, 4] = angle12
+    q[0, 5] = angle16
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
     q[1, 0] = q1_ppp
-    q[1, 1] = angle1___
+    q[1, 1] = angle4
     q[1, 2] = q3_ppp
     q[1, 3] = q4_ppm
-    q[1, 4] = -angle1___________
+    q[1, 4] = -angle12
     q[1, 5] = q6_ppm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
     q[2, 0] = q1_ppp
-    q[2, 1] = angle1____
+    q[2, 1] = angle5
     q[2, 2] = q3_pmp
-    q[2, 3] = angle1________
-    q[2, 4] = angle1____________
-    q[2, 5] = angle1________________
+    q[2, 3] = angle9
+    q[2, 4] = angle13
+    q[2, 5] = angle17
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_ppp
-    q[3, 1] = angle1____
+    q[3, 1] = angle5
     q[3, 2] = q3_pmp
     q[3, 3] = q4_pmm
-    q[3, 4] = -angle1____________
+    q[3, 4] = -angle13
     q[3, 5] = q6_pmm
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
     q[4, 0] = q1_mpp
-    q[4, 1] = angle1_____
+    q[4, 1] = angle6
     q[4, 2] = q3_ppp
-    q[4, 3] = angle1_________
-    q[4, 4] = angle1_____________
-    q[4, 5] = angle1_________________
+    q[4, 3] = angle10
+    q[4, 4] = angle14
+    q[4, 5] = angle18
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
     q[5, 0] = q1_mpp
-    q[5, 1] = angle1_____
+    q[5, 1] = angle6
     q[5, 2] = q3_ppp
     q[5, 3] = q4_mpm
-    q[5, 4] = -angle1_____________
+    q[5, 4] = -angle14
     q[5, 5] = q6_mpm
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
     q[6, 0] = q1_mpp
-    q[6, 1] = angle1______
+    q[6, 1] = angle7
     q[6, 2] = q3_pmp
-    q[6, 3] = angle1__________
-    q[6, 4] = angle1______________
-    q[6, 5] = angle1__________________
+    q[6, 3] = angle11
+    q[6, 4] = angle15
+    q[6, 5] = angle19
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mpp
-    q[7, 1] = angle1______
+    q[7, 1] = angle7
     q[7, 2] = q3_pmp
     q[7, 3] = q4_mmm
-    q[7, 4] = -angle1______________
+    q[7, 4] = -angle15
     q[7, 5] = q6_mmm
     status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
     return True
@@ -1136,123 +1136,123 @@ def _in_tiles(T, q, status):
             v43 = work[992 + k]
             doubt1 = work[1024 + k] != 0.0
             angle1 = work[1056 + k]
-            angle1_ = work[1088 + k]
-            angle1__ = work[1120 + k]
-            angle1___ = work[1152 + k]
-            angle1____ = work[1184 + k]
-            angle1_____ = work[1216 + k]
-            angle1______ = work[1248 + k]
-            angle1_______ = work[1280 + k]
-            angle1________ = work[1312 + k]
-            angle1_________ = work[1344 + k]
-            angle1__________ = work[1376 + k]
-            angle1___________ = work[1408 + k]
-            angle1____________ = work[1440 + k]
-            angle1_____________ = work[1472 + k]
-            angle1______________ = work[1504 + k]
-            angle1_______________ = work[1536 + k]
-            angle1________________ = work[1568 + k]
-            angle1_________________ = work[1600 + k]
-            angle1__________________ = work[1632 + k]
-            q3__p = angle1__ - turn1
-            v12 = turn1 + angle1__
-            q4_ppm = angle1_______ - v32
-            q4_pmm = angle1________ - v32
-            q4_mpm = angle1_________ - v33
-            q4_mmm = angle1__________ - v33
+            angle2 = work[1088 + k]
+            angle3 = work[1120 + k]
+            angle4 = work[1152 + k]
+            angle5 = work[1184 + k]
+            angle6 = work[1216 + k]
+            angle7 = work[1248 + k]
+            angle8 = work[1280 + k]
+            angle9 = work[1312 + k]
+            angle10 = work[1344 + k]
+            angle11 = work[1376 + k]
+            angle12 = work[1408 + k]
+            angle13 = work[1440 + k]
+            angle14 = work[1472 + k]
+            angle15 = work[1504 + k]
+            angle16 = work[1536 + k]
+            angle17 = work[1568 + k]
+            angle18 = work[1600 + k]
+            angle19 = work[1632 + k]
+            q3__p = angle3 - turn1
+            v12 = turn1 + angle3
+            q4_ppm = angle8 - v32
+            q4_pmm = angle9 - v32
+            q4_mpm = angle10 - v33
+            q4_mmm = angle11 - v33
             q6_ppm = (
-                angle1_______________ - h1 * math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp
-                * v40 + s23_pp * T31)))
+                angle16 - h1 * math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 +
+                s23_pp * T31)))
             )
             q6_pmm = (
-                angle1________________ - h1 * math.copysign(half_turn, -(c4_pm * v38 + Y4_p *
-                (c23_pm * v40 + s23_pm * T31)))
+                angle17 - h1 * math.copysign(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40 +
+                s23_pm * T31)))
             )
-            q6_mpm = angle1_________________ - h1 * math.copysign(half_turn, v42)
-            q6_mmm = angle1__________________ - h1 * math.copysign(half_turn, v43)
+            q6_mpm = angle18 - h1 * math.copysign(half_turn, v42)
+            q6_mmm = angle19 - h1 * math.copysign(half_turn, v43)
             v44 = q3__p + (m9 if q3__p <= -half_turn else 0.0)
             v45 = (m9 if -v12 <= -half_turn else 0.0) - v12
             v46 = angle1 < low1 or high1 < angle1
-            v47 = angle1_ < low1 or high1 < angle1_
+            v47 = angle2 < low1 or high1 < angle2
             v48 = v44 < low3 or high3 < v44
             v49 = v45 < low3 or high3 < v45
             q1_ppp = angle1 + v7
-            q1_mpp = angle1_ + v7
+            q1_mpp = angle2 + v7
             q3_ppp = v1 + v44
             q3_pmp = v1 + v45
-            v50 = v48 or (v46 or (angle1___ < low2 or high2 < angle1___))
-            v51 = v49 or (v46 or (angle1____ < low2 or high2 < angle1____))
-            v52 = v48 or (v47 or (angle1_____ < low2 or high2 < angle1_____))
-            v53 = v49 or (v47 or (angle1______ < low2 or high2 < angle1______))
-            outside_ppp = v50 or (angle1___________ < low5 or high5 < angle1___________)
-            outside_ppm = v50 or (-angle1___________ < low5 or high5 < -angle1___________)
-            outside_pmp = v51 or (angle1____________ < low5 or high5 < angle1____________)
-            outside_pmm = v51 or (-angle1____________ < low5 or high5 < -angle1____________)
-            outside_mpp = v52 or (angle1_____________ < low5 or high5 < angle1_____________)
-            outside_mpm = v52 or (-angle1_____________ < low5 or high5 < -angle1_____________)
-            outside_mmp = v53 or (angle1______________ < low5 or high5 < angle1______________)
-            outside_mmm = v53 or (-angle1______________ < low5 or high5 < -angle1______________)
+            v50 = v48 or (v46 or (angle4 < low2 or high2 < angle4))
+            v51 = v49 or (v46 or (angle5 < low2 or high2 < angle5))
+            v52 = v48 or (v47 or (angle6 < low2 or high2 < angle6))
+            v53 = v49 or (v47 or (angle7 < low2 or high2 < angle7))
+            outside_ppp = v50 or (angle12 < low5 or high5 < angle12)
+            outside_ppm = v50 or (-angle12 < low5 or high5 < -angle12)
+            outside_pmp = v51 or (angle13 < low5 or high5 < angle13)
+            outside_pmm = v51 or (-angle13 < low5 or high5 < -angle13)
+            outside_mpp = v52 or (angle14 < low5 or high5 < angle14)
+            outside_mpm = v52 or (-angle14 < low5 or high5 < -angle14)
+            outside_mmp = v53 or (angle15 < low5 or high5 < angle15)
+            outside_mmm = v53 or (-angle15 < low5 or high5 < -angle15)
             _2272 = q1_ppp
             work[2272 + k] = _2272
-            _2304 = angle1___
+            _2304 = angle4
             work[2304 + k] = _2304
             _2336 = q3_ppp
             work[2336 + k] = _2336
-            _2368 = angle1_______
+            _2368 = angle8
             work[2368 + k] = _2368
-            _2400 = angle1___________
+            _2400 = angle12
             work[2400 + k] = _2400
-            _2432 = angle1_______________
+            _2432 = angle16
             work[2432 + k] = _2432
             _2464 = q4_ppm
             work[2464 + k] = _2464
-            _2496 = -angle1___________
+            _2496 = -angle12
             work[2496 + k] = _2496
             _2528 = q6_ppm
             work[2528 + k] = _2528
-            _2560 = angle1____
+            _2560 = angle5
             work[2560 + k] = _2560
             _2592 = q3_pmp
             work[2592 + k] = _2592
-            _2624 = angle1________
+            _2624 = angle9
             work[2624 + k] = _2624
-            _2656 = angle1____________
+            _2656 = angle13
             work[2656 + k] = _2656
-            _2688 = angle1________________
+            _2688 = angle17
             work[2688 + k] = _2688
             _2720 = q4_pmm
             work[2720 + k] = _2720
-            _2752 = -angle1____________
+            _2752 = -angle13
             work[2752 + k] = _2752
             _2784 = q6_pmm
             work[2784 + k] = _2784
             _2816 = q1_mpp
             work[2816 + k] = _2816
-            _2848 = angle1_____
+            _2848 = angle6
             work[2848 + k] = _2848
-            _2880 = angle1_________
+            _2880 = angle10
             work[2880 + k] = _2880
-            _2912 = angle1_____________
+            _2912 = angle14
             work[2912 + k] = _2912
-            _2944 = angle1_________________
+            _2944 = angle18
             work[2944 + k] = _2944
             _2976 = q4_mpm
             work[2976 + k] = _2976
-            _3008 = -angle1_____________
+            _3008 = -angle14
             work[3008 + k] = _3008
             _3040 = q6_mpm
             work[3040 + k] = _3040
-            _3072 = angle1______
+            _3072 = angle7
             work[3072 + k] = _3072
-            _3104 = angle1__________
+            _3104 = angle11
             work[3104 + k] = _3104
-            _3136 = angle1______________
+            _3136 = angle15
             work[3136 + k] = _3136
-            _3168 = angle1__________________
+            _3168 = angle19
             work[3168 + k] = _3168
             _3200 = q4_mmm
             work[3200 + k] = _3200
-            _3232 = -angle1______________
+            _3232 = -angle15
             work[3232 + k] = _3232
             _3264 = q6_mmm
             work[3264 + k] = _3264

@@ -405,20 +405,20 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     q3__p = angle1 - turn1
     v7 = turn1 + angle1
 
     # joint values
-    q1_pp = v6 + angle1_____
-    q1_mp = v6 + angle1______
+    q1_pp = v6 + angle6
+    q1_mp = v6 + angle7
     q3_pp = v1 + (q3__p + (m3 if q3__p <= -half_turn else 0.0))
     q3_pm = v1 + ((m3 if -v7 <= -half_turn else 0.0) - v7)
 
@@ -426,19 +426,19 @@ def _regular(pose, q, status):
     if doubt1:
         return False
     q[0, 0] = q1_pp
-    q[0, 1] = angle1_
+    q[0, 1] = angle2
     q[0, 2] = q3_pp
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_pp
-    q[1, 1] = angle1__
+    q[1, 1] = angle3
     q[1, 2] = q3_pm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_mp
-    q[2, 1] = angle1___
+    q[2, 1] = angle4
     q[2, 2] = q3_pp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_mp
-    q[3, 1] = angle1____
+    q[3, 1] = angle5
     q[3, 2] = q3_pm
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
     return True
@@ -679,33 +679,33 @@ def _in_tiles(T, q, status):
             v6 = work[576 + k]
             doubt1 = work[608 + k] != 0.0
             angle1 = work[640 + k]
-            angle1_ = work[672 + k]
-            angle1__ = work[704 + k]
-            angle1___ = work[736 + k]
-            angle1____ = work[768 + k]
-            angle1_____ = work[800 + k]
-            angle1______ = work[832 + k]
+            angle2 = work[672 + k]
+            angle3 = work[704 + k]
+            angle4 = work[736 + k]
+            angle5 = work[768 + k]
+            angle6 = work[800 + k]
+            angle7 = work[832 + k]
             q3__p = angle1 - turn1
             v7 = turn1 + angle1
-            q1_pp = v6 + angle1_____
-            q1_mp = v6 + angle1______
+            q1_pp = v6 + angle6
+            q1_mp = v6 + angle7
             q3_pp = v1 + (q3__p + (m3 if q3__p <= -half_turn else 0.0))
             q3_pm = v1 + ((m3 if -v7 <= -half_turn else 0.0) - v7)
             _1088 = q1_pp
             work[1088 + k] = _1088
-            _1120 = angle1_
+            _1120 = angle2
             work[1120 + k] = _1120
             _1152 = q3_pp
             work[1152 + k] = _1152
-            _1184 = angle1__
+            _1184 = angle3
             work[1184 + k] = _1184
             _1216 = q3_pm
             work[1216 + k] = _1216
             _1248 = q1_mp
             work[1248 + k] = _1248
-            _1280 = angle1___
+            _1280 = angle4
             work[1280 + k] = _1280
-            _1312 = angle1____
+            _1312 = angle5
             work[1312 + k] = _1312
             work[1344 + k] = UNREACHABLE if _1088 != _1088 else OK
             work[1376 + k] = UNREACHABLE if _1088 != _1088 else OK

@@ -493,18 +493,18 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
 
     # joint values
-    q2_p = v27 + (v26 + angle1___)
+    q2_p = v27 + (v26 + angle4)
     q3_p = v27 + (angle1 + v26)
     q3_m = v27 + (v26 + (angle1 - math.copysign(half_turn, -T33) * h1))
-    q4_p = v27 + (angle1_ + v26)
-    q4_m = v27 + (v26 - angle1_)
-    q5_p = v27 + (angle1__ + v26)
-    q5_m = v27 + (v26 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+    q4_p = v27 + (angle2 + v26)
+    q4_m = v27 + (v26 - angle2)
+    q5_p = v27 + (angle3 + v26)
+    q5_m = v27 + (v26 + (angle3 - h1 * math.copysign(half_turn, -S5)))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -801,16 +801,16 @@ def _in_tiles(T, q, status):
             q1_p = work[640 + k]
             doubt1 = work[672 + k] != 0.0
             angle1 = work[704 + k]
-            angle1_ = work[736 + k]
-            angle1__ = work[768 + k]
-            angle1___ = work[800 + k]
-            q2_p = v27 + (v26 + angle1___)
+            angle2 = work[736 + k]
+            angle3 = work[768 + k]
+            angle4 = work[800 + k]
+            q2_p = v27 + (v26 + angle4)
             q3_p = v27 + (angle1 + v26)
             q3_m = v27 + (v26 + (angle1 - math.copysign(half_turn, -T33) * h1))
-            q4_p = v27 + (angle1_ + v26)
-            q4_m = v27 + (v26 - angle1_)
-            q5_p = v27 + (angle1__ + v26)
-            q5_m = v27 + (v26 + (angle1__ - h1 * math.copysign(half_turn, -S5)))
+            q4_p = v27 + (angle2 + v26)
+            q4_m = v27 + (v26 - angle2)
+            q5_p = v27 + (angle3 + v26)
+            q5_m = v27 + (v26 + (angle3 - h1 * math.copysign(half_turn, -S5)))
             _960 = q1_p
             work[960 + k] = _960
             _992 = q2_p

@@ -326,7 +326,7 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
+    angle2 = room[1]
 
     # joint values
     q1_pp = angle1 + v3
@@ -337,19 +337,19 @@ def _regular(pose, q, status):
         return False
     q[0, 0] = q1_pp
     q[0, 1] = q2_pp
-    q[0, 2] = angle1_
+    q[0, 2] = angle2
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_pp
     q[1, 1] = q2_pm
-    q[1, 2] = -angle1_
+    q[1, 2] = -angle2
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_mp
     q[2, 1] = -q2_pm
-    q[2, 2] = angle1_
+    q[2, 2] = angle2
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_mp
     q[3, 1] = -q2_pp
-    q[3, 2] = -angle1_
+    q[3, 2] = -angle2
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
     return True
 
@@ -570,18 +570,18 @@ def _in_tiles(T, q, status):
             q2_pm = work[608 + k]
             doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
-            angle1_ = work[704 + k]
+            angle2 = work[704 + k]
             q1_pp = angle1 + v3
             q1_mp = v3 + (angle1 - math.copysign(half_turn, -T14) * h1)
             _800 = q1_pp
             work[800 + k] = _800
             _832 = q2_pp
             work[832 + k] = _832
-            _864 = angle1_
+            _864 = angle2
             work[864 + k] = _864
             _896 = q2_pm
             work[896 + k] = _896
-            _928 = -angle1_
+            _928 = -angle2
             work[928 + k] = _928
             _960 = q1_mp
             work[960 + k] = _960

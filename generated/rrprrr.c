@@ -25,6 +25,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -64,6 +88,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -75,29 +104,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -106,6 +112,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -119,28 +130,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -148,37 +138,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef RRPRRR_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -468,8 +438,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide factor2 = q3_ppp * (1.0 / v2);
     const wide v3 = T34 * factor2;
     const wide v4 = w1 * factor2;
-    const wide angle1_ = atan2_wide(-w1, -T34);
-    const wide q2_pmp = angle1_ - h1 * copysign_wide(all_wide(half_turn), -w1);
+    const wide angle2 = atan2_wide(-w1, -T34);
+    const wide q2_pmp = angle2 - h1 * copysign_wide(all_wide(half_turn), -w1);
 
     /* theta4 */
     const wide v5 = T14 * T13 + T24 * T23;
@@ -481,35 +451,35 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v7 = X4 * factor4;
     const wide s4 = Y4 * factor4;
     const wide v8 = factor1 * s4;
-    const wide angle1__ = atan2_wide(v8, -v7);
-    const wide q4_ppm = angle1__ - h1 * copysign_wide(all_wide(half_turn), v8);
+    const wide angle3 = atan2_wide(v8, -v7);
+    const wide q4_ppm = angle3 - h1 * copysign_wide(all_wide(half_turn), v8);
 
     /* theta5 */
-    const wide angle1___ = atan2_wide(-w4, v3 * T33 + factor1 * (v4 * v5));
-    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4) - angle1___;
+    const wide angle4 = atan2_wide(-w4, v3 * T33 + factor1 * (v4 * v5));
+    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4) - angle4;
 
     /* theta6 */
     const wide v9 = v7 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21)) -
         v4 * T31);
-    const wide angle1____ = atan2_wide(v9, v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14
-        * T12 + T24 * T22)) - v4 * T32));
-    const wide q6_ppm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v9);
+    const wide angle5 = atan2_wide(v9, v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14 *
+        T12 + T24 * T22)) - v4 * T32));
+    const wide q6_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v9);
 
     /* joint values */
     const wide_mask doubt1 = (v2 <= m1) | ((v6 <= m1) | (v1 <= m1));
 
     q[0] = angle1;
-    q[1] = angle1_;
+    q[1] = angle2;
     q[2] = q3_ppp;
-    q[3] = angle1__;
-    q[4] = angle1___;
-    q[5] = angle1____;
+    q[3] = angle3;
+    q[4] = angle4;
+    q[5] = angle5;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = angle1;
-    q[7] = angle1_;
+    q[7] = angle2;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -angle1___;
+    q[10] = -angle4;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = angle1;
@@ -522,28 +492,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[18] = angle1;
     q[19] = q2_pmp;
     q[20] = -q3_ppp;
-    q[21] = -angle1__;
+    q[21] = -angle3;
     q[22] = -q5_pmp;
-    q[23] = angle1____;
+    q[23] = angle5;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = -angle1_;
+    q[25] = -angle2;
     q[26] = q3_ppp;
     q[27] = q4_ppm;
-    q[28] = angle1___;
-    q[29] = angle1____;
+    q[28] = angle4;
+    q[29] = angle5;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = -angle1_;
+    q[31] = -angle2;
     q[32] = q3_ppp;
-    q[33] = angle1__;
-    q[34] = -angle1___;
+    q[33] = angle3;
+    q[34] = -angle4;
     q[35] = q6_ppm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
     q[37] = -q2_pmp;
     q[38] = -q3_ppp;
-    q[39] = -angle1__;
+    q[39] = -angle3;
     q[40] = q5_pmp;
     q[41] = q6_ppm;
     kind[6] = kind_of(q[36] != q[36], 0);
@@ -552,7 +522,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[44] = -q3_ppp;
     q[45] = -q4_ppm;
     q[46] = -q5_pmp;
-    q[47] = angle1____;
+    q[47] = angle5;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -611,22 +581,22 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four packed1 = atan2_four((four){ -T24, -w1, v10, -w4 }, (four){ -T14, -T34, -v9, v3 * T33
         + factor1 * (v4 * v7) });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four angle1_ = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four angle1__ = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four angle1___ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four angle4 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
     const four packed2 = atan2_four((four){ v14, v14, v14, v14 }, (four){ v9 * (T24 * T12 - T14 *
         T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 *
         T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 *
         T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 *
         T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32) });
-    const four angle1____ = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
+    const four angle5 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
     const four q1_m = angle1 - copysign(half_turn, -T24) * h1;
-    const four q2_p = angle1_ + v5 * (m2 * v6);
-    const four v12 = e2 * angle1__;
+    const four q2_p = angle2 + v5 * (m2 * v6);
+    const four v12 = e2 * angle3;
     const four q4_p = v12 + v11 * (m2 * (e3 - e2));
     const four q4_m = v12 - v11 * (m2 * (e2 + e3));
-    const four q5_ = e2 * angle1___ + v13 * (m2 * -v6);
-    const four q6_p = angle1____ + v15 * (m2 * (e2 * e3 - 1.0));
+    const four q5_ = e2 * angle4 + v13 * (m2 * -v6);
+    const four q6_p = angle5 + v15 * (m2 * (e2 * e3 - 1.0));
     const four q5_p = e3 * q5_;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))

@@ -462,41 +462,41 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
 
     # theta1, type 2: U1[2, 4]
     q1_mpp = angle1 - math.copysign(half_turn, -T24) * h1
 
     # theta2, r3, type 4: U1[1, 4] and U1[3, 4]
-    q2_pmp = angle1_ - h1 * math.copysign(half_turn, -w1)
+    q2_pmp = angle2 - h1 * math.copysign(half_turn, -w1)
 
     # theta4, type 2: U4[2, 3]
-    q4_ppm = angle1__ - h1 * math.copysign(half_turn, v8)
+    q4_ppm = angle3 - h1 * math.copysign(half_turn, v8)
 
     # theta5, type 3: U4[3, 3] and U4[1, 3]
-    q5_pmp = h1 * math.copysign(half_turn, -w4) - angle1___
+    q5_pmp = h1 * math.copysign(half_turn, -w4) - angle4
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
-    q6_ppm = angle1____ - h1 * math.copysign(half_turn, v9)
+    q6_ppm = angle5 - h1 * math.copysign(half_turn, v9)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
     q[0, 0] = angle1
-    q[0, 1] = angle1_
+    q[0, 1] = angle2
     q[0, 2] = q3_ppp
-    q[0, 3] = angle1__
-    q[0, 4] = angle1___
-    q[0, 5] = angle1____
+    q[0, 3] = angle3
+    q[0, 4] = angle4
+    q[0, 5] = angle5
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = angle1
-    q[1, 1] = angle1_
+    q[1, 1] = angle2
     q[1, 2] = q3_ppp
     q[1, 3] = q4_ppm
-    q[1, 4] = -angle1___
+    q[1, 4] = -angle4
     q[1, 5] = q6_ppm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = angle1
@@ -509,28 +509,28 @@ def _regular(pose, q, status):
     q[3, 0] = angle1
     q[3, 1] = q2_pmp
     q[3, 2] = -q3_ppp
-    q[3, 3] = -angle1__
+    q[3, 3] = -angle3
     q[3, 4] = -q5_pmp
-    q[3, 5] = angle1____
+    q[3, 5] = angle5
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
     q[4, 0] = q1_mpp
-    q[4, 1] = -angle1_
+    q[4, 1] = -angle2
     q[4, 2] = q3_ppp
     q[4, 3] = q4_ppm
-    q[4, 4] = angle1___
-    q[4, 5] = angle1____
+    q[4, 4] = angle4
+    q[4, 5] = angle5
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
     q[5, 0] = q1_mpp
-    q[5, 1] = -angle1_
+    q[5, 1] = -angle2
     q[5, 2] = q3_ppp
-    q[5, 3] = angle1__
-    q[5, 4] = -angle1___
+    q[5, 3] = angle3
+    q[5, 4] = -angle4
     q[5, 5] = q6_ppm
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
     q[6, 0] = q1_mpp
     q[6, 1] = -q2_pmp
     q[6, 2] = -q3_ppp
-    q[6, 3] = -angle1__
+    q[6, 3] = -angle3
     q[6, 4] = q5_pmp
     q[6, 5] = q6_ppm
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
@@ -539,7 +539,7 @@ def _regular(pose, q, status):
     q[7, 2] = -q3_ppp
     q[7, 3] = -q4_ppm
     q[7, 4] = -q5_pmp
-    q[7, 5] = angle1____
+    q[7, 5] = angle5
     status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
     return True
 
@@ -806,30 +806,30 @@ def _in_tiles(T, q, status):
             v9 = work[672 + k]
             doubt1 = work[704 + k] != 0.0
             angle1 = work[736 + k]
-            angle1_ = work[768 + k]
-            angle1__ = work[800 + k]
-            angle1___ = work[832 + k]
-            angle1____ = work[864 + k]
+            angle2 = work[768 + k]
+            angle3 = work[800 + k]
+            angle4 = work[832 + k]
+            angle5 = work[864 + k]
             q1_mpp = angle1 - math.copysign(half_turn, -T24) * h1
-            q2_pmp = angle1_ - h1 * math.copysign(half_turn, -w1)
-            q4_ppm = angle1__ - h1 * math.copysign(half_turn, v8)
-            q5_pmp = h1 * math.copysign(half_turn, -w4) - angle1___
-            q6_ppm = angle1____ - h1 * math.copysign(half_turn, v9)
+            q2_pmp = angle2 - h1 * math.copysign(half_turn, -w1)
+            q4_ppm = angle3 - h1 * math.copysign(half_turn, v8)
+            q5_pmp = h1 * math.copysign(half_turn, -w4) - angle4
+            q6_ppm = angle5 - h1 * math.copysign(half_turn, v9)
             _1056 = angle1
             work[1056 + k] = _1056
-            _1088 = angle1_
+            _1088 = angle2
             work[1088 + k] = _1088
             _1120 = q3_ppp
             work[1120 + k] = _1120
-            _1152 = angle1__
+            _1152 = angle3
             work[1152 + k] = _1152
-            _1184 = angle1___
+            _1184 = angle4
             work[1184 + k] = _1184
-            _1216 = angle1____
+            _1216 = angle5
             work[1216 + k] = _1216
             _1248 = q4_ppm
             work[1248 + k] = _1248
-            _1280 = -angle1___
+            _1280 = -angle4
             work[1280 + k] = _1280
             _1312 = q6_ppm
             work[1312 + k] = _1312
@@ -841,13 +841,13 @@ def _in_tiles(T, q, status):
             work[1408 + k] = _1408
             _1440 = q5_pmp
             work[1440 + k] = _1440
-            _1472 = -angle1__
+            _1472 = -angle3
             work[1472 + k] = _1472
             _1504 = -q5_pmp
             work[1504 + k] = _1504
             _1536 = q1_mpp
             work[1536 + k] = _1536
-            _1568 = -angle1_
+            _1568 = -angle2
             work[1568 + k] = _1568
             _1600 = -q2_pmp
             work[1600 + k] = _1600

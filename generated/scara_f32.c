@@ -31,6 +31,30 @@ static const float odd[11] = {
     -0.09090905f, 0.07692183f, -0.0666451f, 0.058581363f,
     -0.050853834f, 0.039229743f, -0.019174544f,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0f; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421357f; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853982f), none = all_##v(0.0f); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707964f - eighth, eighth); \
+    const v known = pick_##v(left, 3.1415927f - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 #define LANES 1
@@ -39,6 +63,7 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0f)
 #define copysign_wide copysignf
 #define abs_wide fabsf
 #define sqrt_wide sqrtf
@@ -47,28 +72,7 @@ typedef int wide_mask;
 #ifdef SCARA_F32_LIBM
 #define atan2_wide atan2f
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0f;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421357f;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853982f), none = all_wide(0.0f);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707964f - eighth, eighth);
-    const wide known = pick_wide(left, 3.1415927f - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -257,14 +261,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide t24 = T24 - L4 * T21;
     const wide N2 = t14 * t14 + t24 * t24;
     const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide angle1_ = atan2_wide(w2, N2 - k1);
+    const wide angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
     const wide v3 = m3 + m2 * N2;
     const wide v4 = t24 * v3;
     const wide v5 = t14 * v3;
-    const wide angle1__ = atan2_wide(v4 - w2 * (m2 * t14), v5 + w2 * (m2 * t24));
-    const wide angle1___ = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
+    const wide angle3 = atan2_wide(v4 - w2 * (m2 * t14), v5 + w2 * (m2 * t24));
+    const wide angle4 = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
 
     /* is the pose one that the arm can take? */
     const wide v6 = pick_wide(maximum_wide(abs_wide(s124 + T12), maximum_wide(abs_wide(T11 - c124),
@@ -273,22 +277,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         1.0f), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0f), all_wide(sqrtf(-1.0f)));
 
     /* joint values */
-    const wide v7 = angle1 - (angle1_ + angle1__);
-    const wide v8 = angle1 - (angle1___ - angle1_);
+    const wide v7 = angle1 - (angle2 + angle3);
+    const wide v8 = angle1 - (angle4 - angle2);
     const wide_mask v9 = (t34 < low3) | (high3 < t34);
-    const wide q1_p = angle1__ + v6;
-    const wide q1_m = angle1___ + v6;
-    const wide q2_p = angle1_ + v6;
-    const wide q2_m = v6 - angle1_;
+    const wide q1_p = angle3 + v6;
+    const wide q1_m = angle4 + v6;
+    const wide q2_p = angle2 + v6;
+    const wide q2_m = v6 - angle2;
     const wide q3_p = v6 + (t34 + (w2 - w2));
-    const wide q4_p = v6 + (v7 - pick_wide(half_turn < v7, all_wide(m4), all_wide(0.0f)) +
-        pick_wide(v7 <= -half_turn, all_wide(m4), all_wide(0.0f)));
-    const wide q4_m = v6 + (v8 - pick_wide(half_turn < v8, all_wide(m4), all_wide(0.0f)) +
-        pick_wide(v8 <= -half_turn, all_wide(m4), all_wide(0.0f)));
-    const wide_mask outside_p = v9 | (((angle1__ < low1) | (high1 < angle1__)) | ((angle1_ < low2) |
-        (high2 < angle1_)));
-    const wide_mask outside_m = v9 | (((angle1___ < low1) | (high1 < angle1___)) | ((-angle1_ <
-        low2) | (high2 < -angle1_)));
+    const wide q4_p = v6 + (v7 - only_wide(half_turn < v7, m4) + only_wide(v7 <= -half_turn, m4));
+    const wide q4_m = v6 + (v8 - only_wide(half_turn < v8, m4) + only_wide(v8 <= -half_turn, m4));
+    const wide_mask outside_p = v9 | (((angle3 < low1) | (high1 < angle3)) | ((angle2 < low2) |
+        (high2 < angle2)));
+    const wide_mask outside_m = v9 | (((angle4 < low1) | (high1 < angle4)) | ((-angle2 < low2) |
+        (high2 < -angle2)));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
         (v1 <= m1));

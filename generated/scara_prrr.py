@@ -412,17 +412,17 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
 
     # joint values
-    v9 = angle1 - (angle1_ + angle1__)
-    v10 = angle1 - (angle1___ - angle1_)
-    q2_p = angle1__ + v8
-    q2_m = angle1___ + v8
-    q3_p = angle1_ + v8
-    q3_m = v8 - angle1_
+    v9 = angle1 - (angle2 + angle3)
+    v10 = angle1 - (angle4 - angle2)
+    q2_p = angle3 + v8
+    q2_m = angle4 + v8
+    q3_p = angle2 + v8
+    q3_m = v8 - angle2
     q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
     q4_m = v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))
 
@@ -685,15 +685,15 @@ def _in_tiles(T, q, status):
             q1_p = work[576 + k]
             doubt1 = work[608 + k] != 0.0
             angle1 = work[640 + k]
-            angle1_ = work[672 + k]
-            angle1__ = work[704 + k]
-            angle1___ = work[736 + k]
-            v9 = angle1 - (angle1_ + angle1__)
-            v10 = angle1 - (angle1___ - angle1_)
-            q2_p = angle1__ + v8
-            q2_m = angle1___ + v8
-            q3_p = angle1_ + v8
-            q3_m = v8 - angle1_
+            angle2 = work[672 + k]
+            angle3 = work[704 + k]
+            angle4 = work[736 + k]
+            v9 = angle1 - (angle2 + angle3)
+            v10 = angle1 - (angle4 - angle2)
+            q2_p = angle3 + v8
+            q2_m = angle4 + v8
+            q3_p = angle2 + v8
+            q3_m = v8 - angle2
             q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
             q4_m = (
                 v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))

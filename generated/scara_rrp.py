@@ -320,17 +320,17 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
+    angle2 = room[1]
+    angle3 = room[2]
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = angle1_
+    q[0, 0] = angle2
     q[0, 1] = angle1
     q[0, 2] = q3_p
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = angle1__
+    q[1, 0] = angle3
     q[1, 1] = -angle1
     q[1, 2] = q3_p
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
@@ -547,15 +547,15 @@ def _in_tiles(T, q, status):
             q3_p = work[544 + k]
             doubt1 = work[576 + k] != 0.0
             angle1 = work[608 + k]
-            angle1_ = work[640 + k]
-            angle1__ = work[672 + k]
-            _800 = angle1_
+            angle2 = work[640 + k]
+            angle3 = work[672 + k]
+            _800 = angle2
             work[800 + k] = _800
             _832 = angle1
             work[832 + k] = _832
             _864 = q3_p
             work[864 + k] = _864
-            _896 = angle1__
+            _896 = angle3
             work[896 + k] = _896
             _928 = -angle1
             work[928 + k] = _928

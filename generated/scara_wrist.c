@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef SCARA_WRIST_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -502,66 +472,62 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide v2 = m2 + m1 * N2;
     const wide v3 = wy * v2;
     const wide v4 = wx * v2;
-    const wide angle1_ = atan2_wide(v3 - w2 * (m1 * wx), v4 + w2 * (m1 * wy));
-    const wide angle1__ = atan2_wide(v3 - w2 * (m1 * -wx), v4 + w2 * (m1 * -wy));
+    const wide angle2 = atan2_wide(v3 - w2 * (m1 * wx), v4 + w2 * (m1 * wy));
+    const wide angle3 = atan2_wide(v3 - w2 * (m1 * -wx), v4 + w2 * (m1 * -wy));
 
     /* theta12m4 */
     const wide v5 = T13 * T13 + T23 * T23;
-    const wide v6 = angle1 + angle1_;
-    const wide v7 = angle1__ - angle1;
+    const wide v6 = angle1 + angle2;
+    const wide v7 = angle3 - angle1;
 
     /* theta5 */
-    const wide angle1___ = atan2_wide(sqrt_wide(v5), -T33);
+    const wide angle4 = atan2_wide(sqrt_wide(v5), -T33);
 
     /* theta6 */
     const wide s6 = T13 * T21 - T23 * T11;
-    const wide angle1____ = atan2_wide(s6, T13 * T22 - T23 * T12);
+    const wide angle5 = atan2_wide(s6, T13 * T22 - T23 * T12);
 
     /* joint values */
-    const wide angle1_____ = atan2_wide(-T23, -T13);
-    const wide v8 = angle1_____ - h1 * copysign_wide(all_wide(half_turn), -T23);
-    const wide v9 = v6 - angle1_____;
+    const wide angle6 = atan2_wide(-T23, -T13);
+    const wide v8 = angle6 - h1 * copysign_wide(all_wide(half_turn), -T23);
+    const wide v9 = v6 - angle6;
     const wide v10 = v6 - v8;
-    const wide v11 = v7 - angle1_____;
+    const wide v11 = v7 - angle6;
     const wide v12 = v7 - v8;
-    const wide q4_pp = v9 - pick_wide(half_turn < v9, all_wide(m5), all_wide(0.0)) + pick_wide(v9 <=
-        -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_pm = v10 - pick_wide(half_turn < v10, all_wide(m5), all_wide(0.0)) + pick_wide(v10
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mp = v11 - pick_wide(half_turn < v11, all_wide(m5), all_wide(0.0)) + pick_wide(v11
-        <= -half_turn, all_wide(m5), all_wide(0.0));
-    const wide q4_mm = v12 - pick_wide(half_turn < v12, all_wide(m5), all_wide(0.0)) + pick_wide(v12
-        <= -half_turn, all_wide(m5), all_wide(0.0));
+    const wide q4_pp = v9 - only_wide(half_turn < v9, m5) + only_wide(v9 <= -half_turn, m5);
+    const wide q4_pm = v10 - only_wide(half_turn < v10, m5) + only_wide(v10 <= -half_turn, m5);
+    const wide q4_mp = v11 - only_wide(half_turn < v11, m5) + only_wide(v11 <= -half_turn, m5);
+    const wide q4_mm = v12 - only_wide(half_turn < v12, m5) + only_wide(v12 <= -half_turn, m5);
     const wide q3_pp = v1 + (T34 - d6 * T33 - d1);
-    const wide q5_pp = v1 + angle1___;
-    const wide q5_pm = v1 - angle1___;
-    const wide q6_pp = v1 + angle1____;
-    const wide q6_pm = v1 + (angle1____ - copysign_wide(all_wide(half_turn), s6) * h1);
+    const wide q5_pp = v1 + angle4;
+    const wide q5_pm = v1 - angle4;
+    const wide q6_pp = v1 + angle5;
+    const wide q6_pm = v1 + (angle5 - copysign_wide(all_wide(half_turn), s6) * h1);
     const wide_mask doubt1 = (N2 <= free_limit_squared2) | ((v5 <= m3) | (((shortest2_reach <= N2) &
         (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)));
 
-    q[0] = angle1_;
+    q[0] = angle2;
     q[1] = angle1;
     q[2] = q3_pp;
     q[3] = q4_pp;
     q[4] = q5_pp;
     q[5] = q6_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = angle1_;
+    q[6] = angle2;
     q[7] = angle1;
     q[8] = q3_pp;
     q[9] = q4_pm;
     q[10] = q5_pm;
     q[11] = q6_pm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = angle1__;
+    q[12] = angle3;
     q[13] = -angle1;
     q[14] = q3_pp;
     q[15] = q4_mp;
     q[16] = q5_pp;
     q[17] = q6_pp;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = angle1__;
+    q[18] = angle3;
     q[19] = -angle1;
     q[20] = q3_pp;
     q[21] = q4_mm;
@@ -614,27 +580,26 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
         (e1 * wx)), all_four(w2), 0, 5, 2, 3), all_four(sqrt(v5)), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(v4 + w2 * (m1 * (e1 * wy)), all_four(N2 -
         k1), 0, 5, 2, 3), all_four(-T33), 0, 1, 2, 7));
-    const four angle1_ = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
+    const four angle2 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four angle1__ = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four angle3 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
     const four packed2 = atan2_four((four){ s6, -T23, s6, s6 }, (four){ T13 * T22 - T23 * T12, -T13,
         T13 * T22 - T23 * T12, T13 * T22 - T23 * T12 });
-    const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four angle1____ = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
+    const four angle5 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four q2 = e1 * angle1;
-    const four v6 = angle1_ + q2;
-    const four v10 = angle1____ + v8 * v9;
+    const four v6 = angle2 + q2;
+    const four v10 = angle5 + v8 * v9;
     const four v11 = v6 - v10;
-    const four q4 = v11 - pick_four(half_turn < v11, all_four(m5), all_four(0.0)) + pick_four(v11 <=
-        -half_turn, all_four(m5), all_four(0.0));
-    const four q5 = v1 + e2 * angle1__;
-    const four q6 = v1 + (angle1___ + v7 * v8);
+    const four q4 = v11 - only_four(half_turn < v11, m5) + only_four(v11 <= -half_turn, m5);
+    const four q5 = v1 + e2 * angle3;
+    const four q6 = v1 + (angle4 + v7 * v8);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], angle1_, q2, all_four(q3), q4);
+    store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], angle2, q2, all_four(q3), q4);
     store_2(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5, q6);
-    const unsigned long long none1 = (bits_four(angle1_ != angle1_) * 0x204081ull & 0x1010101ull);
+    const unsigned long long none1 = (bits_four(angle2 != angle2) * 0x204081ull & 0x1010101ull);
     const unsigned long long kind1 = none1 * SCARA_WRIST_UNREACHABLE;
     __builtin_memcpy(status + 0, &kind1, 4);
     return 4 - __builtin_popcountll(none1);

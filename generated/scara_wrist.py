@@ -481,56 +481,56 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
 
     # theta12m4, type 2: U4[3, 3]
-    v6 = angle1 + angle1_
-    v7 = angle1__ - angle1
+    v6 = angle1 + angle2
+    v7 = angle3 - angle1
 
     # joint values
-    v8 = angle1_____ - h1 * math.copysign(half_turn, -T23)
-    v9 = v6 - angle1_____
+    v8 = angle6 - h1 * math.copysign(half_turn, -T23)
+    v9 = v6 - angle6
     v10 = v6 - v8
-    v11 = v7 - angle1_____
+    v11 = v7 - angle6
     v12 = v7 - v8
     q4_pp = v9 - (m5 if half_turn < v9 else 0.0) + (m5 if v9 <= -half_turn else 0.0)
     q4_pm = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
     q4_mp = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
     q4_mm = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
-    q5_pp = v1 + angle1___
-    q5_pm = v1 - angle1___
-    q6_pp = v1 + angle1____
-    q6_pm = v1 + (angle1____ - math.copysign(half_turn, s6) * h1)
+    q5_pp = v1 + angle4
+    q5_pm = v1 - angle4
+    q6_pp = v1 + angle5
+    q6_pm = v1 + (angle5 - math.copysign(half_turn, s6) * h1)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = angle1_
+    q[0, 0] = angle2
     q[0, 1] = angle1
     q[0, 2] = q3_pp
     q[0, 3] = q4_pp
     q[0, 4] = q5_pp
     q[0, 5] = q6_pp
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = angle1_
+    q[1, 0] = angle2
     q[1, 1] = angle1
     q[1, 2] = q3_pp
     q[1, 3] = q4_pm
     q[1, 4] = q5_pm
     q[1, 5] = q6_pm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    q[2, 0] = angle1__
+    q[2, 0] = angle3
     q[2, 1] = -angle1
     q[2, 2] = q3_pp
     q[2, 3] = q4_mp
     q[2, 4] = q5_pp
     q[2, 5] = q6_pp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
-    q[3, 0] = angle1__
+    q[3, 0] = angle3
     q[3, 1] = -angle1
     q[3, 2] = q3_pp
     q[3, 3] = q4_mm
@@ -784,27 +784,27 @@ def _in_tiles(T, q, status):
             q3_pp = work[608 + k]
             doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
-            angle1_ = work[704 + k]
-            angle1__ = work[736 + k]
-            angle1___ = work[768 + k]
-            angle1____ = work[800 + k]
-            angle1_____ = work[832 + k]
-            v6 = angle1 + angle1_
-            v7 = angle1__ - angle1
-            v8 = angle1_____ - h1 * math.copysign(half_turn, -T23)
-            v9 = v6 - angle1_____
+            angle2 = work[704 + k]
+            angle3 = work[736 + k]
+            angle4 = work[768 + k]
+            angle5 = work[800 + k]
+            angle6 = work[832 + k]
+            v6 = angle1 + angle2
+            v7 = angle3 - angle1
+            v8 = angle6 - h1 * math.copysign(half_turn, -T23)
+            v9 = v6 - angle6
             v10 = v6 - v8
-            v11 = v7 - angle1_____
+            v11 = v7 - angle6
             v12 = v7 - v8
             q4_pp = v9 - (m5 if half_turn < v9 else 0.0) + (m5 if v9 <= -half_turn else 0.0)
             q4_pm = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
             q4_mp = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
             q4_mm = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
-            q5_pp = v1 + angle1___
-            q5_pm = v1 - angle1___
-            q6_pp = v1 + angle1____
-            q6_pm = v1 + (angle1____ - math.copysign(half_turn, s6) * h1)
-            _1056 = angle1_
+            q5_pp = v1 + angle4
+            q5_pm = v1 - angle4
+            q6_pp = v1 + angle5
+            q6_pm = v1 + (angle5 - math.copysign(half_turn, s6) * h1)
+            _1056 = angle2
             work[1056 + k] = _1056
             _1088 = angle1
             work[1088 + k] = _1088
@@ -822,7 +822,7 @@ def _in_tiles(T, q, status):
             work[1280 + k] = _1280
             _1312 = q6_pm
             work[1312 + k] = _1312
-            _1344 = angle1__
+            _1344 = angle3
             work[1344 + k] = _1344
             _1376 = -angle1
             work[1376 + k] = _1376

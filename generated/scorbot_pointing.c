@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -72,6 +96,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -83,29 +112,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -114,6 +120,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -127,28 +138,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -156,37 +146,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef SCORBOT_POINTING_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -473,7 +443,7 @@ HELPER wide_mask solve_wide(
     const wide w234 = sqrt_wide(v6);
     const wide v7 = 1.0 / v6;
     const wide v8 = w234 * v7;
-    const wide angle1_ = atan2_wide(-v5, T33);
+    const wide angle2 = atan2_wide(-v5, T33);
 
     /* theta3 */
     const wide v9 = d5 * T33;
@@ -501,8 +471,8 @@ HELPER wide_mask solve_wide(
     const wide s3_m = k2 * w3_m;
     const wide c3_p = k2 * K3_p;
     const wide c3_m = k2 * K3_m;
-    const wide angle1__ = atan2_wide(w3_p, K3_p);
-    const wide angle1___ = atan2_wide(w3_m, K3_m);
+    const wide angle3 = atan2_wide(w3_p, K3_p);
+    const wide angle4 = atan2_wide(w3_m, K3_m);
 
     /* theta2 */
     const wide v23 = v9 * v10;
@@ -541,10 +511,10 @@ HELPER wide_mask solve_wide(
     const wide factor2_pm = w2_pm * v43;
     const wide factor2_mp = w2_mp * v44;
     const wide factor2_mm = w2_mm * v45;
-    const wide angle1____ = atan2_wide(S2_pp, -v34);
-    const wide angle1_____ = atan2_wide(S2_pm, -v35);
-    const wide angle1______ = atan2_wide(S2_mp, -v36);
-    const wide angle1_______ = atan2_wide(-v29, -v37);
+    const wide angle5 = atan2_wide(S2_pp, -v34);
+    const wide angle6 = atan2_wide(S2_pm, -v35);
+    const wide angle7 = atan2_wide(S2_mp, -v36);
+    const wide angle8 = atan2_wide(-v29, -v37);
 
     /* is the pose one that the arm can take? */
     const wide v46 = a1 - v15;
@@ -572,40 +542,32 @@ HELPER wide_mask solve_wide(
         abs_wide(T14 - v3 * v51))) <= pose_slack1, all_wide(0.0), all_wide(v53));
 
     /* joint values */
-    const wide v59 = angle1_ - (angle1__ + angle1____) - offset4;
-    const wide v60 = angle1_ - (angle1_____ - angle1__) - offset4;
-    const wide v61 = offset4 + (angle1_ + (angle1___ + angle1______));
-    const wide v62 = offset4 + (angle1_ + (angle1_______ - angle1___));
-    const wide v63 = v59 - pick_wide(half_turn < v59, all_wide(m7), all_wide(0.0)) + pick_wide(v59
-        <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide v64 = v60 - pick_wide(half_turn < v60, all_wide(m7), all_wide(0.0)) + pick_wide(v60
-        <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide v65 = pick_wide(-v61 <= -half_turn, all_wide(m7), all_wide(0.0)) - (v61 +
-        pick_wide(half_turn < -v61, all_wide(m7), all_wide(0.0)));
-    const wide v66 = pick_wide(-v62 <= -half_turn, all_wide(m7), all_wide(0.0)) - (v62 +
-        pick_wide(half_turn < -v62, all_wide(m7), all_wide(0.0)));
+    const wide v59 = angle2 - (angle3 + angle5) - offset4;
+    const wide v60 = angle2 - (angle6 - angle3) - offset4;
+    const wide v61 = offset4 + (angle2 + (angle4 + angle7));
+    const wide v62 = offset4 + (angle2 + (angle8 - angle4));
+    const wide v63 = v59 - only_wide(half_turn < v59, m7) + only_wide(v59 <= -half_turn, m7);
+    const wide v64 = v60 - only_wide(half_turn < v60, m7) + only_wide(v60 <= -half_turn, m7);
+    const wide v65 = only_wide(-v61 <= -half_turn, m7) - (v61 + only_wide(half_turn < -v61, m7));
+    const wide v66 = only_wide(-v62 <= -half_turn, m7) - (v62 + only_wide(half_turn < -v62, m7));
     const wide v67 = v54 + (angle1 + v21);
     const wide v68 = v54 + (v22 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1));
     const wide q1_pp = v55 + v67;
     const wide q1_pm = v56 + v67;
     const wide q1_mp = v57 + v68;
     const wide q1_mm = v58 + v68;
-    const wide q2_pp = v55 + (angle1____ + v54);
-    const wide q2_pm = v56 + (angle1_____ + v54);
-    const wide q2_mp = v57 + (angle1______ + v54);
-    const wide q2_mm = v58 + (angle1_______ + v54);
-    const wide q3_pp = v55 + (angle1__ + v54);
-    const wide q3_pm = v56 + (v54 - angle1__);
-    const wide q3_mp = v57 + (angle1___ + v54);
-    const wide q3_mm = v58 + (v54 - angle1___);
-    const wide q4_pp = v55 + (v54 + (v63 + pick_wide(v63 <= -half_turn, all_wide(m7),
-        all_wide(0.0))));
-    const wide q4_pm = v56 + (v54 + (v64 + pick_wide(v64 <= -half_turn, all_wide(m7),
-        all_wide(0.0))));
-    const wide q4_mp = v57 + (v54 + (v65 + pick_wide(v65 <= -half_turn, all_wide(m7),
-        all_wide(0.0))));
-    const wide q4_mm = v58 + (v54 + (v66 + pick_wide(v66 <= -half_turn, all_wide(m7),
-        all_wide(0.0))));
+    const wide q2_pp = v55 + (angle5 + v54);
+    const wide q2_pm = v56 + (angle6 + v54);
+    const wide q2_mp = v57 + (angle7 + v54);
+    const wide q2_mm = v58 + (angle8 + v54);
+    const wide q3_pp = v55 + (angle3 + v54);
+    const wide q3_pm = v56 + (v54 - angle3);
+    const wide q3_mp = v57 + (angle4 + v54);
+    const wide q3_mm = v58 + (v54 - angle4);
+    const wide q4_pp = v55 + (v54 + (v63 + only_wide(v63 <= -half_turn, m7)));
+    const wide q4_pm = v56 + (v54 + (v64 + only_wide(v64 <= -half_turn, m7)));
+    const wide q4_mp = v57 + (v54 + (v65 + only_wide(v65 <= -half_turn, m7)));
+    const wide q4_mm = v58 + (v54 + (v66 + only_wide(v66 <= -half_turn, m7)));
     const wide v69 = v54 + (v21 + free_joints[0]);
     const wide v70 = v54 + (v22 + free_joints[0]);
     const wide q5_pp = v55 + v69;
@@ -728,24 +690,23 @@ HELPER int solve_regular(
     const four q5 = v35 + v41;
     const int doubt1 = (v1 <= m1) | (v7 <= m3);
 
-    const four angle1___ = atan2_four(S2, -v27);
+    const four angle4 = atan2_four(S2, -v27);
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
         all_four(-T24), 0, 5, 2, 3), all_four(-v6), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(K3, all_four(-T14), 0, 5, 2, 3),
         all_four(T33), 0, 1, 2, 7));
-    const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
+    const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v36 = e2 * angle1__;
-    const four v37 = e1 * angle1_;
-    const four v38 = v37 - (angle1___ + v36) - offset4;
-    const four v39 = v38 - pick_four(half_turn < v38, all_four(m7), all_four(0.0)) + pick_four(v38
-        <= -half_turn, all_four(m7), all_four(0.0));
+    const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four v36 = e2 * angle3;
+    const four v37 = e1 * angle2;
+    const four v38 = v37 - (angle4 + v36) - offset4;
+    const four v39 = v38 - only_four(half_turn < v38, m7) + only_four(v38 <= -half_turn, m7);
     const four v40 = v34 + (v20 + (angle1 + v5 * (m2 * (e1 - 1.0))));
     const four q1 = v35 + v40;
-    const four q2 = v35 + (angle1___ + v34);
+    const four q2 = v35 + (angle4 + v34);
     const four q3 = v35 + (v34 + v36);
-    const four q4 = v35 + (v34 + (v39 + pick_four(v39 <= -half_turn, all_four(m7), all_four(0.0))));
+    const four q4 = v35 + (v34 + (v39 + only_four(v39 <= -half_turn, m7)));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))

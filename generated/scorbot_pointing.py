@@ -724,19 +724,19 @@ def _regular(pose, q_free, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
 
     # joint values
-    v59 = angle1_ - (angle1__ + angle1____) - offset4
-    v60 = angle1_ - (angle1_____ - angle1__) - offset4
-    v61 = offset4 + (angle1_ + (angle1___ + angle1______))
-    v62 = offset4 + (angle1_ + (angle1_______ - angle1___))
+    v59 = angle2 - (angle3 + angle5) - offset4
+    v60 = angle2 - (angle6 - angle3) - offset4
+    v61 = offset4 + (angle2 + (angle4 + angle7))
+    v62 = offset4 + (angle2 + (angle8 - angle4))
     v63 = v59 - (m7 if half_turn < v59 else 0.0) + (m7 if v59 <= -half_turn else 0.0)
     v64 = v60 - (m7 if half_turn < v60 else 0.0) + (m7 if v60 <= -half_turn else 0.0)
     v65 = (m7 if -v61 <= -half_turn else 0.0) - (v61 + (m7 if half_turn < -v61 else 0.0))
@@ -747,14 +747,14 @@ def _regular(pose, q_free, q, status):
     q1_pm = v56 + v67
     q1_mp = v57 + v68
     q1_mm = v58 + v68
-    q2_pp = v55 + (angle1____ + v54)
-    q2_pm = v56 + (angle1_____ + v54)
-    q2_mp = v57 + (angle1______ + v54)
-    q2_mm = v58 + (angle1_______ + v54)
-    q3_pp = v55 + (angle1__ + v54)
-    q3_pm = v56 + (v54 - angle1__)
-    q3_mp = v57 + (angle1___ + v54)
-    q3_mm = v58 + (v54 - angle1___)
+    q2_pp = v55 + (angle5 + v54)
+    q2_pm = v56 + (angle6 + v54)
+    q2_mp = v57 + (angle7 + v54)
+    q2_mm = v58 + (angle8 + v54)
+    q3_pp = v55 + (angle3 + v54)
+    q3_pm = v56 + (v54 - angle3)
+    q3_mp = v57 + (angle4 + v54)
+    q3_mm = v58 + (v54 - angle4)
     q4_pp = v55 + (v54 + (v63 + (m7 if v63 <= -half_turn else 0.0)))
     q4_pm = v56 + (v54 + (v64 + (m7 if v64 <= -half_turn else 0.0)))
     q4_mp = v57 + (v54 + (v65 + (m7 if v65 <= -half_turn else 0.0)))
@@ -1153,17 +1153,17 @@ def _in_tiles(T, q_free, q, status):
             q5_mm = work[896 + k]
             doubt1 = work[928 + k] != 0.0
             angle1 = work[960 + k]
-            angle1_ = work[992 + k]
-            angle1__ = work[1024 + k]
-            angle1___ = work[1056 + k]
-            angle1____ = work[1088 + k]
-            angle1_____ = work[1120 + k]
-            angle1______ = work[1152 + k]
-            angle1_______ = work[1184 + k]
-            v59 = angle1_ - (angle1__ + angle1____) - offset4
-            v60 = angle1_ - (angle1_____ - angle1__) - offset4
-            v61 = offset4 + (angle1_ + (angle1___ + angle1______))
-            v62 = offset4 + (angle1_ + (angle1_______ - angle1___))
+            angle2 = work[992 + k]
+            angle3 = work[1024 + k]
+            angle4 = work[1056 + k]
+            angle5 = work[1088 + k]
+            angle6 = work[1120 + k]
+            angle7 = work[1152 + k]
+            angle8 = work[1184 + k]
+            v59 = angle2 - (angle3 + angle5) - offset4
+            v60 = angle2 - (angle6 - angle3) - offset4
+            v61 = offset4 + (angle2 + (angle4 + angle7))
+            v62 = offset4 + (angle2 + (angle8 - angle4))
             v63 = v59 - (m7 if half_turn < v59 else 0.0) + (m7 if v59 <= -half_turn else 0.0)
             v64 = v60 - (m7 if half_turn < v60 else 0.0) + (m7 if v60 <= -half_turn else 0.0)
             v65 = (m7 if -v61 <= -half_turn else 0.0) - (v61 + (m7 if half_turn < -v61 else 0.0))
@@ -1174,14 +1174,14 @@ def _in_tiles(T, q_free, q, status):
             q1_pm = v56 + v67
             q1_mp = v57 + v68
             q1_mm = v58 + v68
-            q2_pp = v55 + (angle1____ + v54)
-            q2_pm = v56 + (angle1_____ + v54)
-            q2_mp = v57 + (angle1______ + v54)
-            q2_mm = v58 + (angle1_______ + v54)
-            q3_pp = v55 + (angle1__ + v54)
-            q3_pm = v56 + (v54 - angle1__)
-            q3_mp = v57 + (angle1___ + v54)
-            q3_mm = v58 + (v54 - angle1___)
+            q2_pp = v55 + (angle5 + v54)
+            q2_pm = v56 + (angle6 + v54)
+            q2_mp = v57 + (angle7 + v54)
+            q2_mm = v58 + (angle8 + v54)
+            q3_pp = v55 + (angle3 + v54)
+            q3_pm = v56 + (v54 - angle3)
+            q3_mp = v57 + (angle4 + v54)
+            q3_mm = v58 + (v54 - angle4)
             q4_pp = v55 + (v54 + (v63 + (m7 if v63 <= -half_turn else 0.0)))
             q4_pm = v56 + (v54 + (v64 + (m7 if v64 <= -half_turn else 0.0)))
             q4_mp = v57 + (v54 + (v65 + (m7 if v65 <= -half_turn else 0.0)))

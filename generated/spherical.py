@@ -309,19 +309,19 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
+    angle2 = room[1]
 
     # theta1, type 2: U1[3, 4]
     q1_mp = angle1 - math.copysign(half_turn, T24) * h1
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
-    q2_pm = angle1_ - h1 * math.copysign(half_turn, -math.sqrt(v1))
+    q2_pm = angle2 - h1 * math.copysign(half_turn, -math.sqrt(v1))
 
     # a joint is free, or branches meet
     if doubt1:
         return False
     q[0, 0] = angle1
-    q[0, 1] = angle1_
+    q[0, 1] = angle2
     q[0, 2] = q3_pp
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = angle1
@@ -329,7 +329,7 @@ def _regular(pose, q, status):
     q[1, 2] = -q3_pp
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_mp
-    q[2, 1] = -angle1_
+    q[2, 1] = -angle2
     q[2, 2] = q3_pp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_mp
@@ -545,12 +545,12 @@ def _in_tiles(T, q, status):
             q3_pp = work[576 + k]
             doubt1 = work[608 + k] != 0.0
             angle1 = work[640 + k]
-            angle1_ = work[672 + k]
+            angle2 = work[672 + k]
             q1_mp = angle1 - math.copysign(half_turn, T24) * h1
-            q2_pm = angle1_ - h1 * math.copysign(half_turn, -math.sqrt(v1))
+            q2_pm = angle2 - h1 * math.copysign(half_turn, -math.sqrt(v1))
             _768 = angle1
             work[768 + k] = _768
-            _800 = angle1_
+            _800 = angle2
             work[800 + k] = _800
             _832 = q3_pp
             work[832 + k] = _832
@@ -560,7 +560,7 @@ def _in_tiles(T, q, status):
             work[896 + k] = _896
             _928 = q1_mp
             work[928 + k] = _928
-            _960 = -angle1_
+            _960 = -angle2
             work[960 + k] = _960
             _992 = -q2_pm
             work[992 + k] = _992

@@ -335,28 +335,28 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
+    angle2 = room[1]
+    angle3 = room[2]
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
-    q2_pm = angle1__ - math.copysign(half_turn, -w1) * h1
+    q2_pm = angle3 - math.copysign(half_turn, -w1) * h1
 
     # a joint is free, or branches meet
     if doubt1:
         return False
     q[0, 0] = angle1
-    q[0, 1] = angle1__
+    q[0, 1] = angle3
     q[0, 2] = q3_pp
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = angle1
     q[1, 1] = q2_pm
     q[1, 2] = q3_pm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
-    q[2, 0] = angle1_
-    q[2, 1] = -angle1__
+    q[2, 0] = angle2
+    q[2, 1] = -angle3
     q[2, 2] = q3_pp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
-    q[3, 0] = angle1_
+    q[3, 0] = angle2
     q[3, 1] = -q2_pm
     q[3, 2] = q3_pm
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
@@ -581,12 +581,12 @@ def _in_tiles(T, q, status):
             q3_pm = work[608 + k]
             doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
-            angle1_ = work[704 + k]
-            angle1__ = work[736 + k]
-            q2_pm = angle1__ - math.copysign(half_turn, -w1) * h1
+            angle2 = work[704 + k]
+            angle3 = work[736 + k]
+            q2_pm = angle3 - math.copysign(half_turn, -w1) * h1
             _864 = angle1
             work[864 + k] = _864
-            _896 = angle1__
+            _896 = angle3
             work[896 + k] = _896
             _928 = q3_pp
             work[928 + k] = _928
@@ -594,9 +594,9 @@ def _in_tiles(T, q, status):
             work[960 + k] = _960
             _992 = q3_pm
             work[992 + k] = _992
-            _1024 = angle1_
+            _1024 = angle2
             work[1024 + k] = _1024
-            _1056 = -angle1__
+            _1056 = -angle3
             work[1056 + k] = _1056
             _1088 = -q2_pm
             work[1088 + k] = _1088

@@ -27,6 +27,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -67,6 +91,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -78,29 +107,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -109,6 +115,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -122,28 +133,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -151,37 +141,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef SPHERICAL_WRIST_ALL_OFFSETS_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -566,11 +536,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
     const wide angle1 = atan2_wide(w3_p, N3_p - k7);
-    const wide angle1_ = atan2_wide(w3_m, N3_m - k7);
+    const wide angle2 = atan2_wide(w3_m, N3_m - k7);
     const wide q3__pp = angle1 - turn1;
     const wide v8 = turn1 + angle1;
-    const wide q3__mp = angle1_ - turn1;
-    const wide v9 = turn1 + angle1_;
+    const wide q3__mp = angle2 - turn1;
+    const wide v9 = turn1 + angle2;
 
     /* theta2 */
     const wide v10 = Z1_3 * (m2 + m1 * N3_p);
@@ -580,14 +550,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v12 = v5 * (m1 + m2 * factor2_p);
     const wide v13 = v6 * (m1 + m2 * factor2_m);
     const wide v14 = w3_p * (m1 * v5);
-    const wide angle1__ = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m1 * (Z1_3 *
+    const wide angle3 = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m1 * (Z1_3 *
         factor2_p))));
-    const wide angle1___ = atan2_wide(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m1 * (-Z1_3 *
+    const wide angle4 = atan2_wide(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m1 * (-Z1_3 *
         factor2_p))));
-    const wide angle1____ = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * v6))), -(v13 + w3_m * (m1 *
+    const wide angle5 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * v6))), -(v13 + w3_m * (m1 *
         (Z1_3 * factor2_m))));
-    const wide angle1_____ = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * -v6))), -(v13 + w3_m * (m1
-        * (-Z1_3 * factor2_m))));
+    const wide angle6 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * -v6))), -(v13 + w3_m * (m1 *
+        (-Z1_3 * factor2_m))));
 
     /* theta4 */
     const wide v15 = m3 * Z1_3;
@@ -626,22 +596,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v34 = v31 + X4_pm * X4_pm;
     const wide v35 = v32 + X4_mp * X4_mp;
     const wide v36 = v32 + X4_mm * X4_mm;
-    const wide angle1______ = atan2_wide(Y4_p, -X4_pp);
-    const wide angle1_______ = atan2_wide(Y4_p, -X4_pm);
-    const wide angle1________ = atan2_wide(Y4_m, -X4_mp);
-    const wide angle1_________ = atan2_wide(Y4_m, -X4_mm);
+    const wide angle7 = atan2_wide(Y4_p, -X4_pp);
+    const wide angle8 = atan2_wide(Y4_p, -X4_pm);
+    const wide angle9 = atan2_wide(Y4_m, -X4_mp);
+    const wide angle10 = atan2_wide(Y4_m, -X4_mm);
     const wide v37 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
     const wide v38 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
-    const wide q4_ppm = angle1______ - v37;
-    const wide q4_pmm = angle1_______ - v37;
-    const wide q4_mpm = angle1________ - v38;
-    const wide q4_mmm = angle1_________ - v38;
+    const wide q4_ppm = angle7 - v37;
+    const wide q4_pmm = angle8 - v37;
+    const wide q4_mpm = angle9 - v38;
+    const wide q4_mmm = angle10 - v38;
 
     /* theta5 */
-    const wide angle1__________ = atan2_wide(-sqrt_wide(v33), T33 * c23_pp + s23_pp * v29);
-    const wide angle1___________ = atan2_wide(-sqrt_wide(v34), T33 * c23_pm + s23_pm * v29);
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v35), T33 * c23_mp + s23_mp * v30);
-    const wide angle1_____________ = atan2_wide(-sqrt_wide(v36), T33 * c23_mm + s23_mm * v30);
+    const wide angle11 = atan2_wide(-sqrt_wide(v33), T33 * c23_pp + s23_pp * v29);
+    const wide angle12 = atan2_wide(-sqrt_wide(v34), T33 * c23_pm + s23_pm * v29);
+    const wide angle13 = atan2_wide(-sqrt_wide(v35), T33 * c23_mp + s23_mp * v30);
+    const wide angle14 = atan2_wide(-sqrt_wide(v36), T33 * c23_mm + s23_mm * v30);
 
     /* theta6 */
     const wide v39 = s1_p * T12 + v2 * T22;
@@ -652,30 +622,30 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v44 = s1_m * T11 + v3 * T21;
     const wide v45 = s1_p * T21 - v2 * T11;
     const wide v46 = s1_m * T21 - v3 * T11;
-    const wide angle1______________ = atan2_wide(-(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp *
-        T31)), -(-X4_pp * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32)));
-    const wide angle1_______________ = atan2_wide(-(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm *
-        T31)), -(-X4_pm * v39 + Y4_p * (c23_pm * v41 - s23_pm * T32)));
-    const wide angle1________________ = atan2_wide(-(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp *
-        T31)), -(-X4_mp * v40 + Y4_m * (c23_mp * v42 - s23_mp * T32)));
-    const wide angle1_________________ = atan2_wide(-(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm *
-        T31)), -(-X4_mm * v40 + Y4_m * (c23_mm * v42 - s23_mm * T32)));
-    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), -(-X4_pp *
-        v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)));
-    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), -(-X4_pm *
-        v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)));
-    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), -(-X4_mp *
-        v44 + Y4_m * (c23_mp * v46 - s23_mp * T31)));
-    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), -(-X4_mm *
-        v44 + Y4_m * (c23_mm * v46 - s23_mm * T31)));
+    const wide angle15 = atan2_wide(-(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)), -(-X4_pp
+        * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32)));
+    const wide angle16 = atan2_wide(-(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)), -(-X4_pm
+        * v39 + Y4_p * (c23_pm * v41 - s23_pm * T32)));
+    const wide angle17 = atan2_wide(-(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31)), -(-X4_mp
+        * v40 + Y4_m * (c23_mp * v42 - s23_mp * T32)));
+    const wide angle18 = atan2_wide(-(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31)), -(-X4_mm
+        * v40 + Y4_m * (c23_mm * v42 - s23_mm * T32)));
+    const wide q6_ppm = angle15 - h1 * copysign_wide(all_wide(half_turn), -(-X4_pp * v43 + Y4_p *
+        (c23_pp * v45 - s23_pp * T31)));
+    const wide q6_pmm = angle16 - h1 * copysign_wide(all_wide(half_turn), -(-X4_pm * v43 + Y4_p *
+        (c23_pm * v45 - s23_pm * T31)));
+    const wide q6_mpm = angle17 - h1 * copysign_wide(all_wide(half_turn), -(-X4_mp * v44 + Y4_m *
+        (c23_mp * v46 - s23_mp * T31)));
+    const wide q6_mmm = angle18 - h1 * copysign_wide(all_wide(half_turn), -(-X4_mm * v44 + Y4_m *
+        (c23_mm * v46 - s23_mm * T31)));
 
     /* joint values */
-    const wide q3_ppp = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m9), all_wide(0.0));
-    const wide q3_mpp = q3__mp - pick_wide(half_turn < q3__mp, all_wide(m9), all_wide(0.0));
-    const wide angle1__________________ = atan2_wide(s1_p, -v2);
-    const wide q1_ppp = angle1__________________ + (w3_p - w3_p);
-    const wide angle1___________________ = atan2_wide(s1_m, -v3);
-    const wide q1_mpp = angle1___________________ + (w3_m - w3_m);
+    const wide q3_ppp = q3__pp - only_wide(half_turn < q3__pp, m9);
+    const wide q3_mpp = q3__mp - only_wide(half_turn < q3__mp, m9);
+    const wide angle19 = atan2_wide(s1_p, -v2);
+    const wide q1_ppp = angle19 + (w3_p - w3_p);
+    const wide angle20 = atan2_wide(s1_m, -v3);
+    const wide q1_mpp = angle20 + (w3_m - w3_m);
     const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
         longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
         free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
@@ -683,59 +653,59 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         < D1) == 0))) | (free1 | ((v36 <= m7) | ((v35 <= m7) | ((v33 <= m7) | (v34 <= m7)))))))));
 
     q[0] = q1_ppp;
-    q[1] = angle1__;
+    q[1] = angle3;
     q[2] = q3_ppp;
-    q[3] = angle1______;
-    q[4] = angle1__________;
-    q[5] = angle1______________;
+    q[3] = angle7;
+    q[4] = angle11;
+    q[5] = angle15;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = angle1__;
+    q[7] = angle3;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -angle1__________;
+    q[10] = -angle11;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
-    q[13] = angle1___;
-    q[14] = -(v8 + pick_wide(half_turn < -v8, all_wide(m9), all_wide(0.0)));
-    q[15] = angle1_______;
-    q[16] = angle1___________;
-    q[17] = angle1_______________;
+    q[13] = angle4;
+    q[14] = -(v8 + only_wide(half_turn < -v8, m9));
+    q[15] = angle8;
+    q[16] = angle12;
+    q[17] = angle16;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
-    q[19] = angle1___;
-    q[20] = -(v8 + pick_wide(half_turn < -v8, all_wide(m9), all_wide(0.0)));
+    q[19] = angle4;
+    q[20] = -(v8 + only_wide(half_turn < -v8, m9));
     q[21] = q4_pmm;
-    q[22] = -angle1___________;
+    q[22] = -angle12;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = angle1____;
+    q[25] = angle5;
     q[26] = q3_mpp;
-    q[27] = angle1________;
-    q[28] = angle1____________;
-    q[29] = angle1________________;
+    q[27] = angle9;
+    q[28] = angle13;
+    q[29] = angle17;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = angle1____;
+    q[31] = angle5;
     q[32] = q3_mpp;
     q[33] = q4_mpm;
-    q[34] = -angle1____________;
+    q[34] = -angle13;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
-    q[37] = angle1_____;
-    q[38] = -(v9 + pick_wide(half_turn < -v9, all_wide(m9), all_wide(0.0)));
-    q[39] = angle1_________;
-    q[40] = angle1_____________;
-    q[41] = angle1_________________;
+    q[37] = angle6;
+    q[38] = -(v9 + only_wide(half_turn < -v9, m9));
+    q[39] = angle10;
+    q[40] = angle14;
+    q[41] = angle18;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
-    q[43] = angle1_____;
-    q[44] = -(v9 + pick_wide(half_turn < -v9, all_wide(m9), all_wide(0.0)));
+    q[43] = angle6;
+    q[44] = -(v9 + only_wide(half_turn < -v9, m9));
     q[45] = q4_mmm;
-    q[46] = -angle1_____________;
+    q[46] = -angle14;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -809,29 +779,29 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1_ = atan2_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7
+    const four angle2 = atan2_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7
         * factor2))));
-    const four angle1__ = atan2_four(Y4, -X4);
-    const four angle1___ = atan2_four(-sqrt_four(v19), T33 * c23 + s23 * v17);
-    const four angle1____ = atan2_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4
-        * (c23 * v22 - s23 * T32)));
+    const four angle3 = atan2_four(Y4, -X4);
+    const four angle4 = atan2_four(-sqrt_four(v19), T33 * c23 + s23 * v17);
+    const four angle5 = atan2_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4 *
+        (c23 * v22 - s23 * T32)));
     const four packed5 = atan2_four(__builtin_shufflevector(w3, s1, 0, 5, 2, 7),
         __builtin_shufflevector(N3 - k7, -v2, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1_____ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four angle6 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
     const four q3_ = e2 * angle1 - turn1;
-    const four q4_m = angle1__ - v20;
-    const four q6_m = angle1____ - h1 * copysign_four(all_four(half_turn), -(-X4 * v23 + Y4 * (c23 *
-        v24 - s23 * T31)));
-    const four q3_p = q3_ - pick_four(half_turn < q3_, all_four(m9), all_four(0.0));
-    const four q1_p = angle1_____ + (w3 - w3);
+    const four q4_m = angle3 - v20;
+    const four q6_m = angle5 - h1 * copysign_four(all_four(half_turn), -(-X4 * v23 + Y4 * (c23 * v24
+        - s23 * T31)));
+    const four q3_p = q3_ - only_four(half_turn < q3_, m9);
+    const four q1_p = angle6 + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1_, q3_p, angle1__);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1___, angle1____);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1_, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1___, q6_m);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle2, q3_p, angle3);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle4, angle5);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle2, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle4, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
     const unsigned long long kind1 = none1 * SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE;

@@ -671,119 +671,119 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
-    angle1___________________ = room[19]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
+    angle20 = room[19]
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     q3__pp = angle1 - turn1
     v8 = turn1 + angle1
-    q3__mp = angle1_ - turn1
-    v9 = turn1 + angle1_
+    q3__mp = angle2 - turn1
+    v9 = turn1 + angle2
 
     # theta4, type 2: U4[3, 3]
-    q4_ppm = angle1______ - v37
-    q4_pmm = angle1_______ - v37
-    q4_mpm = angle1________ - v38
-    q4_mmm = angle1_________ - v38
+    q4_ppm = angle7 - v37
+    q4_pmm = angle8 - v37
+    q4_mpm = angle9 - v38
+    q4_mmm = angle10 - v38
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = (
-        angle1______________ - h1 * math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 -
-        s23_pp * T31)))
+        angle15 - h1 * math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp *
+        T31)))
     )
     q6_pmm = (
-        angle1_______________ - h1 * math.copysign(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45
-        - s23_pm * T31)))
+        angle16 - h1 * math.copysign(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm *
+        T31)))
     )
     q6_mpm = (
-        angle1________________ - h1 * math.copysign(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46
-        - s23_mp * T31)))
+        angle17 - h1 * math.copysign(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp *
+        T31)))
     )
     q6_mmm = (
-        angle1_________________ - h1 * math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm *
-        v46 - s23_mm * T31)))
+        angle18 - h1 * math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm *
+        T31)))
     )
 
     # joint values
     q3_ppp = q3__pp - (m9 if half_turn < q3__pp else 0.0)
     q3_mpp = q3__mp - (m9 if half_turn < q3__mp else 0.0)
-    q1_ppp = angle1__________________ + (w3_p - w3_p)
-    q1_mpp = angle1___________________ + (w3_m - w3_m)
+    q1_ppp = angle19 + (w3_p - w3_p)
+    q1_mpp = angle20 + (w3_m - w3_m)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
     q[0, 0] = q1_ppp
-    q[0, 1] = angle1__
+    q[0, 1] = angle3
     q[0, 2] = q3_ppp
-    q[0, 3] = angle1______
-    q[0, 4] = angle1__________
-    q[0, 5] = angle1______________
+    q[0, 3] = angle7
+    q[0, 4] = angle11
+    q[0, 5] = angle15
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_ppp
-    q[1, 1] = angle1__
+    q[1, 1] = angle3
     q[1, 2] = q3_ppp
     q[1, 3] = q4_ppm
-    q[1, 4] = -angle1__________
+    q[1, 4] = -angle11
     q[1, 5] = q6_ppm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_ppp
-    q[2, 1] = angle1___
+    q[2, 1] = angle4
     q[2, 2] = -(v8 + (m9 if half_turn < -v8 else 0.0))
-    q[2, 3] = angle1_______
-    q[2, 4] = angle1___________
-    q[2, 5] = angle1_______________
+    q[2, 3] = angle8
+    q[2, 4] = angle12
+    q[2, 5] = angle16
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
-    q[3, 1] = angle1___
+    q[3, 1] = angle4
     q[3, 2] = -(v8 + (m9 if half_turn < -v8 else 0.0))
     q[3, 3] = q4_pmm
-    q[3, 4] = -angle1___________
+    q[3, 4] = -angle12
     q[3, 5] = q6_pmm
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else OK
     q[4, 0] = q1_mpp
-    q[4, 1] = angle1____
+    q[4, 1] = angle5
     q[4, 2] = q3_mpp
-    q[4, 3] = angle1________
-    q[4, 4] = angle1____________
-    q[4, 5] = angle1________________
+    q[4, 3] = angle9
+    q[4, 4] = angle13
+    q[4, 5] = angle17
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
     q[5, 0] = q1_mpp
-    q[5, 1] = angle1____
+    q[5, 1] = angle5
     q[5, 2] = q3_mpp
     q[5, 3] = q4_mpm
-    q[5, 4] = -angle1____________
+    q[5, 4] = -angle13
     q[5, 5] = q6_mpm
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
     q[6, 0] = q1_mpp
-    q[6, 1] = angle1_____
+    q[6, 1] = angle6
     q[6, 2] = -(v9 + (m9 if half_turn < -v9 else 0.0))
-    q[6, 3] = angle1_________
-    q[6, 4] = angle1_____________
-    q[6, 5] = angle1_________________
+    q[6, 3] = angle10
+    q[6, 4] = angle14
+    q[6, 5] = angle18
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
-    q[7, 1] = angle1_____
+    q[7, 1] = angle6
     q[7, 2] = -(v9 + (m9 if half_turn < -v9 else 0.0))
     q[7, 3] = q4_mmm
-    q[7, 4] = -angle1_____________
+    q[7, 4] = -angle14
     q[7, 5] = q6_mmm
     status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else OK
     return True
@@ -1169,118 +1169,118 @@ def _in_tiles(T, q, status):
             v46 = work[1216 + k]
             doubt1 = work[1248 + k] != 0.0
             angle1 = work[1280 + k]
-            angle1_ = work[1312 + k]
-            angle1__ = work[1344 + k]
-            angle1___ = work[1376 + k]
-            angle1____ = work[1408 + k]
-            angle1_____ = work[1440 + k]
-            angle1______ = work[1472 + k]
-            angle1_______ = work[1504 + k]
-            angle1________ = work[1536 + k]
-            angle1_________ = work[1568 + k]
-            angle1__________ = work[1600 + k]
-            angle1___________ = work[1632 + k]
-            angle1____________ = work[1664 + k]
-            angle1_____________ = work[1696 + k]
-            angle1______________ = work[1728 + k]
-            angle1_______________ = work[1760 + k]
-            angle1________________ = work[1792 + k]
-            angle1_________________ = work[1824 + k]
-            angle1__________________ = work[1856 + k]
-            angle1___________________ = work[1888 + k]
+            angle2 = work[1312 + k]
+            angle3 = work[1344 + k]
+            angle4 = work[1376 + k]
+            angle5 = work[1408 + k]
+            angle6 = work[1440 + k]
+            angle7 = work[1472 + k]
+            angle8 = work[1504 + k]
+            angle9 = work[1536 + k]
+            angle10 = work[1568 + k]
+            angle11 = work[1600 + k]
+            angle12 = work[1632 + k]
+            angle13 = work[1664 + k]
+            angle14 = work[1696 + k]
+            angle15 = work[1728 + k]
+            angle16 = work[1760 + k]
+            angle17 = work[1792 + k]
+            angle18 = work[1824 + k]
+            angle19 = work[1856 + k]
+            angle20 = work[1888 + k]
             q3__pp = angle1 - turn1
             v8 = turn1 + angle1
-            q3__mp = angle1_ - turn1
-            v9 = turn1 + angle1_
-            q4_ppm = angle1______ - v37
-            q4_pmm = angle1_______ - v37
-            q4_mpm = angle1________ - v38
-            q4_mmm = angle1_________ - v38
+            q3__mp = angle2 - turn1
+            v9 = turn1 + angle2
+            q4_ppm = angle7 - v37
+            q4_pmm = angle8 - v37
+            q4_mpm = angle9 - v38
+            q4_mmm = angle10 - v38
             q6_ppm = (
-                angle1______________ - h1 * math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp
-                * v45 - s23_pp * T31)))
+                angle15 - h1 * math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 -
+                s23_pp * T31)))
             )
             q6_pmm = (
-                angle1_______________ - h1 * math.copysign(half_turn, -(-X4_pm * v43 + Y4_p *
-                (c23_pm * v45 - s23_pm * T31)))
+                angle16 - h1 * math.copysign(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 -
+                s23_pm * T31)))
             )
             q6_mpm = (
-                angle1________________ - h1 * math.copysign(half_turn, -(-X4_mp * v44 + Y4_m *
-                (c23_mp * v46 - s23_mp * T31)))
+                angle17 - h1 * math.copysign(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 -
+                s23_mp * T31)))
             )
             q6_mmm = (
-                angle1_________________ - h1 * math.copysign(half_turn, -(-X4_mm * v44 + Y4_m *
-                (c23_mm * v46 - s23_mm * T31)))
+                angle18 - h1 * math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 -
+                s23_mm * T31)))
             )
             q3_ppp = q3__pp - (m9 if half_turn < q3__pp else 0.0)
             q3_mpp = q3__mp - (m9 if half_turn < q3__mp else 0.0)
-            q1_ppp = angle1__________________ + (w3_p - w3_p)
-            q1_mpp = angle1___________________ + (w3_m - w3_m)
+            q1_ppp = angle19 + (w3_p - w3_p)
+            q1_mpp = angle20 + (w3_m - w3_m)
             _2560 = q1_ppp
             work[2560 + k] = _2560
-            _2592 = angle1__
+            _2592 = angle3
             work[2592 + k] = _2592
             _2624 = q3_ppp
             work[2624 + k] = _2624
-            _2656 = angle1______
+            _2656 = angle7
             work[2656 + k] = _2656
-            _2688 = angle1__________
+            _2688 = angle11
             work[2688 + k] = _2688
-            _2720 = angle1______________
+            _2720 = angle15
             work[2720 + k] = _2720
             _2752 = q4_ppm
             work[2752 + k] = _2752
-            _2784 = -angle1__________
+            _2784 = -angle11
             work[2784 + k] = _2784
             _2816 = q6_ppm
             work[2816 + k] = _2816
-            _2848 = angle1___
+            _2848 = angle4
             work[2848 + k] = _2848
             _2880 = -(v8 + (m9 if half_turn < -v8 else 0.0))
             work[2880 + k] = _2880
-            _2912 = angle1_______
+            _2912 = angle8
             work[2912 + k] = _2912
-            _2944 = angle1___________
+            _2944 = angle12
             work[2944 + k] = _2944
-            _2976 = angle1_______________
+            _2976 = angle16
             work[2976 + k] = _2976
             _3008 = q4_pmm
             work[3008 + k] = _3008
-            _3040 = -angle1___________
+            _3040 = -angle12
             work[3040 + k] = _3040
             _3072 = q6_pmm
             work[3072 + k] = _3072
             _3104 = q1_mpp
             work[3104 + k] = _3104
-            _3136 = angle1____
+            _3136 = angle5
             work[3136 + k] = _3136
             _3168 = q3_mpp
             work[3168 + k] = _3168
-            _3200 = angle1________
+            _3200 = angle9
             work[3200 + k] = _3200
-            _3232 = angle1____________
+            _3232 = angle13
             work[3232 + k] = _3232
-            _3264 = angle1________________
+            _3264 = angle17
             work[3264 + k] = _3264
             _3296 = q4_mpm
             work[3296 + k] = _3296
-            _3328 = -angle1____________
+            _3328 = -angle13
             work[3328 + k] = _3328
             _3360 = q6_mpm
             work[3360 + k] = _3360
-            _3392 = angle1_____
+            _3392 = angle6
             work[3392 + k] = _3392
             _3424 = -(v9 + (m9 if half_turn < -v9 else 0.0))
             work[3424 + k] = _3424
-            _3456 = angle1_________
+            _3456 = angle10
             work[3456 + k] = _3456
-            _3488 = angle1_____________
+            _3488 = angle14
             work[3488 + k] = _3488
-            _3520 = angle1_________________
+            _3520 = angle18
             work[3520 + k] = _3520
             _3552 = q4_mmm
             work[3552 + k] = _3552
-            _3584 = -angle1_____________
+            _3584 = -angle14
             work[3584 + k] = _3584
             _3616 = q6_mmm
             work[3616 + k] = _3616

@@ -25,6 +25,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -64,6 +88,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -75,29 +104,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -106,6 +112,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -119,28 +130,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -148,37 +138,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef STANFORD_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -503,15 +473,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v8 = v6 + v7;
     const wide v9 = v6 - v7;
     const wide angle1 = atan2_wide(-v8, c1_p);
-    const wide angle1_ = atan2_wide(-v9, c1_m);
+    const wide angle2 = atan2_wide(-v9, c1_m);
 
     /* theta2, r3 */
     const wide Y2_2 = T34 - d1;
     const wide v10 = D1 + Y2_2 * Y2_2;
     const wide w3 = sqrt_wide(v10);
     const wide factor2 = w3 * (1.0 / v10);
-    const wide angle1__ = atan2_wide(-w1, Y2_2);
-    const wide q2_pmp = angle1__ - copysign_wide(all_wide(half_turn), -w1) * h1;
+    const wide angle3 = atan2_wide(-w1, Y2_2);
+    const wide q2_pmp = angle3 - copysign_wide(all_wide(half_turn), -w1) * h1;
 
     /* theta4 */
     const wide c4_p = v8 * T13 + c1_p * T23;
@@ -524,19 +494,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v14 = factor2 * Y4_m;
     const wide v15 = c4_p * c4_p + factor2 * (Y4_p * v13);
     const wide v16 = c4_m * c4_m + factor2 * (Y4_m * v14);
-    const wide angle1___ = atan2_wide(v13, c4_p);
-    const wide angle1____ = atan2_wide(v14, c4_m);
-    const wide q4_ppm = angle1___ - h1 * copysign_wide(all_wide(half_turn), v13);
-    const wide q4_mpm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v14);
+    const wide angle4 = atan2_wide(v13, c4_p);
+    const wide angle5 = atan2_wide(v14, c4_m);
+    const wide q4_ppm = angle4 - h1 * copysign_wide(all_wide(half_turn), v13);
+    const wide q4_mpm = angle5 - h1 * copysign_wide(all_wide(half_turn), v14);
 
     /* theta5 */
     const wide v17 = Y2_2 * T33;
-    const wide angle1_____ = atan2_wide(-sqrt_wide(v15), factor2 * (v17 - w1 * (c1_p * T13 - v8 *
-        T23)));
-    const wide angle1______ = atan2_wide(-sqrt_wide(v16), factor2 * (v17 + w1 * (c1_m * T13 - v9 *
-        T23)));
-    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v15)) - angle1_____;
-    const wide q5_mmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v16)) - angle1______;
+    const wide angle6 = atan2_wide(-sqrt_wide(v15), factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23)));
+    const wide angle7 = atan2_wide(-sqrt_wide(v16), factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23)));
+    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v15)) - angle6;
+    const wide q5_mmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v16)) - angle7;
 
     /* theta6 */
     const wide v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22));
@@ -545,65 +513,63 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21));
     const wide s6_p = c4_p * (v21 + w1 * v20) + Y4_p * (c1_p * T21 + v8 * T11);
     const wide s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11);
-    const wide angle1_______ = atan2_wide(s6_p, c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 *
-        T12));
-    const wide angle1________ = atan2_wide(s6_m, c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9
-        * T12));
-    const wide q6_ppm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), s6_p);
-    const wide q6_mpm = angle1________ - h1 * copysign_wide(all_wide(half_turn), s6_m);
+    const wide angle8 = atan2_wide(s6_p, c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12));
+    const wide angle9 = atan2_wide(s6_m, c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12));
+    const wide q6_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), s6_p);
+    const wide q6_mpm = angle9 - h1 * copysign_wide(all_wide(half_turn), s6_m);
 
     /* joint values */
     const wide_mask v22 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v23 = (angle1_ < low1) | (high1 < angle1_);
+    const wide_mask v23 = (angle2 < low1) | (high1 < angle2);
     const wide_mask v24 = (w3 < low3) | (high3 < w3);
     const wide_mask v25 = (-w3 < low3) | (high3 < -w3);
     const wide q3_ppp = v1 + w3;
     const wide q3_pmp = v1 - w3;
-    const wide_mask v26 = v24 | (v22 | ((angle1__ < low2) | (high2 < angle1__)));
+    const wide_mask v26 = v24 | (v22 | ((angle3 < low2) | (high2 < angle3)));
     const wide_mask v27 = v25 | (v22 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v28 = v24 | (v23 | ((-angle1__ < low2) | (high2 < -angle1__)));
+    const wide_mask v28 = v24 | (v23 | ((-angle3 < low2) | (high2 < -angle3)));
     const wide_mask v29 = v25 | (v23 | ((-q2_pmp < low2) | (high2 < -q2_pmp)));
-    const wide_mask v30 = (angle1_______ < low6) | (high6 < angle1_______);
-    const wide_mask outside_ppp = v30 | (((angle1_____ < low5) | (high5 < angle1_____)) | (v26 |
-        ((angle1___ < low4) | (high4 < angle1___))));
+    const wide_mask v30 = (angle8 < low6) | (high6 < angle8);
+    const wide_mask outside_ppp = v30 | (((angle6 < low5) | (high5 < angle6)) | (v26 | ((angle4 <
+        low4) | (high4 < angle4))));
     const wide_mask v31 = (q6_ppm < low6) | (high6 < q6_ppm);
-    const wide_mask outside_ppm = v31 | (((-angle1_____ < low5) | (high5 < -angle1_____)) | (v26 |
-        ((q4_ppm < low4) | (high4 < q4_ppm))));
-    const wide_mask outside_pmp = v31 | (((q5_pmp < low5) | (high5 < q5_pmp)) | (v27 | ((-angle1___
-        < low4) | (high4 < -angle1___))));
+    const wide_mask outside_ppm = v31 | (((-angle6 < low5) | (high5 < -angle6)) | (v26 | ((q4_ppm <
+        low4) | (high4 < q4_ppm))));
+    const wide_mask outside_pmp = v31 | (((q5_pmp < low5) | (high5 < q5_pmp)) | (v27 | ((-angle4 <
+        low4) | (high4 < -angle4))));
     const wide_mask outside_pmm = v30 | (((-q5_pmp < low5) | (high5 < -q5_pmp)) | (v27 | ((-q4_ppm <
         low4) | (high4 < -q4_ppm))));
-    const wide_mask v32 = (angle1________ < low6) | (high6 < angle1________);
-    const wide_mask outside_mpp = v32 | (((angle1______ < low5) | (high5 < angle1______)) | (v28 |
-        ((angle1____ < low4) | (high4 < angle1____))));
+    const wide_mask v32 = (angle9 < low6) | (high6 < angle9);
+    const wide_mask outside_mpp = v32 | (((angle7 < low5) | (high5 < angle7)) | (v28 | ((angle5 <
+        low4) | (high4 < angle5))));
     const wide_mask v33 = (q6_mpm < low6) | (high6 < q6_mpm);
-    const wide_mask outside_mpm = v33 | (((-angle1______ < low5) | (high5 < -angle1______)) | (v28 |
-        ((q4_mpm < low4) | (high4 < q4_mpm))));
-    const wide_mask outside_mmp = v33 | (((q5_mmp < low5) | (high5 < q5_mmp)) | (v29 | ((-angle1____
-        < low4) | (high4 < -angle1____))));
+    const wide_mask outside_mpm = v33 | (((-angle7 < low5) | (high5 < -angle7)) | (v28 | ((q4_mpm <
+        low4) | (high4 < q4_mpm))));
+    const wide_mask outside_mmp = v33 | (((q5_mmp < low5) | (high5 < q5_mmp)) | (v29 | ((-angle5 <
+        low4) | (high4 < -angle5))));
     const wide_mask outside_mmm = v32 | (((-q5_mmp < low5) | (high5 < -q5_mmp)) | (v29 | ((-q4_mpm <
         low4) | (high4 < -q4_mpm))));
     const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v10 <= m1) |
         ((v15 <= m3) | (v16 <= m3))));
 
     q[0] = angle1;
-    q[1] = angle1__;
+    q[1] = angle3;
     q[2] = q3_ppp;
-    q[3] = angle1___;
-    q[4] = angle1_____;
-    q[5] = angle1_______;
+    q[3] = angle4;
+    q[4] = angle6;
+    q[5] = angle8;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = angle1;
-    q[7] = angle1__;
+    q[7] = angle3;
     q[8] = q3_ppp;
     q[9] = q4_ppm;
-    q[10] = -angle1_____;
+    q[10] = -angle6;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = angle1;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = -angle1___;
+    q[15] = -angle4;
     q[16] = q5_pmp;
     q[17] = q6_ppm;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
@@ -612,35 +578,35 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[20] = q3_pmp;
     q[21] = -q4_ppm;
     q[22] = -q5_pmp;
-    q[23] = angle1_______;
+    q[23] = angle8;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = angle1_;
-    q[25] = -angle1__;
+    q[24] = angle2;
+    q[25] = -angle3;
     q[26] = q3_ppp;
-    q[27] = angle1____;
-    q[28] = angle1______;
-    q[29] = angle1________;
+    q[27] = angle5;
+    q[28] = angle7;
+    q[29] = angle9;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = angle1_;
-    q[31] = -angle1__;
+    q[30] = angle2;
+    q[31] = -angle3;
     q[32] = q3_ppp;
     q[33] = q4_mpm;
-    q[34] = -angle1______;
+    q[34] = -angle7;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = angle1_;
+    q[36] = angle2;
     q[37] = -q2_pmp;
     q[38] = q3_pmp;
-    q[39] = -angle1____;
+    q[39] = -angle5;
     q[40] = q5_mmp;
     q[41] = q6_mpm;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = angle1_;
+    q[42] = angle2;
     q[43] = -q2_pmp;
     q[44] = q3_pmp;
     q[45] = -q4_mpm;
     q[46] = -q5_mmp;
-    q[47] = angle1________;
+    q[47] = angle9;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -713,21 +679,21 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four packed1 = atan2_four(__builtin_shufflevector(-v6, v13, 0, 5, 2, 7),
         __builtin_shufflevector(c1, c4, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
-    const four angle1__ = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3);
+    const four angle3 = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3);
     const four packed2 = atan2_four(__builtin_shufflevector(-sqrt_four(v14), s6, 0, 5, 2, 7),
         __builtin_shufflevector(factor2 * (v15 - e1 * (w1 * (c1 * T13 - v6 * T23))), c4 * (v19 + w1
         * (e1 * v18)) + Y4 * (c1 * T22 + v6 * T12), 0, 5, 2, 7));
-    const four angle1___ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
-    const four angle1____ = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3);
+    const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
+    const four angle5 = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3);
     const four packed3 = atan2_four((four){ -w1, -w1, -w1, -w1 }, (four){ Y2_2, Y2_2, Y2_2, Y2_2 });
-    const four angle1_ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four q2_ = angle1_ + v8 * v10;
-    const four q4__m = angle1__ - copysign_four(all_four(half_turn), v13) * h1;
-    const four q5_p = e2 * angle1___ + v16 * v17;
-    const four q6_p = angle1____ + v10 * v22;
-    const four q6_m = angle1____ - v22 * v23;
+    const four angle2 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four q2_ = angle2 + v8 * v10;
+    const four q4__m = angle3 - copysign_four(all_four(half_turn), v13) * h1;
+    const four q5_p = e2 * angle4 + v16 * v17;
+    const four q6_p = angle5 + v10 * v22;
+    const four q6_m = angle5 - v22 * v23;
     const four q2_p = e1 * q2_;
-    const four q4_p = e2 * angle1__;
+    const four q4_p = e2 * angle3;
     const four q4_m = e2 * q4__m;
     const four_mask v25 = (angle1 < low1) | (high1 < angle1);
     const four_mask v27 = v26 | (v25 | ((q2_p < low2) | (high2 < q2_p)));

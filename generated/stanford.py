@@ -527,67 +527,61 @@ def _regular(pose, q, status):
     for k in range(16):
         room[k] = _atan2(room[k], room[k + 16])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
-    q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
+    q2_pmp = angle3 - math.copysign(half_turn, -w1) * h1
 
     # theta4, type 2: U4[3, 3]
-    q4_ppm = angle1___ - h1 * math.copysign(half_turn, v13)
-    q4_mpm = angle1____ - h1 * math.copysign(half_turn, v14)
+    q4_ppm = angle4 - h1 * math.copysign(half_turn, v13)
+    q4_mpm = angle5 - h1 * math.copysign(half_turn, v14)
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    q5_pmp = h1 * math.copysign(half_turn, -math.sqrt(v15)) - angle1_____
-    q5_mmp = h1 * math.copysign(half_turn, -math.sqrt(v16)) - angle1______
+    q5_pmp = h1 * math.copysign(half_turn, -math.sqrt(v15)) - angle6
+    q5_mmp = h1 * math.copysign(half_turn, -math.sqrt(v16)) - angle7
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle1_______ - h1 * math.copysign(half_turn, s6_p)
-    q6_mpm = angle1________ - h1 * math.copysign(half_turn, s6_m)
+    q6_ppm = angle8 - h1 * math.copysign(half_turn, s6_p)
+    q6_mpm = angle9 - h1 * math.copysign(half_turn, s6_m)
 
     # joint values
     v22 = angle1 < low1 or high1 < angle1
-    v23 = angle1_ < low1 or high1 < angle1_
-    v26 = v24 or (v22 or (angle1__ < low2 or high2 < angle1__))
+    v23 = angle2 < low1 or high1 < angle2
+    v26 = v24 or (v22 or (angle3 < low2 or high2 < angle3))
     v27 = v25 or (v22 or (q2_pmp < low2 or high2 < q2_pmp))
-    v28 = v24 or (v23 or (-angle1__ < low2 or high2 < -angle1__))
+    v28 = v24 or (v23 or (-angle3 < low2 or high2 < -angle3))
     v29 = v25 or (v23 or (-q2_pmp < low2 or high2 < -q2_pmp))
-    v30 = angle1_______ < low6 or high6 < angle1_______
+    v30 = angle8 < low6 or high6 < angle8
     outside_ppp = (
-        v30 or (angle1_____ < low5 or high5 < angle1_____ or (v26 or (angle1___ < low4 or high4 <
-        angle1___)))
+        v30 or (angle6 < low5 or high5 < angle6 or (v26 or (angle4 < low4 or high4 < angle4)))
     )
     v31 = q6_ppm < low6 or high6 < q6_ppm
     outside_ppm = (
-        v31 or (-angle1_____ < low5 or high5 < -angle1_____ or (v26 or (q4_ppm < low4 or high4 <
-        q4_ppm)))
+        v31 or (-angle6 < low5 or high5 < -angle6 or (v26 or (q4_ppm < low4 or high4 < q4_ppm)))
     )
     outside_pmp = (
-        v31 or (q5_pmp < low5 or high5 < q5_pmp or (v27 or (-angle1___ < low4 or high4 <
-        -angle1___)))
+        v31 or (q5_pmp < low5 or high5 < q5_pmp or (v27 or (-angle4 < low4 or high4 < -angle4)))
     )
     outside_pmm = (
         v30 or (-q5_pmp < low5 or high5 < -q5_pmp or (v27 or (-q4_ppm < low4 or high4 < -q4_ppm)))
     )
-    v32 = angle1________ < low6 or high6 < angle1________
+    v32 = angle9 < low6 or high6 < angle9
     outside_mpp = (
-        v32 or (angle1______ < low5 or high5 < angle1______ or (v28 or (angle1____ < low4 or high4 <
-        angle1____)))
+        v32 or (angle7 < low5 or high5 < angle7 or (v28 or (angle5 < low4 or high4 < angle5)))
     )
     v33 = q6_mpm < low6 or high6 < q6_mpm
     outside_mpm = (
-        v33 or (-angle1______ < low5 or high5 < -angle1______ or (v28 or (q4_mpm < low4 or high4 <
-        q4_mpm)))
+        v33 or (-angle7 < low5 or high5 < -angle7 or (v28 or (q4_mpm < low4 or high4 < q4_mpm)))
     )
     outside_mmp = (
-        v33 or (q5_mmp < low5 or high5 < q5_mmp or (v29 or (-angle1____ < low4 or high4 <
-        -angle1____)))
+        v33 or (q5_mmp < low5 or high5 < q5_mmp or (v29 or (-angle5 < low4 or high4 < -angle5)))
     )
     outside_mmm = (
         v32 or (-q5_mmp < low5 or high5 < -q5_mmp or (v29 or (-q4_mpm < low4 or high4 < -q4_mpm)))
@@ -597,23 +591,23 @@ def _regular(pose, q, status):
     if doubt1:
         return False
     q[0, 0] = angle1
-    q[0, 1] = angle1__
+    q[0, 1] = angle3
     q[0, 2] = q3_ppp
-    q[0, 3] = angle1___
-    q[0, 4] = angle1_____
-    q[0, 5] = angle1_______
+    q[0, 3] = angle4
+    q[0, 4] = angle6
+    q[0, 5] = angle8
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
     q[1, 0] = angle1
-    q[1, 1] = angle1__
+    q[1, 1] = angle3
     q[1, 2] = q3_ppp
     q[1, 3] = q4_ppm
-    q[1, 4] = -angle1_____
+    q[1, 4] = -angle6
     q[1, 5] = q6_ppm
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
     q[2, 0] = angle1
     q[2, 1] = q2_pmp
     q[2, 2] = q3_pmp
-    q[2, 3] = -angle1___
+    q[2, 3] = -angle4
     q[2, 4] = q5_pmp
     q[2, 5] = q6_ppm
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
@@ -622,35 +616,35 @@ def _regular(pose, q, status):
     q[3, 2] = q3_pmp
     q[3, 3] = -q4_ppm
     q[3, 4] = -q5_pmp
-    q[3, 5] = angle1_______
+    q[3, 5] = angle8
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
-    q[4, 0] = angle1_
-    q[4, 1] = -angle1__
+    q[4, 0] = angle2
+    q[4, 1] = -angle3
     q[4, 2] = q3_ppp
-    q[4, 3] = angle1____
-    q[4, 4] = angle1______
-    q[4, 5] = angle1________
+    q[4, 3] = angle5
+    q[4, 4] = angle7
+    q[4, 5] = angle9
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
-    q[5, 0] = angle1_
-    q[5, 1] = -angle1__
+    q[5, 0] = angle2
+    q[5, 1] = -angle3
     q[5, 2] = q3_ppp
     q[5, 3] = q4_mpm
-    q[5, 4] = -angle1______
+    q[5, 4] = -angle7
     q[5, 5] = q6_mpm
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
-    q[6, 0] = angle1_
+    q[6, 0] = angle2
     q[6, 1] = -q2_pmp
     q[6, 2] = q3_pmp
-    q[6, 3] = -angle1____
+    q[6, 3] = -angle5
     q[6, 4] = q5_mmp
     q[6, 5] = q6_mpm
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
-    q[7, 0] = angle1_
+    q[7, 0] = angle2
     q[7, 1] = -q2_pmp
     q[7, 2] = q3_pmp
     q[7, 3] = -q4_mpm
     q[7, 4] = -q5_mmp
-    q[7, 5] = angle1________
+    q[7, 5] = angle9
     status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
     return True
 
@@ -956,58 +950,58 @@ def _in_tiles(T, q, status):
             q3_pmp = work[864 + k]
             doubt1 = work[896 + k] != 0.0
             angle1 = work[928 + k]
-            angle1_ = work[960 + k]
-            angle1__ = work[992 + k]
-            angle1___ = work[1024 + k]
-            angle1____ = work[1056 + k]
-            angle1_____ = work[1088 + k]
-            angle1______ = work[1120 + k]
-            angle1_______ = work[1152 + k]
-            angle1________ = work[1184 + k]
-            q2_pmp = angle1__ - math.copysign(half_turn, -w1) * h1
-            q4_ppm = angle1___ - h1 * math.copysign(half_turn, v13)
-            q4_mpm = angle1____ - h1 * math.copysign(half_turn, v14)
-            q5_pmp = h1 * math.copysign(half_turn, -math.sqrt(v15)) - angle1_____
-            q5_mmp = h1 * math.copysign(half_turn, -math.sqrt(v16)) - angle1______
-            q6_ppm = angle1_______ - h1 * math.copysign(half_turn, s6_p)
-            q6_mpm = angle1________ - h1 * math.copysign(half_turn, s6_m)
+            angle2 = work[960 + k]
+            angle3 = work[992 + k]
+            angle4 = work[1024 + k]
+            angle5 = work[1056 + k]
+            angle6 = work[1088 + k]
+            angle7 = work[1120 + k]
+            angle8 = work[1152 + k]
+            angle9 = work[1184 + k]
+            q2_pmp = angle3 - math.copysign(half_turn, -w1) * h1
+            q4_ppm = angle4 - h1 * math.copysign(half_turn, v13)
+            q4_mpm = angle5 - h1 * math.copysign(half_turn, v14)
+            q5_pmp = h1 * math.copysign(half_turn, -math.sqrt(v15)) - angle6
+            q5_mmp = h1 * math.copysign(half_turn, -math.sqrt(v16)) - angle7
+            q6_ppm = angle8 - h1 * math.copysign(half_turn, s6_p)
+            q6_mpm = angle9 - h1 * math.copysign(half_turn, s6_m)
             v22 = angle1 < low1 or high1 < angle1
-            v23 = angle1_ < low1 or high1 < angle1_
-            v26 = v24 or (v22 or (angle1__ < low2 or high2 < angle1__))
+            v23 = angle2 < low1 or high1 < angle2
+            v26 = v24 or (v22 or (angle3 < low2 or high2 < angle3))
             v27 = v25 or (v22 or (q2_pmp < low2 or high2 < q2_pmp))
-            v28 = v24 or (v23 or (-angle1__ < low2 or high2 < -angle1__))
+            v28 = v24 or (v23 or (-angle3 < low2 or high2 < -angle3))
             v29 = v25 or (v23 or (-q2_pmp < low2 or high2 < -q2_pmp))
-            v30 = angle1_______ < low6 or high6 < angle1_______
+            v30 = angle8 < low6 or high6 < angle8
             outside_ppp = (
-                v30 or (angle1_____ < low5 or high5 < angle1_____ or (v26 or (angle1___ < low4 or
-                high4 < angle1___)))
+                v30 or (angle6 < low5 or high5 < angle6 or (v26 or (angle4 < low4 or high4 <
+                angle4)))
             )
             v31 = q6_ppm < low6 or high6 < q6_ppm
             outside_ppm = (
-                v31 or (-angle1_____ < low5 or high5 < -angle1_____ or (v26 or (q4_ppm < low4 or
-                high4 < q4_ppm)))
+                v31 or (-angle6 < low5 or high5 < -angle6 or (v26 or (q4_ppm < low4 or high4 <
+                q4_ppm)))
             )
             outside_pmp = (
-                v31 or (q5_pmp < low5 or high5 < q5_pmp or (v27 or (-angle1___ < low4 or high4 <
-                -angle1___)))
+                v31 or (q5_pmp < low5 or high5 < q5_pmp or (v27 or (-angle4 < low4 or high4 <
+                -angle4)))
             )
             outside_pmm = (
                 v30 or (-q5_pmp < low5 or high5 < -q5_pmp or (v27 or (-q4_ppm < low4 or high4 <
                 -q4_ppm)))
             )
-            v32 = angle1________ < low6 or high6 < angle1________
+            v32 = angle9 < low6 or high6 < angle9
             outside_mpp = (
-                v32 or (angle1______ < low5 or high5 < angle1______ or (v28 or (angle1____ < low4 or
-                high4 < angle1____)))
+                v32 or (angle7 < low5 or high5 < angle7 or (v28 or (angle5 < low4 or high4 <
+                angle5)))
             )
             v33 = q6_mpm < low6 or high6 < q6_mpm
             outside_mpm = (
-                v33 or (-angle1______ < low5 or high5 < -angle1______ or (v28 or (q4_mpm < low4 or
-                high4 < q4_mpm)))
+                v33 or (-angle7 < low5 or high5 < -angle7 or (v28 or (q4_mpm < low4 or high4 <
+                q4_mpm)))
             )
             outside_mmp = (
-                v33 or (q5_mmp < low5 or high5 < q5_mmp or (v29 or (-angle1____ < low4 or high4 <
-                -angle1____)))
+                v33 or (q5_mmp < low5 or high5 < q5_mmp or (v29 or (-angle5 < low4 or high4 <
+                -angle5)))
             )
             outside_mmm = (
                 v32 or (-q5_mmp < low5 or high5 < -q5_mmp or (v29 or (-q4_mpm < low4 or high4 <
@@ -1015,19 +1009,19 @@ def _in_tiles(T, q, status):
             )
             _1504 = angle1
             work[1504 + k] = _1504
-            _1536 = angle1__
+            _1536 = angle3
             work[1536 + k] = _1536
             _1568 = q3_ppp
             work[1568 + k] = _1568
-            _1600 = angle1___
+            _1600 = angle4
             work[1600 + k] = _1600
-            _1632 = angle1_____
+            _1632 = angle6
             work[1632 + k] = _1632
-            _1664 = angle1_______
+            _1664 = angle8
             work[1664 + k] = _1664
             _1696 = q4_ppm
             work[1696 + k] = _1696
-            _1728 = -angle1_____
+            _1728 = -angle6
             work[1728 + k] = _1728
             _1760 = q6_ppm
             work[1760 + k] = _1760
@@ -1035,7 +1029,7 @@ def _in_tiles(T, q, status):
             work[1792 + k] = _1792
             _1824 = q3_pmp
             work[1824 + k] = _1824
-            _1856 = -angle1___
+            _1856 = -angle4
             work[1856 + k] = _1856
             _1888 = q5_pmp
             work[1888 + k] = _1888
@@ -1043,25 +1037,25 @@ def _in_tiles(T, q, status):
             work[1920 + k] = _1920
             _1952 = -q5_pmp
             work[1952 + k] = _1952
-            _1984 = angle1_
+            _1984 = angle2
             work[1984 + k] = _1984
-            _2016 = -angle1__
+            _2016 = -angle3
             work[2016 + k] = _2016
-            _2048 = angle1____
+            _2048 = angle5
             work[2048 + k] = _2048
-            _2080 = angle1______
+            _2080 = angle7
             work[2080 + k] = _2080
-            _2112 = angle1________
+            _2112 = angle9
             work[2112 + k] = _2112
             _2144 = q4_mpm
             work[2144 + k] = _2144
-            _2176 = -angle1______
+            _2176 = -angle7
             work[2176 + k] = _2176
             _2208 = q6_mpm
             work[2208 + k] = _2208
             _2240 = -q2_pmp
             work[2240 + k] = _2240
-            _2272 = -angle1____
+            _2272 = -angle5
             work[2272 + k] = _2272
             _2304 = q5_mmp
             work[2304 + k] = _2304

@@ -26,6 +26,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -65,6 +89,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -76,29 +105,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -107,6 +113,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -120,28 +131,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -149,37 +139,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef STAUBLI_RX90_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -505,8 +475,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v5 = k2 * v4;
     const wide v6 = k1 * w3;
     const wide c3 = k2 * v6;
-    const wide angle1_ = atan2_wide(-v4, v6);
-    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle1_;
+    const wide angle2 = atan2_wide(-v4, v6);
+    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle2;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * v5;
@@ -537,10 +507,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v23 = 1.0 / v20;
     const wide v24 = 1.0 / v21;
     const wide v25 = 1.0 / v22;
-    const wide angle1__ = atan2_wide(S2_pp, C2_pp);
-    const wide angle1___ = atan2_wide(S2_pm, -C2_mp);
-    const wide angle1____ = atan2_wide(S2_pm, C2_mp);
-    const wide angle1_____ = atan2_wide(S2_pp, -C2_pp);
+    const wide angle3 = atan2_wide(S2_pp, C2_pp);
+    const wide angle4 = atan2_wide(S2_pm, -C2_mp);
+    const wide angle5 = atan2_wide(S2_pm, C2_mp);
+    const wide angle6 = atan2_wide(S2_pp, -C2_pp);
 
     /* theta4 */
     const wide v26 = v5 * v9;
@@ -581,23 +551,23 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s4_pm = Y4 * factor4_pm;
     const wide s4_mp = Y4 * factor4_mp;
     const wide s4_mm = Y4 * factor4_mm;
-    const wide angle1______ = atan2_wide(Y4, -X4_pp);
-    const wide angle1_______ = atan2_wide(Y4, -X4_pm);
-    const wide angle1________ = atan2_wide(-Y4, -X4_mp);
-    const wide angle1_________ = atan2_wide(-Y4, -X4_mm);
+    const wide angle7 = atan2_wide(Y4, -X4_pp);
+    const wide angle8 = atan2_wide(Y4, -X4_pm);
+    const wide angle9 = atan2_wide(-Y4, -X4_mp);
+    const wide angle10 = atan2_wide(-Y4, -X4_mm);
     const wide v41 = h1 * copysign_wide(all_wide(half_turn), Y4);
     const wide v42 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle1______ - v41;
-    const wide q4_pmm = angle1_______ - v41;
-    const wide q4_mpm = angle1________ - v42;
-    const wide q4_mmm = angle1_________ - v42;
+    const wide q4_ppm = angle7 - v41;
+    const wide q4_pmm = angle8 - v41;
+    const wide q4_mpm = angle9 - v42;
+    const wide q4_mmm = angle10 - v42;
 
     /* theta5 */
-    const wide angle1__________ = atan2_wide(w4_pp, c23_pp * T33 + s23_pp * v30);
+    const wide angle11 = atan2_wide(w4_pp, c23_pp * T33 + s23_pp * v30);
     const wide v43 = c23_pm * T33;
-    const wide angle1___________ = atan2_wide(w4_pm, v43 + s23_pm * v30);
-    const wide angle1____________ = atan2_wide(w4_mp, v43 - s23_mp * v30);
-    const wide angle1_____________ = atan2_wide(w4_mm, c23_mm * T33 + v29 * v30);
+    const wide angle12 = atan2_wide(w4_pm, v43 + s23_pm * v30);
+    const wide angle13 = atan2_wide(w4_mp, v43 - s23_mp * v30);
+    const wide angle14 = atan2_wide(w4_mm, c23_mm * T33 + v29 * v30);
 
     /* theta6 */
     const wide v44 = w1 * (v2 * (T14 * T22 - T24 * T12));
@@ -609,17 +579,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v50 = v38 * v46 - s4_pm * (s23_pm * T31 - v49);
     const wide v51 = s4_mp * (v49 + s23_mp * T31) - v39 * v46;
     const wide v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46;
-    const wide angle1______________ = atan2_wide(v48, v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp *
-        v45));
+    const wide angle15 = atan2_wide(v48, v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45));
     const wide v53 = c23_pm * v45;
-    const wide angle1_______________ = atan2_wide(v50, v38 * v44 - s4_pm * (s23_pm * T32 - v53));
-    const wide angle1________________ = atan2_wide(v51, s4_mp * (v53 + s23_mp * T32) - v39 * v44);
-    const wide angle1_________________ = atan2_wide(v52, s4_mm * (c23_mm * v45 - v29 * T32) - v40 *
-        v44);
-    const wide q6_ppm = angle1______________ - h1 * copysign_wide(all_wide(half_turn), v48);
-    const wide q6_pmm = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v50);
-    const wide q6_mpm = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v51);
-    const wide q6_mmm = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v52);
+    const wide angle16 = atan2_wide(v50, v38 * v44 - s4_pm * (s23_pm * T32 - v53));
+    const wide angle17 = atan2_wide(v51, s4_mp * (v53 + s23_mp * T32) - v39 * v44);
+    const wide angle18 = atan2_wide(v52, s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44);
+    const wide q6_ppm = angle15 - h1 * copysign_wide(all_wide(half_turn), v48);
+    const wide q6_pmm = angle16 - h1 * copysign_wide(all_wide(half_turn), v50);
+    const wide q6_mpm = angle17 - h1 * copysign_wide(all_wide(half_turn), v51);
+    const wide q6_mmm = angle18 - h1 * copysign_wide(all_wide(half_turn), v52);
 
     /* joint values */
     const wide q1_ppp = angle1 + v3;
@@ -629,59 +597,59 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v20 <= m4)))))));
 
     q[0] = q1_ppp;
-    q[1] = angle1__;
-    q[2] = angle1_;
-    q[3] = angle1______;
-    q[4] = angle1__________;
-    q[5] = angle1______________;
+    q[1] = angle3;
+    q[2] = angle2;
+    q[3] = angle7;
+    q[4] = angle11;
+    q[5] = angle15;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = angle1__;
-    q[8] = angle1_;
+    q[7] = angle3;
+    q[8] = angle2;
     q[9] = q4_ppm;
-    q[10] = -angle1__________;
+    q[10] = -angle11;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp;
-    q[13] = angle1___;
+    q[13] = angle4;
     q[14] = q3_pmp;
-    q[15] = angle1_______;
-    q[16] = angle1___________;
-    q[17] = angle1_______________;
+    q[15] = angle8;
+    q[16] = angle12;
+    q[17] = angle16;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp;
-    q[19] = angle1___;
+    q[19] = angle4;
     q[20] = q3_pmp;
     q[21] = q4_pmm;
-    q[22] = -angle1___________;
+    q[22] = -angle12;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = angle1____;
-    q[26] = angle1_;
-    q[27] = angle1________;
-    q[28] = angle1____________;
-    q[29] = angle1________________;
+    q[25] = angle5;
+    q[26] = angle2;
+    q[27] = angle9;
+    q[28] = angle13;
+    q[29] = angle17;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = angle1____;
-    q[32] = angle1_;
+    q[31] = angle5;
+    q[32] = angle2;
     q[33] = q4_mpm;
-    q[34] = -angle1____________;
+    q[34] = -angle13;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp;
-    q[37] = angle1_____;
+    q[37] = angle6;
     q[38] = q3_pmp;
-    q[39] = angle1_________;
-    q[40] = angle1_____________;
-    q[41] = angle1_________________;
+    q[39] = angle10;
+    q[40] = angle14;
+    q[41] = angle18;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp;
-    q[43] = angle1_____;
+    q[43] = angle6;
     q[44] = q3_pmp;
     q[45] = q4_mmm;
-    q[46] = -angle1_____________;
+    q[46] = -angle14;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -765,26 +733,25 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
     const four_mask doubt2 = (v21 <= m4) | (v26 <= m5);
 
-    const four angle1__ = atan2_four(S2, C2);
-    const four angle1___ = atan2_four(v28, -X4);
-    const four angle1____ = atan2_four(w4, c23 * T33 + e1 * (s23 * v24));
-    const four angle1_____ = atan2_four(v34, e1 * (v27 * v30 - s4 * (s23 * T32 - e1 * (c23 *
-        v31))));
+    const four angle3 = atan2_four(S2, C2);
+    const four angle4 = atan2_four(v28, -X4);
+    const four angle5 = atan2_four(w4, c23 * T33 + e1 * (s23 * v24));
+    const four angle6 = atan2_four(v34, e1 * (v27 * v30 - s4 * (s23 * T32 - e1 * (c23 * v31))));
     const four packed5 = atan2_four((four){ -T24, -v5, -T24, -T24 }, (four){ -T14, v7, -T14, -T14
         });
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
-    const four angle1_ = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_p = e2 * angle1_ + v8 * (m2 * (1.0 - e2));
-    const four q4_m = angle1___ - v29;
-    const four q6_m = angle1_____ - h1 * copysign_four(all_four(half_turn), v34);
+    const four angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_p = e2 * angle2 + v8 * (m2 * (1.0 - e2));
+    const four q4_m = angle4 - v29;
+    const four q6_m = angle6 - h1 * copysign_four(all_four(half_turn), v34);
     const four q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1__, q3_p, angle1___);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1____, angle1_____);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1__, q3_p, q4_m);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle1____, q6_m);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle3, q3_p, angle4);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle5, angle6);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle3, q3_p, q4_m);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle5, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
     const unsigned long long kind1 = none1 * STAUBLI_RX90_UNREACHABLE;

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -72,6 +96,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -83,29 +112,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -114,6 +120,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -127,28 +138,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -156,37 +146,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef STAUBLI_TX2_90_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -644,94 +614,90 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v53 = s1_m * T23 - v3 * T13;
     const wide angle1 = atan2_wide(-(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)), v46 * -X4_pp +
         v38 * (v28 * v48 - v32 * T32));
-    const wide angle1_ = atan2_wide(-(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)), v46 * -X4_pm +
+    const wide angle2 = atan2_wide(-(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)), v46 * -X4_pm +
         v38 * (v29 * v48 - v33 * T32));
-    const wide angle1__ = atan2_wide(-(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)), v47 * -X4_mp +
+    const wide angle3 = atan2_wide(-(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)), v47 * -X4_mp +
         v39 * (v30 * v49 - v34 * T32));
-    const wide angle1___ = atan2_wide(-(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)), v47 * -X4_mm
-        + v39 * (v31 * v49 - v35 * T32));
+    const wide angle4 = atan2_wide(-(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)), v47 * -X4_mm +
+        v39 * (v31 * v49 - v35 * T32));
     const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), -(v50 * -X4_pp + v38 * (v28 *
         v52 - v32 * T33))) * h1;
-    const wide q6_pmm = angle1_ - copysign_wide(all_wide(half_turn), -(v50 * -X4_pm + v38 * (v29 *
+    const wide q6_pmm = angle2 - copysign_wide(all_wide(half_turn), -(v50 * -X4_pm + v38 * (v29 *
         v52 - v33 * T33))) * h1;
-    const wide q6_mpm = angle1__ - copysign_wide(all_wide(half_turn), -(v51 * -X4_mp + v39 * (v30 *
+    const wide q6_mpm = angle3 - copysign_wide(all_wide(half_turn), -(v51 * -X4_mp + v39 * (v30 *
         v53 - v34 * T33))) * h1;
-    const wide q6_mmm = angle1___ - copysign_wide(all_wide(half_turn), -(v51 * -X4_mm + v39 * (v31 *
+    const wide q6_mmm = angle4 - copysign_wide(all_wide(half_turn), -(v51 * -X4_mm + v39 * (v31 *
         v53 - v35 * T33))) * h1;
 
     /* joint values */
-    const wide angle1____ = atan2_wide(S2_pp, -v20);
-    const wide v54 = angle1____ - offset2;
-    const wide angle1_____ = atan2_wide(-v15, -v21);
-    const wide v55 = angle1_____ - offset2;
-    const wide angle1______ = atan2_wide(S2_mp, -v22);
-    const wide v56 = angle1______ - offset2;
-    const wide angle1_______ = atan2_wide(S2_mm, -v23);
-    const wide v57 = angle1_______ - offset2;
-    const wide q2_ppp = v54 - pick_wide(half_turn < v54, all_wide(m7), all_wide(0.0));
-    const wide q2_pmp = v55 - pick_wide(half_turn < v55, all_wide(m7), all_wide(0.0));
-    const wide q2_mpp = v56 - pick_wide(half_turn < v56, all_wide(m7), all_wide(0.0));
-    const wide q2_mmp = v57 - pick_wide(half_turn < v57, all_wide(m7), all_wide(0.0));
-    const wide angle1________ = atan2_wide(s3_p, -v10);
-    const wide angle1_________ = atan2_wide(s3_m, -v11);
-    const wide v58 = angle1________ - offset3;
-    const wide v59 = h1 * copysign_wide(all_wide(half_turn), s3_p) - angle1________ - offset3;
-    const wide v60 = angle1_________ - offset3;
-    const wide v61 = h1 * copysign_wide(all_wide(half_turn), s3_m) - angle1_________ - offset3;
-    const wide q3_ppp = v58 + pick_wide(v58 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q3_pmp = v59 + pick_wide(v59 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q3_mpp = v60 + pick_wide(v60 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q3_mmp = v61 + pick_wide(v61 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide angle1__________ = atan2_wide(-v38, factor2_pp * -X4_pp);
-    const wide angle1___________ = atan2_wide(-v38, factor2_pm * -X4_pm);
-    const wide angle1____________ = atan2_wide(-v39, factor2_mp * -X4_mp);
-    const wide angle1_____________ = atan2_wide(-v39, factor2_mm * -X4_mm);
+    const wide angle5 = atan2_wide(S2_pp, -v20);
+    const wide v54 = angle5 - offset2;
+    const wide angle6 = atan2_wide(-v15, -v21);
+    const wide v55 = angle6 - offset2;
+    const wide angle7 = atan2_wide(S2_mp, -v22);
+    const wide v56 = angle7 - offset2;
+    const wide angle8 = atan2_wide(S2_mm, -v23);
+    const wide v57 = angle8 - offset2;
+    const wide q2_ppp = v54 - only_wide(half_turn < v54, m7);
+    const wide q2_pmp = v55 - only_wide(half_turn < v55, m7);
+    const wide q2_mpp = v56 - only_wide(half_turn < v56, m7);
+    const wide q2_mmp = v57 - only_wide(half_turn < v57, m7);
+    const wide angle9 = atan2_wide(s3_p, -v10);
+    const wide angle10 = atan2_wide(s3_m, -v11);
+    const wide v58 = angle9 - offset3;
+    const wide v59 = h1 * copysign_wide(all_wide(half_turn), s3_p) - angle9 - offset3;
+    const wide v60 = angle10 - offset3;
+    const wide v61 = h1 * copysign_wide(all_wide(half_turn), s3_m) - angle10 - offset3;
+    const wide q3_ppp = v58 + only_wide(v58 <= -half_turn, m7);
+    const wide q3_pmp = v59 + only_wide(v59 <= -half_turn, m7);
+    const wide q3_mpp = v60 + only_wide(v60 <= -half_turn, m7);
+    const wide q3_mmp = v61 + only_wide(v61 <= -half_turn, m7);
+    const wide angle11 = atan2_wide(-v38, factor2_pp * -X4_pp);
+    const wide angle12 = atan2_wide(-v38, factor2_pm * -X4_pm);
+    const wide angle13 = atan2_wide(-v39, factor2_mp * -X4_mp);
+    const wide angle14 = atan2_wide(-v39, factor2_mm * -X4_mm);
     const wide v62 = h1 * copysign_wide(all_wide(half_turn), -v38);
     const wide v63 = h1 * copysign_wide(all_wide(half_turn), -v39);
-    const wide v64 = angle1__________ - offset4;
-    const wide v65 = angle1__________ - v62 - offset4;
-    const wide v66 = angle1___________ - offset4;
-    const wide v67 = angle1___________ - v62 - offset4;
-    const wide v68 = angle1____________ - offset4;
-    const wide v69 = angle1____________ - v63 - offset4;
-    const wide v70 = angle1_____________ - offset4;
-    const wide v71 = angle1_____________ - v63 - offset4;
-    const wide q4_ppp = v64 + pick_wide(v64 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_ppm = v65 + pick_wide(v65 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_pmp = v66 + pick_wide(v66 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_pmm = v67 + pick_wide(v67 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mpp = v68 + pick_wide(v68 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mpm = v69 + pick_wide(v69 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mmp = v70 + pick_wide(v70 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q4_mmm = v71 + pick_wide(v71 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide angle1______________ = atan2_wide(sqrt_wide(v42), factor2_pp * (T31 * v28 + v32 *
-        v36));
-    const wide angle1_______________ = atan2_wide(sqrt_wide(v43), factor2_pm * (T31 * v29 + v33 *
-        v36));
-    const wide angle1________________ = atan2_wide(sqrt_wide(v44), factor2_mp * (T31 * v30 + v34 *
-        v37));
-    const wide angle1_________________ = atan2_wide(sqrt_wide(v45), factor2_mm * (T31 * v31 + v35 *
-        v37));
-    const wide v72 = angle1______________ - offset5;
-    const wide v73 = offset5 + angle1______________;
-    const wide v74 = angle1_______________ - offset5;
-    const wide v75 = offset5 + angle1_______________;
-    const wide v76 = angle1________________ - offset5;
-    const wide v77 = offset5 + angle1________________;
-    const wide v78 = angle1_________________ - offset5;
-    const wide v79 = offset5 + angle1_________________;
-    const wide q5_ppp = v72 + pick_wide(v72 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v73 <= -half_turn, all_wide(m7), all_wide(0.0)) - v73;
-    const wide q5_pmp = v74 + pick_wide(v74 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v75 <= -half_turn, all_wide(m7), all_wide(0.0)) - v75;
-    const wide q5_mpp = v76 + pick_wide(v76 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v77 <= -half_turn, all_wide(m7), all_wide(0.0)) - v77;
-    const wide q5_mmp = v78 + pick_wide(v78 <= -half_turn, all_wide(m7), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v79 <= -half_turn, all_wide(m7), all_wide(0.0)) - v79;
-    const wide angle1__________________ = atan2_wide(s1_p, -v2);
-    const wide q1_ppp = angle1__________________ + (w3_p - w3_p);
-    const wide angle1___________________ = atan2_wide(s1_m, -v3);
-    const wide q1_mpp = angle1___________________ + (w3_m - w3_m);
+    const wide v64 = angle11 - offset4;
+    const wide v65 = angle11 - v62 - offset4;
+    const wide v66 = angle12 - offset4;
+    const wide v67 = angle12 - v62 - offset4;
+    const wide v68 = angle13 - offset4;
+    const wide v69 = angle13 - v63 - offset4;
+    const wide v70 = angle14 - offset4;
+    const wide v71 = angle14 - v63 - offset4;
+    const wide q4_ppp = v64 + only_wide(v64 <= -half_turn, m7);
+    const wide q4_ppm = v65 + only_wide(v65 <= -half_turn, m7);
+    const wide q4_pmp = v66 + only_wide(v66 <= -half_turn, m7);
+    const wide q4_pmm = v67 + only_wide(v67 <= -half_turn, m7);
+    const wide q4_mpp = v68 + only_wide(v68 <= -half_turn, m7);
+    const wide q4_mpm = v69 + only_wide(v69 <= -half_turn, m7);
+    const wide q4_mmp = v70 + only_wide(v70 <= -half_turn, m7);
+    const wide q4_mmm = v71 + only_wide(v71 <= -half_turn, m7);
+    const wide angle15 = atan2_wide(sqrt_wide(v42), factor2_pp * (T31 * v28 + v32 * v36));
+    const wide angle16 = atan2_wide(sqrt_wide(v43), factor2_pm * (T31 * v29 + v33 * v36));
+    const wide angle17 = atan2_wide(sqrt_wide(v44), factor2_mp * (T31 * v30 + v34 * v37));
+    const wide angle18 = atan2_wide(sqrt_wide(v45), factor2_mm * (T31 * v31 + v35 * v37));
+    const wide v72 = angle15 - offset5;
+    const wide v73 = offset5 + angle15;
+    const wide v74 = angle16 - offset5;
+    const wide v75 = offset5 + angle16;
+    const wide v76 = angle17 - offset5;
+    const wide v77 = offset5 + angle17;
+    const wide v78 = angle18 - offset5;
+    const wide v79 = offset5 + angle18;
+    const wide q5_ppp = v72 + only_wide(v72 <= -half_turn, m7);
+    const wide q5_ppm = only_wide(-v73 <= -half_turn, m7) - v73;
+    const wide q5_pmp = v74 + only_wide(v74 <= -half_turn, m7);
+    const wide q5_pmm = only_wide(-v75 <= -half_turn, m7) - v75;
+    const wide q5_mpp = v76 + only_wide(v76 <= -half_turn, m7);
+    const wide q5_mpm = only_wide(-v77 <= -half_turn, m7) - v77;
+    const wide q5_mmp = v78 + only_wide(v78 <= -half_turn, m7);
+    const wide q5_mmm = only_wide(-v79 <= -half_turn, m7) - v79;
+    const wide angle19 = atan2_wide(s1_p, -v2);
+    const wide q1_ppp = angle19 + (w3_p - w3_p);
+    const wide angle20 = atan2_wide(s1_m, -v3);
+    const wide q1_mpp = angle20 + (w3_m - w3_m);
     const wide_mask v80 = ((q2_ppp < low2) | (high2 < q2_ppp)) | ((q3_ppp < low3) | (high3 <
         q3_ppp));
     const wide_mask v81 = ((q2_pmp < low2) | (high2 < q2_pmp)) | ((q3_pmp < low3) | (high3 <
@@ -773,7 +739,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[14] = q3_pmp;
     q[15] = q4_pmp;
     q[16] = q5_pmp;
-    q[17] = angle1_;
+    q[17] = angle2;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp;
     q[19] = q2_pmp;
@@ -787,7 +753,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[26] = q3_mpp;
     q[27] = q4_mpp;
     q[28] = q5_mpp;
-    q[29] = angle1__;
+    q[29] = angle3;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
     q[31] = q2_mpp;
@@ -801,7 +767,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[38] = q3_mmp;
     q[39] = q4_mmp;
     q[40] = q5_mmp;
-    q[41] = angle1___;
+    q[41] = angle4;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp;
     q[43] = q2_mmp;
@@ -885,28 +851,28 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     const four angle1 = atan2_four(-(v21 * -X4 + v16 * (v13 * v22 - v14 * T33)), v19 * -X4 + v16 *
         (v13 * v20 - v14 * T32));
-    const four angle1_ = atan2_four(S2, -v11);
-    const four angle1___ = atan2_four(-v16, factor2 * -X4);
-    const four angle1____ = atan2_four(sqrt_four(v18), factor2 * (T31 * v13 + v14 * v15));
+    const four angle2 = atan2_four(S2, -v11);
+    const four angle4 = atan2_four(-v16, factor2 * -X4);
+    const four angle5 = atan2_four(sqrt_four(v18), factor2 * (T31 * v13 + v14 * v15));
     const four packed5 = atan2_four(__builtin_shufflevector(s3, s1, 0, 5, 2, 7),
         __builtin_shufflevector(-v7, -v2, 0, 5, 2, 7));
-    const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1_____ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle6 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
     const four q6_m = angle1 - copysign_four(all_four(half_turn), -(v21 * -X4 + v16 * (v13 * v22 -
         v14 * T33))) * h1;
-    const four v23 = angle1_ - offset2;
-    const four q2_p = v23 - pick_four(half_turn < v23, all_four(m7), all_four(0.0));
-    const four v26 = e2 * angle1__ + v24 * v25 - offset3;
-    const four q3_p = v26 + pick_four(v26 <= -half_turn, all_four(m7), all_four(0.0));
-    const four v28 = angle1___ - offset4;
-    const four v29 = angle1___ - v27 - offset4;
-    const four q4_p = v28 + pick_four(v28 <= -half_turn, all_four(m7), all_four(0.0));
-    const four q4_m = v29 + pick_four(v29 <= -half_turn, all_four(m7), all_four(0.0));
-    const four v30 = angle1____ - offset5;
-    const four v31 = offset5 + angle1____;
-    const four q5_p = v30 + pick_four(v30 <= -half_turn, all_four(m7), all_four(0.0));
-    const four q5_m = pick_four(-v31 <= -half_turn, all_four(m7), all_four(0.0)) - v31;
-    const four q1_p = angle1_____ + (w3 - w3);
+    const four v23 = angle2 - offset2;
+    const four q2_p = v23 - only_four(half_turn < v23, m7);
+    const four v26 = e2 * angle3 + v24 * v25 - offset3;
+    const four q3_p = v26 + only_four(v26 <= -half_turn, m7);
+    const four v28 = angle4 - offset4;
+    const four v29 = angle4 - v27 - offset4;
+    const four q4_p = v28 + only_four(v28 <= -half_turn, m7);
+    const four q4_m = v29 + only_four(v29 <= -half_turn, m7);
+    const four v30 = angle5 - offset5;
+    const four v31 = offset5 + angle5;
+    const four q5_p = v30 + only_four(v30 <= -half_turn, m7);
+    const four q5_m = only_four(-v31 <= -half_turn, m7) - v31;
+    const four q1_p = angle6 + (w3 - w3);
     const four_mask v32 = ((q2_p < low2) | (high2 < q2_p)) | ((q3_p < low3) | (high3 < q3_p));
     const four_mask outside_p = v32 | ((q5_p < low5) | (high5 < q5_p));
     const four_mask outside_m = v32 | ((q5_m < low5) | (high5 < q5_m));

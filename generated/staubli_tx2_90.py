@@ -702,63 +702,57 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
-    angle1___________________ = room[19]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
+    angle20 = room[19]
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))) * h1
-    q6_pmm = (
-        angle1_ - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))) * h1
-    )
-    q6_mpm = (
-        angle1__ - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))) * h1
-    )
-    q6_mmm = (
-        angle1___ - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))) * h1
-    )
+    q6_pmm = angle2 - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))) * h1
+    q6_mpm = angle3 - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))) * h1
+    q6_mmm = angle4 - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))) * h1
 
     # joint values
-    v54 = angle1____ - offset2
-    v55 = angle1_____ - offset2
-    v56 = angle1______ - offset2
-    v57 = angle1_______ - offset2
+    v54 = angle5 - offset2
+    v55 = angle6 - offset2
+    v56 = angle7 - offset2
+    v57 = angle8 - offset2
     q2_ppp = v54 - (m7 if half_turn < v54 else 0.0)
     q2_pmp = v55 - (m7 if half_turn < v55 else 0.0)
     q2_mpp = v56 - (m7 if half_turn < v56 else 0.0)
     q2_mmp = v57 - (m7 if half_turn < v57 else 0.0)
-    v58 = angle1________ - offset3
-    v59 = h1 * math.copysign(half_turn, s3_p) - angle1________ - offset3
-    v60 = angle1_________ - offset3
-    v61 = h1 * math.copysign(half_turn, s3_m) - angle1_________ - offset3
+    v58 = angle9 - offset3
+    v59 = h1 * math.copysign(half_turn, s3_p) - angle9 - offset3
+    v60 = angle10 - offset3
+    v61 = h1 * math.copysign(half_turn, s3_m) - angle10 - offset3
     q3_ppp = v58 + (m7 if v58 <= -half_turn else 0.0)
     q3_pmp = v59 + (m7 if v59 <= -half_turn else 0.0)
     q3_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
     q3_mmp = v61 + (m7 if v61 <= -half_turn else 0.0)
-    v64 = angle1__________ - offset4
-    v65 = angle1__________ - v62 - offset4
-    v66 = angle1___________ - offset4
-    v67 = angle1___________ - v62 - offset4
-    v68 = angle1____________ - offset4
-    v69 = angle1____________ - v63 - offset4
-    v70 = angle1_____________ - offset4
-    v71 = angle1_____________ - v63 - offset4
+    v64 = angle11 - offset4
+    v65 = angle11 - v62 - offset4
+    v66 = angle12 - offset4
+    v67 = angle12 - v62 - offset4
+    v68 = angle13 - offset4
+    v69 = angle13 - v63 - offset4
+    v70 = angle14 - offset4
+    v71 = angle14 - v63 - offset4
     q4_ppp = v64 + (m7 if v64 <= -half_turn else 0.0)
     q4_ppm = v65 + (m7 if v65 <= -half_turn else 0.0)
     q4_pmp = v66 + (m7 if v66 <= -half_turn else 0.0)
@@ -767,14 +761,14 @@ def _regular(pose, q, status):
     q4_mpm = v69 + (m7 if v69 <= -half_turn else 0.0)
     q4_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
     q4_mmm = v71 + (m7 if v71 <= -half_turn else 0.0)
-    v72 = angle1______________ - offset5
-    v73 = offset5 + angle1______________
-    v74 = angle1_______________ - offset5
-    v75 = offset5 + angle1_______________
-    v76 = angle1________________ - offset5
-    v77 = offset5 + angle1________________
-    v78 = angle1_________________ - offset5
-    v79 = offset5 + angle1_________________
+    v72 = angle15 - offset5
+    v73 = offset5 + angle15
+    v74 = angle16 - offset5
+    v75 = offset5 + angle16
+    v76 = angle17 - offset5
+    v77 = offset5 + angle17
+    v78 = angle18 - offset5
+    v79 = offset5 + angle18
     q5_ppp = v72 + (m7 if v72 <= -half_turn else 0.0)
     q5_ppm = (m7 if -v73 <= -half_turn else 0.0) - v73
     q5_pmp = v74 + (m7 if v74 <= -half_turn else 0.0)
@@ -783,8 +777,8 @@ def _regular(pose, q, status):
     q5_mpm = (m7 if -v77 <= -half_turn else 0.0) - v77
     q5_mmp = v78 + (m7 if v78 <= -half_turn else 0.0)
     q5_mmm = (m7 if -v79 <= -half_turn else 0.0) - v79
-    q1_ppp = angle1__________________ + (w3_p - w3_p)
-    q1_mpp = angle1___________________ + (w3_m - w3_m)
+    q1_ppp = angle19 + (w3_p - w3_p)
+    q1_mpp = angle20 + (w3_m - w3_m)
     v80 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
     v81 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
     v82 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
@@ -820,7 +814,7 @@ def _regular(pose, q, status):
     q[2, 2] = q3_pmp
     q[2, 3] = q4_pmp
     q[2, 4] = q5_pmp
-    q[2, 5] = angle1_
+    q[2, 5] = angle2
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
@@ -834,7 +828,7 @@ def _regular(pose, q, status):
     q[4, 2] = q3_mpp
     q[4, 3] = q4_mpp
     q[4, 4] = q5_mpp
-    q[4, 5] = angle1__
+    q[4, 5] = angle3
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
     q[5, 0] = q1_mpp
     q[5, 1] = q2_mpp
@@ -848,7 +842,7 @@ def _regular(pose, q, status):
     q[6, 2] = q3_mmp
     q[6, 3] = q4_mmp
     q[6, 4] = q5_mmp
-    q[6, 5] = angle1___
+    q[6, 5] = angle4
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
@@ -1254,65 +1248,65 @@ def _in_tiles(T, q, status):
             v63 = work[1280 + k]
             doubt1 = work[1312 + k] != 0.0
             angle1 = work[1344 + k]
-            angle1_ = work[1376 + k]
-            angle1__ = work[1408 + k]
-            angle1___ = work[1440 + k]
-            angle1____ = work[1472 + k]
-            angle1_____ = work[1504 + k]
-            angle1______ = work[1536 + k]
-            angle1_______ = work[1568 + k]
-            angle1________ = work[1600 + k]
-            angle1_________ = work[1632 + k]
-            angle1__________ = work[1664 + k]
-            angle1___________ = work[1696 + k]
-            angle1____________ = work[1728 + k]
-            angle1_____________ = work[1760 + k]
-            angle1______________ = work[1792 + k]
-            angle1_______________ = work[1824 + k]
-            angle1________________ = work[1856 + k]
-            angle1_________________ = work[1888 + k]
-            angle1__________________ = work[1920 + k]
-            angle1___________________ = work[1952 + k]
+            angle2 = work[1376 + k]
+            angle3 = work[1408 + k]
+            angle4 = work[1440 + k]
+            angle5 = work[1472 + k]
+            angle6 = work[1504 + k]
+            angle7 = work[1536 + k]
+            angle8 = work[1568 + k]
+            angle9 = work[1600 + k]
+            angle10 = work[1632 + k]
+            angle11 = work[1664 + k]
+            angle12 = work[1696 + k]
+            angle13 = work[1728 + k]
+            angle14 = work[1760 + k]
+            angle15 = work[1792 + k]
+            angle16 = work[1824 + k]
+            angle17 = work[1856 + k]
+            angle18 = work[1888 + k]
+            angle19 = work[1920 + k]
+            angle20 = work[1952 + k]
             q6_ppm = (
                 angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))) *
                 h1
             )
             q6_pmm = (
-                angle1_ - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)))
-                * h1
+                angle2 - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))) *
+                h1
             )
             q6_mpm = (
-                angle1__ - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)))
-                * h1
+                angle3 - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))) *
+                h1
             )
             q6_mmm = (
-                angle1___ - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 *
-                T33))) * h1
+                angle4 - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))) *
+                h1
             )
-            v54 = angle1____ - offset2
-            v55 = angle1_____ - offset2
-            v56 = angle1______ - offset2
-            v57 = angle1_______ - offset2
+            v54 = angle5 - offset2
+            v55 = angle6 - offset2
+            v56 = angle7 - offset2
+            v57 = angle8 - offset2
             q2_ppp = v54 - (m7 if half_turn < v54 else 0.0)
             q2_pmp = v55 - (m7 if half_turn < v55 else 0.0)
             q2_mpp = v56 - (m7 if half_turn < v56 else 0.0)
             q2_mmp = v57 - (m7 if half_turn < v57 else 0.0)
-            v58 = angle1________ - offset3
-            v59 = h1 * math.copysign(half_turn, s3_p) - angle1________ - offset3
-            v60 = angle1_________ - offset3
-            v61 = h1 * math.copysign(half_turn, s3_m) - angle1_________ - offset3
+            v58 = angle9 - offset3
+            v59 = h1 * math.copysign(half_turn, s3_p) - angle9 - offset3
+            v60 = angle10 - offset3
+            v61 = h1 * math.copysign(half_turn, s3_m) - angle10 - offset3
             q3_ppp = v58 + (m7 if v58 <= -half_turn else 0.0)
             q3_pmp = v59 + (m7 if v59 <= -half_turn else 0.0)
             q3_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
             q3_mmp = v61 + (m7 if v61 <= -half_turn else 0.0)
-            v64 = angle1__________ - offset4
-            v65 = angle1__________ - v62 - offset4
-            v66 = angle1___________ - offset4
-            v67 = angle1___________ - v62 - offset4
-            v68 = angle1____________ - offset4
-            v69 = angle1____________ - v63 - offset4
-            v70 = angle1_____________ - offset4
-            v71 = angle1_____________ - v63 - offset4
+            v64 = angle11 - offset4
+            v65 = angle11 - v62 - offset4
+            v66 = angle12 - offset4
+            v67 = angle12 - v62 - offset4
+            v68 = angle13 - offset4
+            v69 = angle13 - v63 - offset4
+            v70 = angle14 - offset4
+            v71 = angle14 - v63 - offset4
             q4_ppp = v64 + (m7 if v64 <= -half_turn else 0.0)
             q4_ppm = v65 + (m7 if v65 <= -half_turn else 0.0)
             q4_pmp = v66 + (m7 if v66 <= -half_turn else 0.0)
@@ -1321,14 +1315,14 @@ def _in_tiles(T, q, status):
             q4_mpm = v69 + (m7 if v69 <= -half_turn else 0.0)
             q4_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
             q4_mmm = v71 + (m7 if v71 <= -half_turn else 0.0)
-            v72 = angle1______________ - offset5
-            v73 = offset5 + angle1______________
-            v74 = angle1_______________ - offset5
-            v75 = offset5 + angle1_______________
-            v76 = angle1________________ - offset5
-            v77 = offset5 + angle1________________
-            v78 = angle1_________________ - offset5
-            v79 = offset5 + angle1_________________
+            v72 = angle15 - offset5
+            v73 = offset5 + angle15
+            v74 = angle16 - offset5
+            v75 = offset5 + angle16
+            v76 = angle17 - offset5
+            v77 = offset5 + angle17
+            v78 = angle18 - offset5
+            v79 = offset5 + angle18
             q5_ppp = v72 + (m7 if v72 <= -half_turn else 0.0)
             q5_ppm = (m7 if -v73 <= -half_turn else 0.0) - v73
             q5_pmp = v74 + (m7 if v74 <= -half_turn else 0.0)
@@ -1337,8 +1331,8 @@ def _in_tiles(T, q, status):
             q5_mpm = (m7 if -v77 <= -half_turn else 0.0) - v77
             q5_mmp = v78 + (m7 if v78 <= -half_turn else 0.0)
             q5_mmm = (m7 if -v79 <= -half_turn else 0.0) - v79
-            q1_ppp = angle1__________________ + (w3_p - w3_p)
-            q1_mpp = angle1___________________ + (w3_m - w3_m)
+            q1_ppp = angle19 + (w3_p - w3_p)
+            q1_mpp = angle20 + (w3_m - w3_m)
             v80 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
             v81 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
             v82 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
@@ -1377,7 +1371,7 @@ def _in_tiles(T, q, status):
             work[2976 + k] = _2976
             _3008 = q5_pmp
             work[3008 + k] = _3008
-            _3040 = angle1_
+            _3040 = angle2
             work[3040 + k] = _3040
             _3072 = q4_pmm
             work[3072 + k] = _3072
@@ -1395,7 +1389,7 @@ def _in_tiles(T, q, status):
             work[3264 + k] = _3264
             _3296 = q5_mpp
             work[3296 + k] = _3296
-            _3328 = angle1__
+            _3328 = angle3
             work[3328 + k] = _3328
             _3360 = q4_mpm
             work[3360 + k] = _3360
@@ -1411,7 +1405,7 @@ def _in_tiles(T, q, status):
             work[3520 + k] = _3520
             _3552 = q5_mmp
             work[3552 + k] = _3552
-            _3584 = angle1___
+            _3584 = angle4
             work[3584 + k] = _3584
             _3616 = q4_mmm
             work[3616 + k] = _3616

@@ -691,52 +691,52 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-    q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
-    q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
-    q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
+    q6_pmm = angle2 - math.copysign(half_turn, s6_pm) * h1
+    q6_mpm = angle3 - math.copysign(half_turn, s6_mp) * h1
+    q6_mmm = angle4 - math.copysign(half_turn, s6_mm) * h1
 
     # joint values
-    v40 = angle1____ - offset1
-    v41 = angle1_____ - offset1
-    v42 = angle1______ - offset2
-    v43 = angle1_______ - offset2
-    v44 = angle1________ - offset2
-    v45 = angle1_________ - offset2
+    v40 = angle5 - offset1
+    v41 = angle6 - offset1
+    v42 = angle7 - offset2
+    v43 = angle8 - offset2
+    v44 = angle9 - offset2
+    v45 = angle10 - offset2
     q2_ppp = v42 + (m7 if v42 <= -half_turn else 0.0)
     q2_pmp = v43 + (m7 if v43 <= -half_turn else 0.0)
     q2_mpp = v44 + (m7 if v44 <= -half_turn else 0.0)
     q2_mmp = v45 + (m7 if v45 <= -half_turn else 0.0)
-    v46 = angle1__________ - offset3
-    v47 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
-    v50 = angle1___________ - offset4
-    v51 = angle1___________ - v48 - offset4
-    v52 = angle1____________ - offset4
-    v53 = angle1____________ - v48 - offset4
-    v54 = angle1_____________ - offset4
-    v55 = angle1_____________ - v49 - offset4
-    v56 = angle1______________ - offset4
-    v57 = angle1______________ - v49 - offset4
+    v46 = angle11 - offset3
+    v47 = h1 * math.copysign(half_turn, v7) - angle11 - offset3
+    v50 = angle12 - offset4
+    v51 = angle12 - v48 - offset4
+    v52 = angle13 - offset4
+    v53 = angle13 - v48 - offset4
+    v54 = angle14 - offset4
+    v55 = angle14 - v49 - offset4
+    v56 = angle15 - offset4
+    v57 = angle15 - v49 - offset4
     q4_ppp = v50 + (m7 if v50 <= -half_turn else 0.0)
     q4_ppm = v51 + (m7 if v51 <= -half_turn else 0.0)
     q4_pmp = v52 + (m7 if v52 <= -half_turn else 0.0)
@@ -745,14 +745,14 @@ def _regular(pose, q, status):
     q4_mpm = v55 + (m7 if v55 <= -half_turn else 0.0)
     q4_mmp = v56 + (m7 if v56 <= -half_turn else 0.0)
     q4_mmm = v57 + (m7 if v57 <= -half_turn else 0.0)
-    v60 = angle1_______________ - offset5
-    v61 = offset5 + angle1_______________
-    v62 = angle1________________ - offset5
-    v63 = offset5 + angle1________________
-    v64 = angle1_________________ - offset5
-    v65 = offset5 + angle1_________________
-    v66 = angle1__________________ - offset5
-    v67 = offset5 + angle1__________________
+    v60 = angle16 - offset5
+    v61 = offset5 + angle16
+    v62 = angle17 - offset5
+    v63 = offset5 + angle17
+    v64 = angle18 - offset5
+    v65 = offset5 + angle18
+    v66 = angle19 - offset5
+    v67 = offset5 + angle19
     q5_ppp = v60 + (m7 if v60 <= -half_turn else 0.0)
     q5_ppm = (m7 if -v61 <= -half_turn else 0.0) - v61
     q5_pmp = v62 + (m7 if v62 <= -half_turn else 0.0)
@@ -788,7 +788,7 @@ def _regular(pose, q, status):
     q[2, 2] = q3_pmp
     q[2, 3] = q4_pmp
     q[2, 4] = q5_pmp
-    q[2, 5] = angle1_
+    q[2, 5] = angle2
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
@@ -802,7 +802,7 @@ def _regular(pose, q, status):
     q[4, 2] = q3_ppp
     q[4, 3] = q4_mpp
     q[4, 4] = q5_mpp
-    q[4, 5] = angle1__
+    q[4, 5] = angle3
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else OK
     q[5, 0] = q1_mpp
     q[5, 1] = q2_mpp
@@ -816,7 +816,7 @@ def _regular(pose, q, status):
     q[6, 2] = q3_pmp
     q[6, 3] = q4_mmp
     q[6, 4] = q5_mmp
-    q[6, 5] = angle1___
+    q[6, 5] = angle4
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
@@ -1183,48 +1183,48 @@ def _in_tiles(T, q, status):
             v49 = work[800 + k]
             doubt1 = work[832 + k] != 0.0
             angle1 = work[864 + k]
-            angle1_ = work[896 + k]
-            angle1__ = work[928 + k]
-            angle1___ = work[960 + k]
-            angle1____ = work[992 + k]
-            angle1_____ = work[1024 + k]
-            angle1______ = work[1056 + k]
-            angle1_______ = work[1088 + k]
-            angle1________ = work[1120 + k]
-            angle1_________ = work[1152 + k]
-            angle1__________ = work[1184 + k]
-            angle1___________ = work[1216 + k]
-            angle1____________ = work[1248 + k]
-            angle1_____________ = work[1280 + k]
-            angle1______________ = work[1312 + k]
-            angle1_______________ = work[1344 + k]
-            angle1________________ = work[1376 + k]
-            angle1_________________ = work[1408 + k]
-            angle1__________________ = work[1440 + k]
+            angle2 = work[896 + k]
+            angle3 = work[928 + k]
+            angle4 = work[960 + k]
+            angle5 = work[992 + k]
+            angle6 = work[1024 + k]
+            angle7 = work[1056 + k]
+            angle8 = work[1088 + k]
+            angle9 = work[1120 + k]
+            angle10 = work[1152 + k]
+            angle11 = work[1184 + k]
+            angle12 = work[1216 + k]
+            angle13 = work[1248 + k]
+            angle14 = work[1280 + k]
+            angle15 = work[1312 + k]
+            angle16 = work[1344 + k]
+            angle17 = work[1376 + k]
+            angle18 = work[1408 + k]
+            angle19 = work[1440 + k]
             q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-            q6_pmm = angle1_ - math.copysign(half_turn, s6_pm) * h1
-            q6_mpm = angle1__ - math.copysign(half_turn, s6_mp) * h1
-            q6_mmm = angle1___ - math.copysign(half_turn, s6_mm) * h1
-            v40 = angle1____ - offset1
-            v41 = angle1_____ - offset1
-            v42 = angle1______ - offset2
-            v43 = angle1_______ - offset2
-            v44 = angle1________ - offset2
-            v45 = angle1_________ - offset2
+            q6_pmm = angle2 - math.copysign(half_turn, s6_pm) * h1
+            q6_mpm = angle3 - math.copysign(half_turn, s6_mp) * h1
+            q6_mmm = angle4 - math.copysign(half_turn, s6_mm) * h1
+            v40 = angle5 - offset1
+            v41 = angle6 - offset1
+            v42 = angle7 - offset2
+            v43 = angle8 - offset2
+            v44 = angle9 - offset2
+            v45 = angle10 - offset2
             q2_ppp = v42 + (m7 if v42 <= -half_turn else 0.0)
             q2_pmp = v43 + (m7 if v43 <= -half_turn else 0.0)
             q2_mpp = v44 + (m7 if v44 <= -half_turn else 0.0)
             q2_mmp = v45 + (m7 if v45 <= -half_turn else 0.0)
-            v46 = angle1__________ - offset3
-            v47 = h1 * math.copysign(half_turn, v7) - angle1__________ - offset3
-            v50 = angle1___________ - offset4
-            v51 = angle1___________ - v48 - offset4
-            v52 = angle1____________ - offset4
-            v53 = angle1____________ - v48 - offset4
-            v54 = angle1_____________ - offset4
-            v55 = angle1_____________ - v49 - offset4
-            v56 = angle1______________ - offset4
-            v57 = angle1______________ - v49 - offset4
+            v46 = angle11 - offset3
+            v47 = h1 * math.copysign(half_turn, v7) - angle11 - offset3
+            v50 = angle12 - offset4
+            v51 = angle12 - v48 - offset4
+            v52 = angle13 - offset4
+            v53 = angle13 - v48 - offset4
+            v54 = angle14 - offset4
+            v55 = angle14 - v49 - offset4
+            v56 = angle15 - offset4
+            v57 = angle15 - v49 - offset4
             q4_ppp = v50 + (m7 if v50 <= -half_turn else 0.0)
             q4_ppm = v51 + (m7 if v51 <= -half_turn else 0.0)
             q4_pmp = v52 + (m7 if v52 <= -half_turn else 0.0)
@@ -1233,14 +1233,14 @@ def _in_tiles(T, q, status):
             q4_mpm = v55 + (m7 if v55 <= -half_turn else 0.0)
             q4_mmp = v56 + (m7 if v56 <= -half_turn else 0.0)
             q4_mmm = v57 + (m7 if v57 <= -half_turn else 0.0)
-            v60 = angle1_______________ - offset5
-            v61 = offset5 + angle1_______________
-            v62 = angle1________________ - offset5
-            v63 = offset5 + angle1________________
-            v64 = angle1_________________ - offset5
-            v65 = offset5 + angle1_________________
-            v66 = angle1__________________ - offset5
-            v67 = offset5 + angle1__________________
+            v60 = angle16 - offset5
+            v61 = offset5 + angle16
+            v62 = angle17 - offset5
+            v63 = offset5 + angle17
+            v64 = angle18 - offset5
+            v65 = offset5 + angle18
+            v66 = angle19 - offset5
+            v67 = offset5 + angle19
             q5_ppp = v60 + (m7 if v60 <= -half_turn else 0.0)
             q5_ppm = (m7 if -v61 <= -half_turn else 0.0) - v61
             q5_pmp = v62 + (m7 if v62 <= -half_turn else 0.0)
@@ -1279,7 +1279,7 @@ def _in_tiles(T, q, status):
             work[2432 + k] = _2432
             _2464 = q5_pmp
             work[2464 + k] = _2464
-            _2496 = angle1_
+            _2496 = angle2
             work[2496 + k] = _2496
             _2528 = q4_pmm
             work[2528 + k] = _2528
@@ -1295,7 +1295,7 @@ def _in_tiles(T, q, status):
             work[2688 + k] = _2688
             _2720 = q5_mpp
             work[2720 + k] = _2720
-            _2752 = angle1__
+            _2752 = angle3
             work[2752 + k] = _2752
             _2784 = q4_mpm
             work[2784 + k] = _2784
@@ -1309,7 +1309,7 @@ def _in_tiles(T, q, status):
             work[2912 + k] = _2912
             _2944 = q5_mmp
             work[2944 + k] = _2944
-            _2976 = angle1___
+            _2976 = angle4
             work[2976 + k] = _2976
             _3008 = q4_mmm
             work[3008 + k] = _3008

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -72,6 +96,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -83,29 +112,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -114,6 +120,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -127,28 +138,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -156,37 +146,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef TECHMAN_TM5_900_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -573,13 +543,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v5 = 1.0 / v3;
     const wide v6 = 1.0 / v4;
     const wide angle1 = atan2_wide(Y6_p, -X6_p);
-    const wide angle1_ = atan2_wide(Y6_m, -X6_m);
+    const wide angle2 = atan2_wide(Y6_m, -X6_m);
 
     /* theta5 */
     const wide c5_p = T23 * c1_p - T13 * s1_p;
     const wide c5_m = T23 * c1_m - T13 * s1_m;
-    const wide angle1__ = atan2_wide(w6_p, c5_p);
-    const wide angle1___ = atan2_wide(w6_m, c5_m);
+    const wide angle3 = atan2_wide(w6_p, c5_p);
+    const wide angle4 = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
     const wide v7 = v5 * (Y6_p * T31 - X6_p * T32);
@@ -590,10 +560,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32));
     const wide s234_p = w6_p * v9;
     const wide s234_m = w6_m * v10;
-    const wide angle1____ = atan2_wide(v9, -v7);
-    const wide angle1_____ = atan2_wide(v10, -v8);
-    const wide theta234_pm = angle1____ - h1 * copysign_wide(all_wide(half_turn), v9);
-    const wide theta234_mm = angle1_____ - h1 * copysign_wide(all_wide(half_turn), v10);
+    const wide angle5 = atan2_wide(v9, -v7);
+    const wide angle6 = atan2_wide(v10, -v8);
+    const wide theta234_pm = angle5 - h1 * copysign_wide(all_wide(half_turn), v9);
+    const wide theta234_mm = angle6 - h1 * copysign_wide(all_wide(half_turn), v10);
 
     /* theta3 */
     const wide v11 = d6 * w6_p;
@@ -629,10 +599,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v25 = w3_pm - w3_pm;
     const wide v26 = w3_mp - w3_mp;
     const wide v27 = w3_mm - w3_mm;
-    const wide angle1______ = atan2_wide(w3_pp, N3_pp - k4);
-    const wide angle1_______ = atan2_wide(w3_pm, N3_pm - k4);
-    const wide angle1________ = atan2_wide(w3_mp, N3_mp - k4);
-    const wide angle1_________ = atan2_wide(w3_mm, N3_mm - k4);
+    const wide angle7 = atan2_wide(w3_pp, N3_pp - k4);
+    const wide angle8 = atan2_wide(w3_pm, N3_pm - k4);
+    const wide angle9 = atan2_wide(w3_mp, N3_mp - k4);
+    const wide angle10 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
     const wide v28 = m5 + m4 * N3_pp;
@@ -648,93 +618,85 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v38 = Z2_3_mp * v30;
     const wide v39 = Z2_3_mm * v31;
     const wide v40 = w3_pp * (m4 * Z2_3_pp);
-    const wide angle1__________ = atan2_wide(v32 - v40, v36 + w3_pp * (m4 * Z1_3_pp));
-    const wide angle1___________ = atan2_wide(v32 + v40, v36 + w3_pp * (m4 * -Z1_3_pp));
+    const wide angle11 = atan2_wide(v32 - v40, v36 + w3_pp * (m4 * Z1_3_pp));
+    const wide angle12 = atan2_wide(v32 + v40, v36 + w3_pp * (m4 * -Z1_3_pp));
     const wide v41 = w3_pm * (m4 * Z2_3_pm);
-    const wide angle1____________ = atan2_wide(v33 - v41, v37 + w3_pm * (m4 * Z1_3_pm));
-    const wide angle1_____________ = atan2_wide(v33 + v41, v37 + w3_pm * (m4 * -Z1_3_pm));
+    const wide angle13 = atan2_wide(v33 - v41, v37 + w3_pm * (m4 * Z1_3_pm));
+    const wide angle14 = atan2_wide(v33 + v41, v37 + w3_pm * (m4 * -Z1_3_pm));
     const wide v42 = w3_mp * (m4 * Z2_3_mp);
-    const wide angle1______________ = atan2_wide(v34 - v42, v38 + w3_mp * (m4 * Z1_3_mp));
-    const wide angle1_______________ = atan2_wide(v34 + v42, v38 + w3_mp * (m4 * -Z1_3_mp));
+    const wide angle15 = atan2_wide(v34 - v42, v38 + w3_mp * (m4 * Z1_3_mp));
+    const wide angle16 = atan2_wide(v34 + v42, v38 + w3_mp * (m4 * -Z1_3_mp));
     const wide v43 = w3_mm * (m4 * Z2_3_mm);
-    const wide angle1________________ = atan2_wide(v35 - v43, v39 + w3_mm * (m4 * Z1_3_mm));
-    const wide angle1_________________ = atan2_wide(v35 + v43, v39 + w3_mm * (m4 * -Z1_3_mm));
+    const wide angle17 = atan2_wide(v35 - v43, v39 + w3_mm * (m4 * Z1_3_mm));
+    const wide angle18 = atan2_wide(v35 + v43, v39 + w3_mm * (m4 * -Z1_3_mm));
 
     /* joint values */
-    const wide angle1__________________ = atan2_wide(s1_p, c1_p);
-    const wide v44 = angle1__________________ - offset1;
-    const wide angle1___________________ = atan2_wide(s1_m, c1_m);
-    const wide v45 = angle1___________________ - offset1;
-    const wide q1__p = v44 + pick_wide(v44 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q1__m = v45 + pick_wide(v45 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v46 = angle1__________ - offset2;
-    const wide v47 = angle1___________ - offset2;
-    const wide v48 = angle1____________ - offset2;
-    const wide v49 = angle1_____________ - offset2;
-    const wide v50 = angle1______________ - offset2;
-    const wide v51 = angle1_______________ - offset2;
-    const wide v52 = angle1________________ - offset2;
-    const wide v53 = angle1_________________ - offset2;
-    const wide q2_ppp = v46 + pick_wide(v46 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_ppm = v47 + pick_wide(v47 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_pmp = v48 + pick_wide(v48 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_pmm = v49 + pick_wide(v49 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_mpp = v50 + pick_wide(v50 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_mpm = v51 + pick_wide(v51 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_mmp = v52 + pick_wide(v52 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q2_mmm = v53 + pick_wide(v53 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v54 = angle1____ - (angle1______ + angle1__________) - offset4;
-    const wide v55 = angle1____ - (angle1___________ - angle1______) - offset4;
-    const wide v56 = theta234_pm - (angle1_______ + angle1____________) - offset4;
-    const wide v57 = theta234_pm - (angle1_____________ - angle1_______) - offset4;
-    const wide v58 = angle1_____ - (angle1________ + angle1______________) - offset4;
-    const wide v59 = angle1_____ - (angle1_______________ - angle1________) - offset4;
-    const wide v60 = theta234_mm - (angle1_________ + angle1________________) - offset4;
-    const wide v61 = theta234_mm - (angle1_________________ - angle1_________) - offset4;
-    const wide v62 = v54 - pick_wide(half_turn < v54, all_wide(m6), all_wide(0.0)) + pick_wide(v54
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v63 = v55 - pick_wide(half_turn < v55, all_wide(m6), all_wide(0.0)) + pick_wide(v55
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v64 = v56 - pick_wide(half_turn < v56, all_wide(m6), all_wide(0.0)) + pick_wide(v56
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v65 = v57 - pick_wide(half_turn < v57, all_wide(m6), all_wide(0.0)) + pick_wide(v57
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v66 = v58 - pick_wide(half_turn < v58, all_wide(m6), all_wide(0.0)) + pick_wide(v58
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v67 = v59 - pick_wide(half_turn < v59, all_wide(m6), all_wide(0.0)) + pick_wide(v59
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v68 = v60 - pick_wide(half_turn < v60, all_wide(m6), all_wide(0.0)) + pick_wide(v60
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide v69 = v61 - pick_wide(half_turn < v61, all_wide(m6), all_wide(0.0)) + pick_wide(v61
-        <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_ppp = v62 + pick_wide(v62 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_ppm = v63 + pick_wide(v63 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_pmp = v64 + pick_wide(v64 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_pmm = v65 + pick_wide(v65 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mpp = v66 + pick_wide(v66 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mpm = v67 + pick_wide(v67 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mmp = v68 + pick_wide(v68 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mmm = v69 + pick_wide(v69 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide_mask outside_ppp = (angle1______ < low3) | (high3 < angle1______);
-    const wide_mask outside_ppm = (-angle1______ < low3) | (high3 < -angle1______);
-    const wide_mask outside_pmp = (angle1_______ < low3) | (high3 < angle1_______);
-    const wide_mask outside_pmm = (-angle1_______ < low3) | (high3 < -angle1_______);
-    const wide_mask outside_mpp = (angle1________ < low3) | (high3 < angle1________);
-    const wide_mask outside_mpm = (-angle1________ < low3) | (high3 < -angle1________);
-    const wide_mask outside_mmp = (angle1_________ < low3) | (high3 < angle1_________);
-    const wide_mask outside_mmm = (-angle1_________ < low3) | (high3 < -angle1_________);
+    const wide angle19 = atan2_wide(s1_p, c1_p);
+    const wide v44 = angle19 - offset1;
+    const wide angle20 = atan2_wide(s1_m, c1_m);
+    const wide v45 = angle20 - offset1;
+    const wide q1__p = v44 + only_wide(v44 <= -half_turn, m6);
+    const wide q1__m = v45 + only_wide(v45 <= -half_turn, m6);
+    const wide v46 = angle11 - offset2;
+    const wide v47 = angle12 - offset2;
+    const wide v48 = angle13 - offset2;
+    const wide v49 = angle14 - offset2;
+    const wide v50 = angle15 - offset2;
+    const wide v51 = angle16 - offset2;
+    const wide v52 = angle17 - offset2;
+    const wide v53 = angle18 - offset2;
+    const wide q2_ppp = v46 + only_wide(v46 <= -half_turn, m6);
+    const wide q2_ppm = v47 + only_wide(v47 <= -half_turn, m6);
+    const wide q2_pmp = v48 + only_wide(v48 <= -half_turn, m6);
+    const wide q2_pmm = v49 + only_wide(v49 <= -half_turn, m6);
+    const wide q2_mpp = v50 + only_wide(v50 <= -half_turn, m6);
+    const wide q2_mpm = v51 + only_wide(v51 <= -half_turn, m6);
+    const wide q2_mmp = v52 + only_wide(v52 <= -half_turn, m6);
+    const wide q2_mmm = v53 + only_wide(v53 <= -half_turn, m6);
+    const wide v54 = angle5 - (angle7 + angle11) - offset4;
+    const wide v55 = angle5 - (angle12 - angle7) - offset4;
+    const wide v56 = theta234_pm - (angle8 + angle13) - offset4;
+    const wide v57 = theta234_pm - (angle14 - angle8) - offset4;
+    const wide v58 = angle6 - (angle9 + angle15) - offset4;
+    const wide v59 = angle6 - (angle16 - angle9) - offset4;
+    const wide v60 = theta234_mm - (angle10 + angle17) - offset4;
+    const wide v61 = theta234_mm - (angle18 - angle10) - offset4;
+    const wide v62 = v54 - only_wide(half_turn < v54, m6) + only_wide(v54 <= -half_turn, m6);
+    const wide v63 = v55 - only_wide(half_turn < v55, m6) + only_wide(v55 <= -half_turn, m6);
+    const wide v64 = v56 - only_wide(half_turn < v56, m6) + only_wide(v56 <= -half_turn, m6);
+    const wide v65 = v57 - only_wide(half_turn < v57, m6) + only_wide(v57 <= -half_turn, m6);
+    const wide v66 = v58 - only_wide(half_turn < v58, m6) + only_wide(v58 <= -half_turn, m6);
+    const wide v67 = v59 - only_wide(half_turn < v59, m6) + only_wide(v59 <= -half_turn, m6);
+    const wide v68 = v60 - only_wide(half_turn < v60, m6) + only_wide(v60 <= -half_turn, m6);
+    const wide v69 = v61 - only_wide(half_turn < v61, m6) + only_wide(v61 <= -half_turn, m6);
+    const wide q4_ppp = v62 + only_wide(v62 <= -half_turn, m6);
+    const wide q4_ppm = v63 + only_wide(v63 <= -half_turn, m6);
+    const wide q4_pmp = v64 + only_wide(v64 <= -half_turn, m6);
+    const wide q4_pmm = v65 + only_wide(v65 <= -half_turn, m6);
+    const wide q4_mpp = v66 + only_wide(v66 <= -half_turn, m6);
+    const wide q4_mpm = v67 + only_wide(v67 <= -half_turn, m6);
+    const wide q4_mmp = v68 + only_wide(v68 <= -half_turn, m6);
+    const wide q4_mmm = v69 + only_wide(v69 <= -half_turn, m6);
+    const wide_mask outside_ppp = (angle7 < low3) | (high3 < angle7);
+    const wide_mask outside_ppm = (-angle7 < low3) | (high3 < -angle7);
+    const wide_mask outside_pmp = (angle8 < low3) | (high3 < angle8);
+    const wide_mask outside_pmm = (-angle8 < low3) | (high3 < -angle8);
+    const wide_mask outside_mpp = (angle9 < low3) | (high3 < angle9);
+    const wide_mask outside_mpm = (-angle9 < low3) | (high3 < -angle9);
+    const wide_mask outside_mmp = (angle10 < low3) | (high3 < angle10);
+    const wide_mask outside_mmm = (-angle10 < low3) | (high3 < -angle10);
     const wide q1_ppp = v24 + q1__p;
     const wide q1_pmp = v25 + q1__p;
     const wide q1_mpp = v26 + q1__m;
     const wide q1_mmp = v27 + q1__m;
-    const wide q5_ppp = angle1__ + v24;
-    const wide q5_pmp = v25 - angle1__;
-    const wide q5_mpp = angle1___ + v26;
-    const wide q5_mmp = v27 - angle1___;
+    const wide q5_ppp = angle3 + v24;
+    const wide q5_pmp = v25 - angle3;
+    const wide q5_mpp = angle4 + v26;
+    const wide q5_mmp = v27 - angle4;
     const wide q6_ppp = angle1 + v24;
     const wide q6_pmp = v25 + (angle1 - copysign_wide(all_wide(half_turn), Y6_p) * h1);
-    const wide q6_mpp = angle1_ + v26;
-    const wide q6_mmp = v27 + (angle1_ - copysign_wide(all_wide(half_turn), Y6_m) * h1);
+    const wide q6_mpp = angle2 + v26;
+    const wide q6_mmp = v27 + (angle2 - copysign_wide(all_wide(half_turn), Y6_m) * h1);
     const wide_mask doubt1 = (N3_mm <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm
         <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
         ((N3_mp <= free_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach))
@@ -747,56 +709,56 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
-    q[2] = angle1______;
+    q[2] = angle7;
     q[3] = q4_ppp;
     q[4] = q5_ppp;
     q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
     q[6] = q1_ppp;
     q[7] = q2_ppm;
-    q[8] = -angle1______;
+    q[8] = -angle7;
     q[9] = q4_ppm;
     q[10] = q5_ppp;
     q[11] = q6_ppp;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_pmp;
     q[13] = q2_pmp;
-    q[14] = angle1_______;
+    q[14] = angle8;
     q[15] = q4_pmp;
     q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_pmp;
     q[19] = q2_pmm;
-    q[20] = -angle1_______;
+    q[20] = -angle8;
     q[21] = q4_pmm;
     q[22] = q5_pmp;
     q[23] = q6_pmp;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
     q[24] = q1_mpp;
     q[25] = q2_mpp;
-    q[26] = angle1________;
+    q[26] = angle9;
     q[27] = q4_mpp;
     q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
     q[30] = q1_mpp;
     q[31] = q2_mpm;
-    q[32] = -angle1________;
+    q[32] = -angle9;
     q[33] = q4_mpm;
     q[34] = q5_mpp;
     q[35] = q6_mpp;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mmp;
     q[37] = q2_mmp;
-    q[38] = angle1_________;
+    q[38] = angle10;
     q[39] = q4_mmp;
     q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mmp;
     q[43] = q2_mmm;
-    q[44] = -angle1_________;
+    q[44] = -angle10;
     q[45] = q4_mmm;
     q[46] = q5_mmp;
     q[47] = q6_mmp;
@@ -875,43 +837,41 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt3 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1___ = atan2_four(w3, N3 - k4);
-    const four angle1____ = atan2_four(v19 - v21, v20 + w3 * (m4 * Z1_3));
-    const four angle1_____ = atan2_four(v19 + v21, v20 + w3 * (m4 * -Z1_3));
+    const four angle4 = atan2_four(w3, N3 - k4);
+    const four angle5 = atan2_four(v19 - v21, v20 + w3 * (m4 * Z1_3));
+    const four angle6 = atan2_four(v19 + v21, v20 + w3 * (m4 * -Z1_3));
     const four packed4 = atan2_four(__builtin_shufflevector(Y6, w6, 0, 5, 2, 7),
         __builtin_shufflevector(-X6, c5, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
-    const four angle1_ = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
+    const four angle2 = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
     const four packed5 = atan2_four(__builtin_shufflevector(v8, s1, 0, 5, 2, 7),
         __builtin_shufflevector(-v7, c1, 0, 5, 2, 7));
-    const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1______ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four theta234 = angle1__ + v6 * v9;
-    const four v22 = angle1______ - offset1;
-    const four q1_ = v22 + pick_four(v22 <= -half_turn, all_four(m6), all_four(0.0));
-    const four v23 = angle1____ - offset2;
-    const four v24 = angle1_____ - offset2;
-    const four q2_p = v23 + pick_four(v23 <= -half_turn, all_four(m6), all_four(0.0));
-    const four q2_m = v24 + pick_four(v24 <= -half_turn, all_four(m6), all_four(0.0));
-    const four v25 = theta234 - (angle1___ + angle1____) - offset4;
-    const four v26 = theta234 - (angle1_____ - angle1___) - offset4;
-    const four v27 = v25 - pick_four(half_turn < v25, all_four(m6), all_four(0.0)) + pick_four(v25
-        <= -half_turn, all_four(m6), all_four(0.0));
-    const four v28 = v26 - pick_four(half_turn < v26, all_four(m6), all_four(0.0)) + pick_four(v26
-        <= -half_turn, all_four(m6), all_four(0.0));
-    const four q4_p = v27 + pick_four(v27 <= -half_turn, all_four(m6), all_four(0.0));
-    const four q4_m = v28 + pick_four(v28 <= -half_turn, all_four(m6), all_four(0.0));
-    const four_mask outside_p = (angle1___ < low3) | (high3 < angle1___);
-    const four_mask outside_m = (-angle1___ < low3) | (high3 < -angle1___);
+    const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle7 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four theta234 = angle3 + v6 * v9;
+    const four v22 = angle7 - offset1;
+    const four q1_ = v22 + only_four(v22 <= -half_turn, m6);
+    const four v23 = angle5 - offset2;
+    const four v24 = angle6 - offset2;
+    const four q2_p = v23 + only_four(v23 <= -half_turn, m6);
+    const four q2_m = v24 + only_four(v24 <= -half_turn, m6);
+    const four v25 = theta234 - (angle4 + angle5) - offset4;
+    const four v26 = theta234 - (angle6 - angle4) - offset4;
+    const four v27 = v25 - only_four(half_turn < v25, m6) + only_four(v25 <= -half_turn, m6);
+    const four v28 = v26 - only_four(half_turn < v26, m6) + only_four(v26 <= -half_turn, m6);
+    const four q4_p = v27 + only_four(v27 <= -half_turn, m6);
+    const four q4_m = v28 + only_four(v28 <= -half_turn, m6);
+    const four_mask outside_p = (angle4 < low3) | (high3 < angle4);
+    const four_mask outside_m = (-angle4 < low3) | (high3 < -angle4);
     const four q1_p = v17 + q1_;
-    const four q5_p = v17 + e2 * angle1_;
+    const four q5_p = v17 + e2 * angle2;
     const four q6_p = v17 + (angle1 + v5 * v6);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle1___, q4_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, angle4, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_m, -angle1___, q4_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_m, -angle4, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);

@@ -819,43 +819,43 @@ def _regular(pose, q, status):
     for k in range(24):
         room[k] = _atan2(room[k], room[k + 24])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
-    angle1_________ = room[9]
-    angle1__________ = room[10]
-    angle1___________ = room[11]
-    angle1____________ = room[12]
-    angle1_____________ = room[13]
-    angle1______________ = room[14]
-    angle1_______________ = room[15]
-    angle1________________ = room[16]
-    angle1_________________ = room[17]
-    angle1__________________ = room[18]
-    angle1___________________ = room[19]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle11 = room[10]
+    angle12 = room[11]
+    angle13 = room[12]
+    angle14 = room[13]
+    angle15 = room[14]
+    angle16 = room[15]
+    angle17 = room[16]
+    angle18 = room[17]
+    angle19 = room[18]
+    angle20 = room[19]
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    theta234_pm = angle1____ - h1 * math.copysign(half_turn, v9)
-    theta234_mm = angle1_____ - h1 * math.copysign(half_turn, v10)
+    theta234_pm = angle5 - h1 * math.copysign(half_turn, v9)
+    theta234_mm = angle6 - h1 * math.copysign(half_turn, v10)
 
     # joint values
-    v44 = angle1__________________ - offset1
-    v45 = angle1___________________ - offset1
+    v44 = angle19 - offset1
+    v45 = angle20 - offset1
     q1__p = v44 + (m6 if v44 <= -half_turn else 0.0)
     q1__m = v45 + (m6 if v45 <= -half_turn else 0.0)
-    v46 = angle1__________ - offset2
-    v47 = angle1___________ - offset2
-    v48 = angle1____________ - offset2
-    v49 = angle1_____________ - offset2
-    v50 = angle1______________ - offset2
-    v51 = angle1_______________ - offset2
-    v52 = angle1________________ - offset2
-    v53 = angle1_________________ - offset2
+    v46 = angle11 - offset2
+    v47 = angle12 - offset2
+    v48 = angle13 - offset2
+    v49 = angle14 - offset2
+    v50 = angle15 - offset2
+    v51 = angle16 - offset2
+    v52 = angle17 - offset2
+    v53 = angle18 - offset2
     q2_ppp = v46 + (m6 if v46 <= -half_turn else 0.0)
     q2_ppm = v47 + (m6 if v47 <= -half_turn else 0.0)
     q2_pmp = v48 + (m6 if v48 <= -half_turn else 0.0)
@@ -864,14 +864,14 @@ def _regular(pose, q, status):
     q2_mpm = v51 + (m6 if v51 <= -half_turn else 0.0)
     q2_mmp = v52 + (m6 if v52 <= -half_turn else 0.0)
     q2_mmm = v53 + (m6 if v53 <= -half_turn else 0.0)
-    v54 = angle1____ - (angle1______ + angle1__________) - offset4
-    v55 = angle1____ - (angle1___________ - angle1______) - offset4
-    v56 = theta234_pm - (angle1_______ + angle1____________) - offset4
-    v57 = theta234_pm - (angle1_____________ - angle1_______) - offset4
-    v58 = angle1_____ - (angle1________ + angle1______________) - offset4
-    v59 = angle1_____ - (angle1_______________ - angle1________) - offset4
-    v60 = theta234_mm - (angle1_________ + angle1________________) - offset4
-    v61 = theta234_mm - (angle1_________________ - angle1_________) - offset4
+    v54 = angle5 - (angle7 + angle11) - offset4
+    v55 = angle5 - (angle12 - angle7) - offset4
+    v56 = theta234_pm - (angle8 + angle13) - offset4
+    v57 = theta234_pm - (angle14 - angle8) - offset4
+    v58 = angle6 - (angle9 + angle15) - offset4
+    v59 = angle6 - (angle16 - angle9) - offset4
+    v60 = theta234_mm - (angle10 + angle17) - offset4
+    v61 = theta234_mm - (angle18 - angle10) - offset4
     v62 = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
     v63 = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
     v64 = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
@@ -888,82 +888,82 @@ def _regular(pose, q, status):
     q4_mpm = v67 + (m6 if v67 <= -half_turn else 0.0)
     q4_mmp = v68 + (m6 if v68 <= -half_turn else 0.0)
     q4_mmm = v69 + (m6 if v69 <= -half_turn else 0.0)
-    outside_ppp = angle1______ < low3 or high3 < angle1______
-    outside_ppm = -angle1______ < low3 or high3 < -angle1______
-    outside_pmp = angle1_______ < low3 or high3 < angle1_______
-    outside_pmm = -angle1_______ < low3 or high3 < -angle1_______
-    outside_mpp = angle1________ < low3 or high3 < angle1________
-    outside_mpm = -angle1________ < low3 or high3 < -angle1________
-    outside_mmp = angle1_________ < low3 or high3 < angle1_________
-    outside_mmm = -angle1_________ < low3 or high3 < -angle1_________
+    outside_ppp = angle7 < low3 or high3 < angle7
+    outside_ppm = -angle7 < low3 or high3 < -angle7
+    outside_pmp = angle8 < low3 or high3 < angle8
+    outside_pmm = -angle8 < low3 or high3 < -angle8
+    outside_mpp = angle9 < low3 or high3 < angle9
+    outside_mpm = -angle9 < low3 or high3 < -angle9
+    outside_mmp = angle10 < low3 or high3 < angle10
+    outside_mmm = -angle10 < low3 or high3 < -angle10
     q1_ppp = v24 + q1__p
     q1_pmp = v25 + q1__p
     q1_mpp = v26 + q1__m
     q1_mmp = v27 + q1__m
-    q5_ppp = angle1__ + v24
-    q5_pmp = v25 - angle1__
-    q5_mpp = angle1___ + v26
-    q5_mmp = v27 - angle1___
+    q5_ppp = angle3 + v24
+    q5_pmp = v25 - angle3
+    q5_mpp = angle4 + v26
+    q5_mmp = v27 - angle4
     q6_ppp = angle1 + v24
     q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
-    q6_mpp = angle1_ + v26
-    q6_mmp = v27 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
+    q6_mpp = angle2 + v26
+    q6_mmp = v27 + (angle2 - math.copysign(half_turn, Y6_m) * h1)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
     q[0, 0] = q1_ppp
     q[0, 1] = q2_ppp
-    q[0, 2] = angle1______
+    q[0, 2] = angle7
     q[0, 3] = q4_ppp
     q[0, 4] = q5_ppp
     q[0, 5] = q6_ppp
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
     q[1, 0] = q1_ppp
     q[1, 1] = q2_ppm
-    q[1, 2] = -angle1______
+    q[1, 2] = -angle7
     q[1, 3] = q4_ppm
     q[1, 4] = q5_ppp
     q[1, 5] = q6_ppp
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
     q[2, 0] = q1_pmp
     q[2, 1] = q2_pmp
-    q[2, 2] = angle1_______
+    q[2, 2] = angle8
     q[2, 3] = q4_pmp
     q[2, 4] = q5_pmp
     q[2, 5] = q6_pmp
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_pmp
     q[3, 1] = q2_pmm
-    q[3, 2] = -angle1_______
+    q[3, 2] = -angle8
     q[3, 3] = q4_pmm
     q[3, 4] = q5_pmp
     q[3, 5] = q6_pmp
     status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
     q[4, 0] = q1_mpp
     q[4, 1] = q2_mpp
-    q[4, 2] = angle1________
+    q[4, 2] = angle9
     q[4, 3] = q4_mpp
     q[4, 4] = q5_mpp
     q[4, 5] = q6_mpp
     status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
     q[5, 0] = q1_mpp
     q[5, 1] = q2_mpm
-    q[5, 2] = -angle1________
+    q[5, 2] = -angle9
     q[5, 3] = q4_mpm
     q[5, 4] = q5_mpp
     q[5, 5] = q6_mpp
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
     q[6, 0] = q1_mmp
     q[6, 1] = q2_mmp
-    q[6, 2] = angle1_________
+    q[6, 2] = angle10
     q[6, 3] = q4_mmp
     q[6, 4] = q5_mmp
     q[6, 5] = q6_mmp
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mmp
     q[7, 1] = q2_mmm
-    q[7, 2] = -angle1_________
+    q[7, 2] = -angle10
     q[7, 3] = q4_mmm
     q[7, 4] = q5_mmp
     q[7, 5] = q6_mmp
@@ -1335,39 +1335,39 @@ def _in_tiles(T, q, status):
             v27 = work[768 + k]
             doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
-            angle1_ = work[864 + k]
-            angle1__ = work[896 + k]
-            angle1___ = work[928 + k]
-            angle1____ = work[960 + k]
-            angle1_____ = work[992 + k]
-            angle1______ = work[1024 + k]
-            angle1_______ = work[1056 + k]
-            angle1________ = work[1088 + k]
-            angle1_________ = work[1120 + k]
-            angle1__________ = work[1152 + k]
-            angle1___________ = work[1184 + k]
-            angle1____________ = work[1216 + k]
-            angle1_____________ = work[1248 + k]
-            angle1______________ = work[1280 + k]
-            angle1_______________ = work[1312 + k]
-            angle1________________ = work[1344 + k]
-            angle1_________________ = work[1376 + k]
-            angle1__________________ = work[1408 + k]
-            angle1___________________ = work[1440 + k]
-            theta234_pm = angle1____ - h1 * math.copysign(half_turn, v9)
-            theta234_mm = angle1_____ - h1 * math.copysign(half_turn, v10)
-            v44 = angle1__________________ - offset1
-            v45 = angle1___________________ - offset1
+            angle2 = work[864 + k]
+            angle3 = work[896 + k]
+            angle4 = work[928 + k]
+            angle5 = work[960 + k]
+            angle6 = work[992 + k]
+            angle7 = work[1024 + k]
+            angle8 = work[1056 + k]
+            angle9 = work[1088 + k]
+            angle10 = work[1120 + k]
+            angle11 = work[1152 + k]
+            angle12 = work[1184 + k]
+            angle13 = work[1216 + k]
+            angle14 = work[1248 + k]
+            angle15 = work[1280 + k]
+            angle16 = work[1312 + k]
+            angle17 = work[1344 + k]
+            angle18 = work[1376 + k]
+            angle19 = work[1408 + k]
+            angle20 = work[1440 + k]
+            theta234_pm = angle5 - h1 * math.copysign(half_turn, v9)
+            theta234_mm = angle6 - h1 * math.copysign(half_turn, v10)
+            v44 = angle19 - offset1
+            v45 = angle20 - offset1
             q1__p = v44 + (m6 if v44 <= -half_turn else 0.0)
             q1__m = v45 + (m6 if v45 <= -half_turn else 0.0)
-            v46 = angle1__________ - offset2
-            v47 = angle1___________ - offset2
-            v48 = angle1____________ - offset2
-            v49 = angle1_____________ - offset2
-            v50 = angle1______________ - offset2
-            v51 = angle1_______________ - offset2
-            v52 = angle1________________ - offset2
-            v53 = angle1_________________ - offset2
+            v46 = angle11 - offset2
+            v47 = angle12 - offset2
+            v48 = angle13 - offset2
+            v49 = angle14 - offset2
+            v50 = angle15 - offset2
+            v51 = angle16 - offset2
+            v52 = angle17 - offset2
+            v53 = angle18 - offset2
             q2_ppp = v46 + (m6 if v46 <= -half_turn else 0.0)
             q2_ppm = v47 + (m6 if v47 <= -half_turn else 0.0)
             q2_pmp = v48 + (m6 if v48 <= -half_turn else 0.0)
@@ -1376,14 +1376,14 @@ def _in_tiles(T, q, status):
             q2_mpm = v51 + (m6 if v51 <= -half_turn else 0.0)
             q2_mmp = v52 + (m6 if v52 <= -half_turn else 0.0)
             q2_mmm = v53 + (m6 if v53 <= -half_turn else 0.0)
-            v54 = angle1____ - (angle1______ + angle1__________) - offset4
-            v55 = angle1____ - (angle1___________ - angle1______) - offset4
-            v56 = theta234_pm - (angle1_______ + angle1____________) - offset4
-            v57 = theta234_pm - (angle1_____________ - angle1_______) - offset4
-            v58 = angle1_____ - (angle1________ + angle1______________) - offset4
-            v59 = angle1_____ - (angle1_______________ - angle1________) - offset4
-            v60 = theta234_mm - (angle1_________ + angle1________________) - offset4
-            v61 = theta234_mm - (angle1_________________ - angle1_________) - offset4
+            v54 = angle5 - (angle7 + angle11) - offset4
+            v55 = angle5 - (angle12 - angle7) - offset4
+            v56 = theta234_pm - (angle8 + angle13) - offset4
+            v57 = theta234_pm - (angle14 - angle8) - offset4
+            v58 = angle6 - (angle9 + angle15) - offset4
+            v59 = angle6 - (angle16 - angle9) - offset4
+            v60 = theta234_mm - (angle10 + angle17) - offset4
+            v61 = theta234_mm - (angle18 - angle10) - offset4
             v62 = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
             v63 = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
             v64 = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
@@ -1400,31 +1400,31 @@ def _in_tiles(T, q, status):
             q4_mpm = v67 + (m6 if v67 <= -half_turn else 0.0)
             q4_mmp = v68 + (m6 if v68 <= -half_turn else 0.0)
             q4_mmm = v69 + (m6 if v69 <= -half_turn else 0.0)
-            outside_ppp = angle1______ < low3 or high3 < angle1______
-            outside_ppm = -angle1______ < low3 or high3 < -angle1______
-            outside_pmp = angle1_______ < low3 or high3 < angle1_______
-            outside_pmm = -angle1_______ < low3 or high3 < -angle1_______
-            outside_mpp = angle1________ < low3 or high3 < angle1________
-            outside_mpm = -angle1________ < low3 or high3 < -angle1________
-            outside_mmp = angle1_________ < low3 or high3 < angle1_________
-            outside_mmm = -angle1_________ < low3 or high3 < -angle1_________
+            outside_ppp = angle7 < low3 or high3 < angle7
+            outside_ppm = -angle7 < low3 or high3 < -angle7
+            outside_pmp = angle8 < low3 or high3 < angle8
+            outside_pmm = -angle8 < low3 or high3 < -angle8
+            outside_mpp = angle9 < low3 or high3 < angle9
+            outside_mpm = -angle9 < low3 or high3 < -angle9
+            outside_mmp = angle10 < low3 or high3 < angle10
+            outside_mmm = -angle10 < low3 or high3 < -angle10
             q1_ppp = v24 + q1__p
             q1_pmp = v25 + q1__p
             q1_mpp = v26 + q1__m
             q1_mmp = v27 + q1__m
-            q5_ppp = angle1__ + v24
-            q5_pmp = v25 - angle1__
-            q5_mpp = angle1___ + v26
-            q5_mmp = v27 - angle1___
+            q5_ppp = angle3 + v24
+            q5_pmp = v25 - angle3
+            q5_mpp = angle4 + v26
+            q5_mmp = v27 - angle4
             q6_ppp = angle1 + v24
             q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
-            q6_mpp = angle1_ + v26
-            q6_mmp = v27 + (angle1_ - math.copysign(half_turn, Y6_m) * h1)
+            q6_mpp = angle2 + v26
+            q6_mmp = v27 + (angle2 - math.copysign(half_turn, Y6_m) * h1)
             _2112 = q1_ppp
             work[2112 + k] = _2112
             _2144 = q2_ppp
             work[2144 + k] = _2144
-            _2176 = angle1______
+            _2176 = angle7
             work[2176 + k] = _2176
             _2208 = q4_ppp
             work[2208 + k] = _2208
@@ -1434,7 +1434,7 @@ def _in_tiles(T, q, status):
             work[2272 + k] = _2272
             _2304 = q2_ppm
             work[2304 + k] = _2304
-            _2336 = -angle1______
+            _2336 = -angle7
             work[2336 + k] = _2336
             _2368 = q4_ppm
             work[2368 + k] = _2368
@@ -1442,7 +1442,7 @@ def _in_tiles(T, q, status):
             work[2400 + k] = _2400
             _2432 = q2_pmp
             work[2432 + k] = _2432
-            _2464 = angle1_______
+            _2464 = angle8
             work[2464 + k] = _2464
             _2496 = q4_pmp
             work[2496 + k] = _2496
@@ -1452,7 +1452,7 @@ def _in_tiles(T, q, status):
             work[2560 + k] = _2560
             _2592 = q2_pmm
             work[2592 + k] = _2592
-            _2624 = -angle1_______
+            _2624 = -angle8
             work[2624 + k] = _2624
             _2656 = q4_pmm
             work[2656 + k] = _2656
@@ -1460,7 +1460,7 @@ def _in_tiles(T, q, status):
             work[2688 + k] = _2688
             _2720 = q2_mpp
             work[2720 + k] = _2720
-            _2752 = angle1________
+            _2752 = angle9
             work[2752 + k] = _2752
             _2784 = q4_mpp
             work[2784 + k] = _2784
@@ -1470,7 +1470,7 @@ def _in_tiles(T, q, status):
             work[2848 + k] = _2848
             _2880 = q2_mpm
             work[2880 + k] = _2880
-            _2912 = -angle1________
+            _2912 = -angle9
             work[2912 + k] = _2912
             _2944 = q4_mpm
             work[2944 + k] = _2944
@@ -1478,7 +1478,7 @@ def _in_tiles(T, q, status):
             work[2976 + k] = _2976
             _3008 = q2_mmp
             work[3008 + k] = _3008
-            _3040 = angle1_________
+            _3040 = angle10
             work[3040 + k] = _3040
             _3072 = q4_mmp
             work[3072 + k] = _3072
@@ -1488,7 +1488,7 @@ def _in_tiles(T, q, status):
             work[3136 + k] = _3136
             _3168 = q2_mmm
             work[3168 + k] = _3168
-            _3200 = -angle1_________
+            _3200 = -angle10
             work[3200 + k] = _3200
             _3232 = q4_mmm
             work[3232 + k] = _3232

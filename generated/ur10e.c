@@ -31,6 +31,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -70,6 +94,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -81,29 +110,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -112,6 +118,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -125,28 +136,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -154,37 +144,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef UR10E_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -548,7 +518,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide s1_p = w1 * (wy * inverse1) - v4;
     const wide s1_m = w1 * (inverse1 * -wy) - v4;
     const wide angle1 = atan2_wide(s1_p, -v2);
-    const wide angle1_ = atan2_wide(s1_m, -v3);
+    const wide angle2 = atan2_wide(s1_m, -v3);
 
     /* theta6 */
     const wide v5 = v2 * T21 + s1_p * T11;
@@ -561,14 +531,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w6_m = sqrt_wide(v10);
     const wide v11 = 1.0 / v9;
     const wide v12 = 1.0 / v10;
-    const wide angle1__ = atan2_wide(-v7, v5);
-    const wide angle1___ = atan2_wide(-v8, v6);
+    const wide angle3 = atan2_wide(-v7, v5);
+    const wide angle4 = atan2_wide(-v8, v6);
 
     /* theta5 */
     const wide c5_p = T13 * s1_p + T23 * v2;
     const wide c5_m = T13 * s1_m + T23 * v3;
-    const wide angle1____ = atan2_wide(w6_p, c5_p);
-    const wide angle1_____ = atan2_wide(w6_m, c5_m);
+    const wide angle5 = atan2_wide(w6_p, c5_p);
+    const wide angle6 = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
     const wide v13 = v11 * (v5 * T32 - v7 * T31);
@@ -579,10 +549,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33;
     const wide s234_p = w6_p * v15;
     const wide s234_m = w6_m * v16;
-    const wide angle1______ = atan2_wide(v15, v13);
-    const wide angle1_______ = atan2_wide(v16, v14);
-    const wide theta234_pm = angle1______ - h1 * copysign_wide(all_wide(half_turn), v15);
-    const wide theta234_mm = angle1_______ - h1 * copysign_wide(all_wide(half_turn), v16);
+    const wide angle7 = atan2_wide(v15, v13);
+    const wide angle8 = atan2_wide(v16, v14);
+    const wide theta234_pm = angle7 - h1 * copysign_wide(all_wide(half_turn), v15);
+    const wide theta234_mm = angle8 - h1 * copysign_wide(all_wide(half_turn), v16);
 
     /* theta3 */
     const wide v17 = d6 * w6_p;
@@ -618,10 +588,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v31 = w3_pm - w3_pm;
     const wide v32 = w3_mp - w3_mp;
     const wide v33 = w3_mm - w3_mm;
-    const wide angle1________ = atan2_wide(w3_pp, N3_pp - k4);
-    const wide angle1_________ = atan2_wide(w3_pm, N3_pm - k4);
-    const wide angle1__________ = atan2_wide(w3_mp, N3_mp - k4);
-    const wide angle1___________ = atan2_wide(w3_mm, N3_mm - k4);
+    const wide angle9 = atan2_wide(w3_pp, N3_pp - k4);
+    const wide angle10 = atan2_wide(w3_pm, N3_pm - k4);
+    const wide angle11 = atan2_wide(w3_mp, N3_mp - k4);
+    const wide angle12 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
     const wide v34 = m5 + m4 * N3_pp;
@@ -638,58 +608,50 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v45 = Z2_3_mm * v37;
     const wide v46 = w3_pp * (m4 * Z2_3_pp);
     const wide v47 = w3_pp * (m4 * Z1_3_pp);
-    const wide angle1____________ = atan2_wide(v46 - v38, -(v42 + v47));
-    const wide angle1_____________ = atan2_wide(-(v38 + v46), v47 - v42);
+    const wide angle13 = atan2_wide(v46 - v38, -(v42 + v47));
+    const wide angle14 = atan2_wide(-(v38 + v46), v47 - v42);
     const wide v48 = w3_pm * (m4 * Z2_3_pm);
     const wide v49 = w3_pm * (m4 * Z1_3_pm);
-    const wide angle1______________ = atan2_wide(v48 - v39, -(v43 + v49));
-    const wide angle1_______________ = atan2_wide(-(v39 + v48), v49 - v43);
+    const wide angle15 = atan2_wide(v48 - v39, -(v43 + v49));
+    const wide angle16 = atan2_wide(-(v39 + v48), v49 - v43);
     const wide v50 = w3_mp * (m4 * Z2_3_mp);
     const wide v51 = w3_mp * (m4 * Z1_3_mp);
-    const wide angle1________________ = atan2_wide(v50 - v40, -(v44 + v51));
-    const wide angle1_________________ = atan2_wide(-(v40 + v50), v51 - v44);
+    const wide angle17 = atan2_wide(v50 - v40, -(v44 + v51));
+    const wide angle18 = atan2_wide(-(v40 + v50), v51 - v44);
     const wide v52 = w3_mm * (m4 * Z2_3_mm);
     const wide v53 = w3_mm * (m4 * Z1_3_mm);
-    const wide angle1__________________ = atan2_wide(v52 - v41, -(v45 + v53));
-    const wide angle1___________________ = atan2_wide(-(v41 + v52), v53 - v45);
+    const wide angle19 = atan2_wide(v52 - v41, -(v45 + v53));
+    const wide angle20 = atan2_wide(-(v41 + v52), v53 - v45);
 
     /* joint values */
-    const wide v54 = angle1______ - (angle1________ + angle1____________);
-    const wide v55 = angle1______ - (angle1_____________ - angle1________);
-    const wide v56 = theta234_pm - (angle1_________ + angle1______________);
-    const wide v57 = theta234_pm - (angle1_______________ - angle1_________);
-    const wide v58 = angle1_______ - (angle1__________ + angle1________________);
-    const wide v59 = angle1_______ - (angle1_________________ - angle1__________);
-    const wide v60 = theta234_mm - (angle1___________ + angle1__________________);
-    const wide v61 = theta234_mm - (angle1___________________ - angle1___________);
-    const wide q4_ppp = v54 - pick_wide(half_turn < v54, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v54 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_ppm = v55 - pick_wide(half_turn < v55, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v55 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_pmp = v56 - pick_wide(half_turn < v56, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v56 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_pmm = v57 - pick_wide(half_turn < v57, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v57 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mpp = v58 - pick_wide(half_turn < v58, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v58 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mpm = v59 - pick_wide(half_turn < v59, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v59 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mmp = v60 - pick_wide(half_turn < v60, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v60 <= -half_turn, all_wide(m6), all_wide(0.0));
-    const wide q4_mmm = v61 - pick_wide(half_turn < v61, all_wide(m6), all_wide(0.0)) +
-        pick_wide(v61 <= -half_turn, all_wide(m6), all_wide(0.0));
+    const wide v54 = angle7 - (angle9 + angle13);
+    const wide v55 = angle7 - (angle14 - angle9);
+    const wide v56 = theta234_pm - (angle10 + angle15);
+    const wide v57 = theta234_pm - (angle16 - angle10);
+    const wide v58 = angle8 - (angle11 + angle17);
+    const wide v59 = angle8 - (angle18 - angle11);
+    const wide v60 = theta234_mm - (angle12 + angle19);
+    const wide v61 = theta234_mm - (angle20 - angle12);
+    const wide q4_ppp = v54 - only_wide(half_turn < v54, m6) + only_wide(v54 <= -half_turn, m6);
+    const wide q4_ppm = v55 - only_wide(half_turn < v55, m6) + only_wide(v55 <= -half_turn, m6);
+    const wide q4_pmp = v56 - only_wide(half_turn < v56, m6) + only_wide(v56 <= -half_turn, m6);
+    const wide q4_pmm = v57 - only_wide(half_turn < v57, m6) + only_wide(v57 <= -half_turn, m6);
+    const wide q4_mpp = v58 - only_wide(half_turn < v58, m6) + only_wide(v58 <= -half_turn, m6);
+    const wide q4_mpm = v59 - only_wide(half_turn < v59, m6) + only_wide(v59 <= -half_turn, m6);
+    const wide q4_mmp = v60 - only_wide(half_turn < v60, m6) + only_wide(v60 <= -half_turn, m6);
+    const wide q4_mmm = v61 - only_wide(half_turn < v61, m6) + only_wide(v61 <= -half_turn, m6);
     const wide q1_ppp = angle1 + v30;
     const wide q1_pmp = angle1 + v31;
-    const wide q1_mpp = angle1_ + v32;
-    const wide q1_mmp = angle1_ + v33;
-    const wide q5_ppp = angle1____ + v30;
-    const wide q5_pmp = v31 - angle1____;
-    const wide q5_mpp = angle1_____ + v32;
-    const wide q5_mmp = v33 - angle1_____;
-    const wide q6_ppp = angle1__ + v30;
-    const wide q6_pmp = v31 + (angle1__ - copysign_wide(all_wide(half_turn), -v7) * h1);
-    const wide q6_mpp = angle1___ + v32;
-    const wide q6_mmp = v33 + (angle1___ - copysign_wide(all_wide(half_turn), -v8) * h1);
+    const wide q1_mpp = angle2 + v32;
+    const wide q1_mmp = angle2 + v33;
+    const wide q5_ppp = angle5 + v30;
+    const wide q5_pmp = v31 - angle5;
+    const wide q5_mpp = angle6 + v32;
+    const wide q5_mmp = v33 - angle6;
+    const wide q6_ppp = angle3 + v30;
+    const wide q6_pmp = v31 + (angle3 - copysign_wide(all_wide(half_turn), -v7) * h1);
+    const wide q6_mpp = angle4 + v32;
+    const wide q6_mmp = v33 + (angle4 - copysign_wide(all_wide(half_turn), -v8) * h1);
     const wide_mask doubt1 = (N3_mm <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm
         <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
         ((N3_mp <= free_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach))
@@ -702,57 +664,57 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         m1))))))))))));
 
     q[0] = q1_ppp;
-    q[1] = angle1____________;
-    q[2] = angle1________;
+    q[1] = angle13;
+    q[2] = angle9;
     q[3] = q4_ppp;
     q[4] = q5_ppp;
     q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], 0);
     q[6] = q1_ppp;
-    q[7] = angle1_____________;
-    q[8] = -angle1________;
+    q[7] = angle14;
+    q[8] = -angle9;
     q[9] = q4_ppm;
     q[10] = q5_ppp;
     q[11] = q6_ppp;
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_pmp;
-    q[13] = angle1______________;
-    q[14] = angle1_________;
+    q[13] = angle15;
+    q[14] = angle10;
     q[15] = q4_pmp;
     q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_pmp;
-    q[19] = angle1_______________;
-    q[20] = -angle1_________;
+    q[19] = angle16;
+    q[20] = -angle10;
     q[21] = q4_pmm;
     q[22] = q5_pmp;
     q[23] = q6_pmp;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp;
-    q[25] = angle1________________;
-    q[26] = angle1__________;
+    q[25] = angle17;
+    q[26] = angle11;
     q[27] = q4_mpp;
     q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], 0);
     q[30] = q1_mpp;
-    q[31] = angle1_________________;
-    q[32] = -angle1__________;
+    q[31] = angle18;
+    q[32] = -angle11;
     q[33] = q4_mpm;
     q[34] = q5_mpp;
     q[35] = q6_mpp;
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mmp;
-    q[37] = angle1__________________;
-    q[38] = angle1___________;
+    q[37] = angle19;
+    q[38] = angle12;
     q[39] = q4_mmp;
     q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mmp;
-    q[43] = angle1___________________;
-    q[44] = -angle1___________;
+    q[43] = angle20;
+    q[44] = -angle12;
     q[45] = q4_mmm;
     q[46] = q5_mmp;
     q[47] = q6_mmp;
@@ -832,33 +794,31 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt3 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1____ = atan2_four(w3, N3 - k4);
-    const four angle1_____ = atan2_four(v24 - v22, -(v23 + v25));
-    const four angle1______ = atan2_four(-(v22 + v24), v25 - v23);
+    const four angle5 = atan2_four(w3, N3 - k4);
+    const four angle6 = atan2_four(v24 - v22, -(v23 + v25));
+    const four angle7 = atan2_four(-(v22 + v24), v25 - v23);
     const four packed4 = atan2_four(__builtin_shufflevector(s1, -v5, 0, 5, 2, 7),
         __builtin_shufflevector(-v2, v4, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
-    const four angle1_ = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
+    const four angle2 = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
     const four packed5 = atan2_four(__builtin_shufflevector(w6, v11, 0, 5, 2, 7),
         __builtin_shufflevector(c5, v10, 0, 5, 2, 7));
-    const four angle1__ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1___ = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four theta234 = angle1___ + v9 * v12;
-    const four v26 = theta234 - (angle1____ + angle1_____);
-    const four v27 = theta234 - (angle1______ - angle1____);
-    const four q4_p = v26 - pick_four(half_turn < v26, all_four(m6), all_four(0.0)) + pick_four(v26
-        <= -half_turn, all_four(m6), all_four(0.0));
-    const four q4_m = v27 - pick_four(half_turn < v27, all_four(m6), all_four(0.0)) + pick_four(v27
-        <= -half_turn, all_four(m6), all_four(0.0));
+    const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle4 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four theta234 = angle4 + v9 * v12;
+    const four v26 = theta234 - (angle5 + angle6);
+    const four v27 = theta234 - (angle7 - angle5);
+    const four q4_p = v26 - only_four(half_turn < v26, m6) + only_four(v26 <= -half_turn, m6);
+    const four q4_m = v27 - only_four(half_turn < v27, m6) + only_four(v27 <= -half_turn, m6);
     const four q1_p = angle1 + v20;
-    const four q5_p = v20 + e2 * angle1__;
-    const four q6_p = v20 + (angle1_ + v8 * v9);
+    const four q5_p = v20 + e2 * angle3;
+    const four q6_p = v20 + (angle2 + v8 * v9);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle1_____, angle1____, q4_p);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, angle6, angle5, q4_p);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle1______, -angle1____, q4_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, angle7, -angle5, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);

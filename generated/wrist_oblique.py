@@ -587,19 +587,19 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
 
     # joint values
     q1_p = v82 + (v80 + angle1)
-    q1_m = v83 + (v81 + angle1_)
-    q2_p = v82 + (v80 + angle1__)
-    q2_m = v83 + (v81 + angle1___)
-    q3_p = v82 + (v80 + angle1____)
-    q3_m = v83 + (v81 + angle1_____)
+    q1_m = v83 + (v81 + angle2)
+    q2_p = v82 + (v80 + angle3)
+    q2_m = v83 + (v81 + angle4)
+    q3_p = v82 + (v80 + angle5)
+    q3_m = v83 + (v81 + angle6)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -979,17 +979,17 @@ def _in_tiles(T, q, status):
             v83 = work[640 + k]
             doubt1 = work[672 + k] != 0.0
             angle1 = work[704 + k]
-            angle1_ = work[736 + k]
-            angle1__ = work[768 + k]
-            angle1___ = work[800 + k]
-            angle1____ = work[832 + k]
-            angle1_____ = work[864 + k]
+            angle2 = work[736 + k]
+            angle3 = work[768 + k]
+            angle4 = work[800 + k]
+            angle5 = work[832 + k]
+            angle6 = work[864 + k]
             q1_p = v82 + (v80 + angle1)
-            q1_m = v83 + (v81 + angle1_)
-            q2_p = v82 + (v80 + angle1__)
-            q2_m = v83 + (v81 + angle1___)
-            q3_p = v82 + (v80 + angle1____)
-            q3_m = v83 + (v81 + angle1_____)
+            q1_m = v83 + (v81 + angle2)
+            q2_p = v82 + (v80 + angle3)
+            q2_m = v83 + (v81 + angle4)
+            q3_p = v82 + (v80 + angle5)
+            q3_m = v83 + (v81 + angle6)
             _1088 = q1_p
             work[1088 + k] = _1088
             _1120 = q2_p

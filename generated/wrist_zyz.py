@@ -309,24 +309,24 @@ def _regular(pose, q, status):
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
+    angle2 = room[1]
+    angle3 = room[2]
 
     # theta1, type 2: U1[3, 3]
     q1_m = angle1 - math.copysign(half_turn, T23) * h1
 
     # theta3, type 3: U1[3, 2] and U1[3, 1]
-    q3_m = angle1__ - h1 * math.copysign(half_turn, s3)
+    q3_m = angle3 - h1 * math.copysign(half_turn, s3)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
     q[0, 0] = angle1
-    q[0, 1] = angle1_
-    q[0, 2] = angle1__
+    q[0, 1] = angle2
+    q[0, 2] = angle3
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_m
-    q[1, 1] = -angle1_
+    q[1, 1] = -angle2
     q[1, 2] = q3_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     return True
@@ -543,19 +543,19 @@ def _in_tiles(T, q, status):
             doubt1 = work[544 + k] != 0.0
             s3 = work[576 + k]
             angle1 = work[608 + k]
-            angle1_ = work[640 + k]
-            angle1__ = work[672 + k]
+            angle2 = work[640 + k]
+            angle3 = work[672 + k]
             q1_m = angle1 - math.copysign(half_turn, T23) * h1
-            q3_m = angle1__ - h1 * math.copysign(half_turn, s3)
+            q3_m = angle3 - h1 * math.copysign(half_turn, s3)
             _800 = angle1
             work[800 + k] = _800
-            _832 = angle1_
+            _832 = angle2
             work[832 + k] = _832
-            _864 = angle1__
+            _864 = angle3
             work[864 + k] = _864
             _896 = q1_m
             work[896 + k] = _896
-            _928 = -angle1_
+            _928 = -angle2
             work[928 + k] = _928
             _960 = q3_m
             work[960 + k] = _960

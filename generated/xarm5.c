@@ -31,6 +31,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -70,6 +94,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -81,29 +110,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -112,6 +118,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -125,28 +136,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -154,37 +144,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef XARM5_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -542,7 +512,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v6 = sqrt_wide(v5) * (1.0 / v5);
     const wide v7 = Z1_5 * v6;
     const wide v8 = Z2_5 * v6;
-    const wide angle1_ = atan2_wide(-Z2_5, -Z1_5);
+    const wide angle2 = atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
     const wide v9 = d5 * T33;
@@ -564,8 +534,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
     const wide v19 = w3_p - w3_p;
     const wide v20 = w3_m - w3_m;
-    const wide angle1__ = atan2_wide(w3_p, N3_p - k1);
-    const wide angle1___ = atan2_wide(w3_m, N3_m - k1);
+    const wide angle3 = atan2_wide(w3_p, N3_p - k1);
+    const wide angle4 = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
     const wide v21 = m6 * N3_p - m7;
@@ -581,10 +551,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v27 = v18 * v22;
     const wide factor2_p = 1.0 / N3_p;
     const wide factor2_m = 1.0 / N3_m;
-    const wide angle1____ = atan2_wide(S2_pp, v26 + w3_p * (m6 * Z1_3_p));
-    const wide angle1_____ = atan2_wide(S2_pm, v26 + w3_p * (m6 * -Z1_3_p));
-    const wide angle1______ = atan2_wide(S2_mp, w3_m * (m6 * Z1_3_m) - v27);
-    const wide angle1_______ = atan2_wide(S2_mm, w3_m * (m6 * -Z1_3_m) - v27);
+    const wide angle5 = atan2_wide(S2_pp, v26 + w3_p * (m6 * Z1_3_p));
+    const wide angle6 = atan2_wide(S2_pm, v26 + w3_p * (m6 * -Z1_3_p));
+    const wide angle7 = atan2_wide(S2_mp, w3_m * (m6 * Z1_3_m) - v27);
+    const wide angle8 = atan2_wide(S2_mm, w3_m * (m6 * -Z1_3_m) - v27);
 
     /* is the pose one that the arm can take? */
     const wide v28 = c1 * T33;
@@ -620,63 +590,45 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         + (v35 + a2 * (S2_mm * factor2_m)))))) <= pose_slack1, all_wide(0.0), all_wide(v36));
 
     /* joint values */
-    const wide angle1________ = atan2_wide(T24, T14);
-    const wide v47 = angle1________ - offset1;
-    const wide v48 = angle1________ - h1 * copysign_wide(all_wide(half_turn), T24) - offset1;
-    const wide v49 = angle1____ - offset2;
-    const wide v50 = angle1_____ - offset2;
-    const wide v51 = angle1______ - offset2;
-    const wide v52 = angle1_______ - offset2;
-    const wide v53 = angle1__ - offset3;
-    const wide v54 = offset3 + angle1__;
-    const wide v55 = angle1___ - offset3;
-    const wide v56 = offset3 + angle1___;
-    const wide v57 = angle1 - (angle1__ + angle1____) - offset4;
-    const wide v58 = angle1 - (angle1_____ - angle1__) - offset4;
-    const wide v59 = offset4 + (angle1 + (angle1___ + angle1______));
-    const wide v60 = offset4 + (angle1 + (angle1_______ - angle1___));
-    const wide v61 = v57 - pick_wide(half_turn < v57, all_wide(m10), all_wide(0.0)) + pick_wide(v57
-        <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide v62 = v58 - pick_wide(half_turn < v58, all_wide(m10), all_wide(0.0)) + pick_wide(v58
-        <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide v63 = pick_wide(-v59 <= -half_turn, all_wide(m10), all_wide(0.0)) - (v59 +
-        pick_wide(half_turn < -v59, all_wide(m10), all_wide(0.0)));
-    const wide v64 = pick_wide(-v60 <= -half_turn, all_wide(m10), all_wide(0.0)) - (v60 +
-        pick_wide(half_turn < -v60, all_wide(m10), all_wide(0.0)));
-    const wide v65 = v37 + (v19 + (v47 + pick_wide(v47 <= -half_turn, all_wide(m10),
-        all_wide(0.0))));
-    const wide v66 = v37 + (v20 + (v48 + pick_wide(v48 <= -half_turn, all_wide(m10),
-        all_wide(0.0))));
+    const wide angle9 = atan2_wide(T24, T14);
+    const wide v47 = angle9 - offset1;
+    const wide v48 = angle9 - h1 * copysign_wide(all_wide(half_turn), T24) - offset1;
+    const wide v49 = angle5 - offset2;
+    const wide v50 = angle6 - offset2;
+    const wide v51 = angle7 - offset2;
+    const wide v52 = angle8 - offset2;
+    const wide v53 = angle3 - offset3;
+    const wide v54 = offset3 + angle3;
+    const wide v55 = angle4 - offset3;
+    const wide v56 = offset3 + angle4;
+    const wide v57 = angle1 - (angle3 + angle5) - offset4;
+    const wide v58 = angle1 - (angle6 - angle3) - offset4;
+    const wide v59 = offset4 + (angle1 + (angle4 + angle7));
+    const wide v60 = offset4 + (angle1 + (angle8 - angle4));
+    const wide v61 = v57 - only_wide(half_turn < v57, m10) + only_wide(v57 <= -half_turn, m10);
+    const wide v62 = v58 - only_wide(half_turn < v58, m10) + only_wide(v58 <= -half_turn, m10);
+    const wide v63 = only_wide(-v59 <= -half_turn, m10) - (v59 + only_wide(half_turn < -v59, m10));
+    const wide v64 = only_wide(-v60 <= -half_turn, m10) - (v60 + only_wide(half_turn < -v60, m10));
+    const wide v65 = v37 + (v19 + (v47 + only_wide(v47 <= -half_turn, m10)));
+    const wide v66 = v37 + (v20 + (v48 + only_wide(v48 <= -half_turn, m10)));
     const wide q1_pp = v42 + v65;
     const wide q1_pm = v43 + v65;
     const wide q1_mp = v45 + v66;
     const wide q1_mm = v46 + v66;
-    const wide q2_pp = v42 + (v37 + (v49 + pick_wide(v49 <= -half_turn, all_wide(m10),
-        all_wide(0.0))));
-    const wide q2_pm = v43 + (v37 + (v50 + pick_wide(v50 <= -half_turn, all_wide(m10),
-        all_wide(0.0))));
-    const wide q2_mp = v45 + (v37 + (v51 + pick_wide(v51 <= -half_turn, all_wide(m10),
-        all_wide(0.0))));
-    const wide q2_mm = v46 + (v37 + (v52 + pick_wide(v52 <= -half_turn, all_wide(m10),
-        all_wide(0.0))));
-    const wide q3_pp = v42 + (v37 + (v53 + pick_wide(v53 <= -half_turn, all_wide(m10),
-        all_wide(0.0))));
-    const wide q3_pm = v43 + (v37 + (pick_wide(-v54 <= -half_turn, all_wide(m10), all_wide(0.0)) -
-        v54));
-    const wide q3_mp = v45 + (v37 + (v55 + pick_wide(v55 <= -half_turn, all_wide(m10),
-        all_wide(0.0))));
-    const wide q3_mm = v46 + (v37 + (pick_wide(-v56 <= -half_turn, all_wide(m10), all_wide(0.0)) -
-        v56));
-    const wide q4_pp = v42 + (v37 + (v61 - pick_wide(half_turn < v61, all_wide(m10),
-        all_wide(0.0))));
-    const wide q4_pm = v43 + (v37 + (v62 - pick_wide(half_turn < v62, all_wide(m10),
-        all_wide(0.0))));
-    const wide q4_mp = v45 + (v37 + (v63 - pick_wide(half_turn < v63, all_wide(m10),
-        all_wide(0.0))));
-    const wide q4_mm = v46 + (v37 + (v64 - pick_wide(half_turn < v64, all_wide(m10),
-        all_wide(0.0))));
-    const wide v67 = v37 + (angle1_ + v19);
-    const wide v68 = v37 + (v20 + (angle1_ - copysign_wide(all_wide(half_turn), -Z2_5) * h1));
+    const wide q2_pp = v42 + (v37 + (v49 + only_wide(v49 <= -half_turn, m10)));
+    const wide q2_pm = v43 + (v37 + (v50 + only_wide(v50 <= -half_turn, m10)));
+    const wide q2_mp = v45 + (v37 + (v51 + only_wide(v51 <= -half_turn, m10)));
+    const wide q2_mm = v46 + (v37 + (v52 + only_wide(v52 <= -half_turn, m10)));
+    const wide q3_pp = v42 + (v37 + (v53 + only_wide(v53 <= -half_turn, m10)));
+    const wide q3_pm = v43 + (v37 + (only_wide(-v54 <= -half_turn, m10) - v54));
+    const wide q3_mp = v45 + (v37 + (v55 + only_wide(v55 <= -half_turn, m10)));
+    const wide q3_mm = v46 + (v37 + (only_wide(-v56 <= -half_turn, m10) - v56));
+    const wide q4_pp = v42 + (v37 + (v61 - only_wide(half_turn < v61, m10)));
+    const wide q4_pm = v43 + (v37 + (v62 - only_wide(half_turn < v62, m10)));
+    const wide q4_mp = v45 + (v37 + (v63 - only_wide(half_turn < v63, m10)));
+    const wide q4_mm = v46 + (v37 + (v64 - only_wide(half_turn < v64, m10)));
+    const wide v67 = v37 + (angle2 + v19);
+    const wide v68 = v37 + (v20 + (angle2 - copysign_wide(all_wide(half_turn), -Z2_5) * h1));
     const wide q5_pp = v42 + v67;
     const wide q5_pm = v43 + v67;
     const wide q5_mp = v45 + v68;
@@ -798,33 +750,29 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
     const int doubt1 = (v4 <= m2) | ((v5 <= m2) | (v1 <= m1));
 
-    const four angle1___ = atan2_four(S2, v21 + w3 * (m6 * (e2 * Z1_3)));
+    const four angle4 = atan2_four(S2, v21 + w3 * (m6 * (e2 * Z1_3)));
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
         all_four(-Z2_234), 0, 5, 2, 3), all_four(-Z2_5), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T33), 0, 5, 2, 3),
         all_four(-Z1_5), 0, 1, 2, 7));
-    const four angle1__ = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
+    const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four angle1_ = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
     const four packed3 = atan2_four((four){ T24, T24, T24, T24 }, (four){ T14, T14, T14, T14 });
-    const four angle1____ = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v33 = angle1____ + v10 * v32 - offset1;
-    const four v34 = angle1___ - offset2;
-    const four v35 = e2 * angle1__;
+    const four angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four v33 = angle5 + v10 * v32 - offset1;
+    const four v34 = angle4 - offset2;
+    const four v35 = e2 * angle3;
     const four v36 = v35 - offset3;
     const four v37 = e1 * angle1;
-    const four v38 = v37 - (angle1___ + v35) - offset4;
-    const four v39 = v38 - pick_four(half_turn < v38, all_four(m10), all_four(0.0)) + pick_four(v38
-        <= -half_turn, all_four(m10), all_four(0.0));
-    const four v40 = v28 + (v17 + (v33 + pick_four(v33 <= -half_turn, all_four(m10),
-        all_four(0.0))));
+    const four v38 = v37 - (angle4 + v35) - offset4;
+    const four v39 = v38 - only_four(half_turn < v38, m10) + only_four(v38 <= -half_turn, m10);
+    const four v40 = v28 + (v17 + (v33 + only_four(v33 <= -half_turn, m10)));
     const four q1 = v31 + v40;
-    const four q2 = v31 + (v28 + (v34 + pick_four(v34 <= -half_turn, all_four(m10),
-        all_four(0.0))));
-    const four q3 = v31 + (v28 + (v36 + pick_four(v36 <= -half_turn, all_four(m10),
-        all_four(0.0))));
-    const four q4 = v31 + (v28 + (v39 - pick_four(half_turn < v39, all_four(m10), all_four(0.0))));
-    const four v41 = v28 + (v17 + (angle1_ + v9 * v10));
+    const four q2 = v31 + (v28 + (v34 + only_four(v34 <= -half_turn, m10)));
+    const four q3 = v31 + (v28 + (v36 + only_four(v36 <= -half_turn, m10)));
+    const four q4 = v31 + (v28 + (v39 - only_four(half_turn < v39, m10)));
+    const four v41 = v28 + (v17 + (angle2 + v9 * v10));
     const four q5 = v31 + v41;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))

@@ -766,30 +766,30 @@ def _regular(pose, q, status):
     for k in range(16):
         room[k] = _atan2(room[k], room[k + 16])
     angle1 = room[0]
-    angle1_ = room[1]
-    angle1__ = room[2]
-    angle1___ = room[3]
-    angle1____ = room[4]
-    angle1_____ = room[5]
-    angle1______ = room[6]
-    angle1_______ = room[7]
-    angle1________ = room[8]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
 
     # joint values
-    v47 = angle1________ - offset1
-    v48 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
-    v49 = angle1____ - offset2
-    v50 = angle1_____ - offset2
-    v51 = angle1______ - offset2
-    v52 = angle1_______ - offset2
-    v53 = angle1__ - offset3
-    v54 = offset3 + angle1__
-    v55 = angle1___ - offset3
-    v56 = offset3 + angle1___
-    v57 = angle1 - (angle1__ + angle1____) - offset4
-    v58 = angle1 - (angle1_____ - angle1__) - offset4
-    v59 = offset4 + (angle1 + (angle1___ + angle1______))
-    v60 = offset4 + (angle1 + (angle1_______ - angle1___))
+    v47 = angle9 - offset1
+    v48 = angle9 - h1 * math.copysign(half_turn, T24) - offset1
+    v49 = angle5 - offset2
+    v50 = angle6 - offset2
+    v51 = angle7 - offset2
+    v52 = angle8 - offset2
+    v53 = angle3 - offset3
+    v54 = offset3 + angle3
+    v55 = angle4 - offset3
+    v56 = offset3 + angle4
+    v57 = angle1 - (angle3 + angle5) - offset4
+    v58 = angle1 - (angle6 - angle3) - offset4
+    v59 = offset4 + (angle1 + (angle4 + angle7))
+    v60 = offset4 + (angle1 + (angle8 - angle4))
     v61 = v57 - (m10 if half_turn < v57 else 0.0) + (m10 if v57 <= -half_turn else 0.0)
     v62 = v58 - (m10 if half_turn < v58 else 0.0) + (m10 if v58 <= -half_turn else 0.0)
     v63 = (m10 if -v59 <= -half_turn else 0.0) - (v59 + (m10 if half_turn < -v59 else 0.0))
@@ -812,8 +812,8 @@ def _regular(pose, q, status):
     q4_pm = v43 + (v37 + (v62 - (m10 if half_turn < v62 else 0.0)))
     q4_mp = v45 + (v37 + (v63 - (m10 if half_turn < v63 else 0.0)))
     q4_mm = v46 + (v37 + (v64 - (m10 if half_turn < v64 else 0.0)))
-    v67 = v37 + (angle1_ + v19)
-    v68 = v37 + (v20 + (angle1_ - math.copysign(half_turn, -Z2_5) * h1))
+    v67 = v37 + (angle2 + v19)
+    v68 = v37 + (v20 + (angle2 - math.copysign(half_turn, -Z2_5) * h1))
     q5_pp = v42 + v67
     q5_pm = v43 + v67
     q5_mp = v45 + v68
@@ -1187,28 +1187,28 @@ def _in_tiles(T, q, status):
             v46 = work[768 + k]
             doubt1 = work[800 + k] != 0.0
             angle1 = work[832 + k]
-            angle1_ = work[864 + k]
-            angle1__ = work[896 + k]
-            angle1___ = work[928 + k]
-            angle1____ = work[960 + k]
-            angle1_____ = work[992 + k]
-            angle1______ = work[1024 + k]
-            angle1_______ = work[1056 + k]
-            angle1________ = work[1088 + k]
-            v47 = angle1________ - offset1
-            v48 = angle1________ - h1 * math.copysign(half_turn, T24) - offset1
-            v49 = angle1____ - offset2
-            v50 = angle1_____ - offset2
-            v51 = angle1______ - offset2
-            v52 = angle1_______ - offset2
-            v53 = angle1__ - offset3
-            v54 = offset3 + angle1__
-            v55 = angle1___ - offset3
-            v56 = offset3 + angle1___
-            v57 = angle1 - (angle1__ + angle1____) - offset4
-            v58 = angle1 - (angle1_____ - angle1__) - offset4
-            v59 = offset4 + (angle1 + (angle1___ + angle1______))
-            v60 = offset4 + (angle1 + (angle1_______ - angle1___))
+            angle2 = work[864 + k]
+            angle3 = work[896 + k]
+            angle4 = work[928 + k]
+            angle5 = work[960 + k]
+            angle6 = work[992 + k]
+            angle7 = work[1024 + k]
+            angle8 = work[1056 + k]
+            angle9 = work[1088 + k]
+            v47 = angle9 - offset1
+            v48 = angle9 - h1 * math.copysign(half_turn, T24) - offset1
+            v49 = angle5 - offset2
+            v50 = angle6 - offset2
+            v51 = angle7 - offset2
+            v52 = angle8 - offset2
+            v53 = angle3 - offset3
+            v54 = offset3 + angle3
+            v55 = angle4 - offset3
+            v56 = offset3 + angle4
+            v57 = angle1 - (angle3 + angle5) - offset4
+            v58 = angle1 - (angle6 - angle3) - offset4
+            v59 = offset4 + (angle1 + (angle4 + angle7))
+            v60 = offset4 + (angle1 + (angle8 - angle4))
             v61 = v57 - (m10 if half_turn < v57 else 0.0) + (m10 if v57 <= -half_turn else 0.0)
             v62 = v58 - (m10 if half_turn < v58 else 0.0) + (m10 if v58 <= -half_turn else 0.0)
             v63 = (m10 if -v59 <= -half_turn else 0.0) - (v59 + (m10 if half_turn < -v59 else 0.0))
@@ -1231,8 +1231,8 @@ def _in_tiles(T, q, status):
             q4_pm = v43 + (v37 + (v62 - (m10 if half_turn < v62 else 0.0)))
             q4_mp = v45 + (v37 + (v63 - (m10 if half_turn < v63 else 0.0)))
             q4_mm = v46 + (v37 + (v64 - (m10 if half_turn < v64 else 0.0)))
-            v67 = v37 + (angle1_ + v19)
-            v68 = v37 + (v20 + (angle1_ - math.copysign(half_turn, -Z2_5) * h1))
+            v67 = v37 + (angle2 + v19)
+            v68 = v37 + (v20 + (angle2 - math.copysign(half_turn, -Z2_5) * h1))
             q5_pp = v42 + v67
             q5_pm = v43 + v67
             q5_mp = v45 + v68

@@ -32,6 +32,30 @@ static const double odd[11] = {
     -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -71,6 +95,11 @@ HELPER four all_four(double x)
     return x - (four){ 0 };
 }
 
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
 HELPER four copysign_four(four x, four y)
 {
     const four_mask sign = (four_mask)all_four(-0.0);
@@ -82,29 +111,6 @@ HELPER four abs_four(four x)
     return copysign_four(x, all_four(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER four atan2_four(four y, four x)
-{
-    const four ax = abs_four(x), ay = abs_four(y);
-    const four_mask steep = ay > ax, left = x < 0.0;
-    const four most = maximum_four(ay, ax), least = minimum_four(ax, ay);
-    const four_mask turned = least > most * 0.41421356237309515;
-    const four rest = pick_four(turned, least - most, least);
-    const four up = pick_four(steep ^ left, -rest, rest);
-    const four down = pick_four(turned, least + most, most);
-    const four part = all_four(0.7853981633974483), none = all_four(0.0);
-    const four eighth = pick_four(turned, part, none);
-    const four near = pick_four(steep, 1.5707963267948966 - eighth, eighth);
-    const four known = pick_four(left, 3.141592653589793 - near, near);
-    const four r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const four p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const four p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const four p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const four p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_four((known + r) + r * u * p, y);
-}
-
 typedef double wide __attribute__((vector_size(8 * LANES)));
 typedef double wide_at
     __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
@@ -113,6 +119,11 @@ typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 HELPER wide all_wide(double x)
 {
     return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
 }
 
 HELPER wide copysign_wide(wide x, wide y)
@@ -126,28 +137,7 @@ HELPER wide abs_wide(wide x)
     return copysign_wide(x, all_wide(0.0));
 }
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
+ARCTANGENT(four)
 #else
 #define LANES 1
 typedef double wide;
@@ -155,37 +145,17 @@ typedef int wide_mask;
 #define all_wide(x) (x)
 #define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
+#endif
 #ifdef YASKAWA_GP7_LIBM
 #define atan2_wide atan2
 #else
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
-HELPER wide atan2_wide(wide y, wide x)
-{
-    const wide ax = abs_wide(x), ay = abs_wide(y);
-    const wide_mask steep = ay > ax, left = x < 0.0;
-    const wide most = maximum_wide(ay, ax), least = minimum_wide(ax, ay);
-    const wide_mask turned = least > most * 0.41421356237309515;
-    const wide rest = pick_wide(turned, least - most, least);
-    const wide up = pick_wide(steep ^ left, -rest, rest);
-    const wide down = pick_wide(turned, least + most, most);
-    const wide part = all_wide(0.7853981633974483), none = all_wide(0.0);
-    const wide eighth = pick_wide(turned, part, none);
-    const wide near = pick_wide(steep, 1.5707963267948966 - eighth, eighth);
-    const wide known = pick_wide(left, 3.141592653589793 - near, near);
-    const wide r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2;
-    const wide p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
-    const wide p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;
-    const wide p8 = (odd[8] + odd[9] * u) + odd[10] * u2;
-    const wide p = p0 + (p4 + p8 * u4) * u4;
-    return copysign_wide((known + r) + r * u * p, y);
-}
-#endif
+ARCTANGENT(wide)
 #endif
 
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
@@ -573,12 +543,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide N3_m = v5 + v4 * v4;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle1_ = atan2_wide(w3_p, N3_p - k3);
-    const wide angle1__ = atan2_wide(w3_m, N3_m - k3);
-    const wide q3__pp = angle1_ - turn1;
-    const wide v6 = turn1 + angle1_;
-    const wide q3__mp = angle1__ - turn1;
-    const wide v7 = turn1 + angle1__;
+    const wide angle2 = atan2_wide(w3_p, N3_p - k3);
+    const wide angle3 = atan2_wide(w3_m, N3_m - k3);
+    const wide q3__pp = angle2 - turn1;
+    const wide v6 = turn1 + angle2;
+    const wide q3__mp = angle3 - turn1;
+    const wide v7 = turn1 + angle3;
 
     /* theta2 */
     const wide Y1_2_p = m4 + m3 * N3_p;
@@ -626,16 +596,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v32 = v30 + X4_pm * X4_pm;
     const wide v33 = v30 + X4_mp * X4_mp;
     const wide v34 = v30 + X4_mm * X4_mm;
-    const wide angle1___ = atan2_wide(-v29, -X4_pp);
-    const wide angle1____ = atan2_wide(-v29, -X4_pm);
-    const wide angle1_____ = atan2_wide(v29, -X4_mp);
-    const wide angle1______ = atan2_wide(v29, -X4_mm);
+    const wide angle4 = atan2_wide(-v29, -X4_pp);
+    const wide angle5 = atan2_wide(-v29, -X4_pm);
+    const wide angle6 = atan2_wide(v29, -X4_mp);
+    const wide angle7 = atan2_wide(v29, -X4_mm);
     const wide v35 = h1 * copysign_wide(all_wide(half_turn), -v29);
     const wide v36 = h1 * copysign_wide(all_wide(half_turn), v29);
-    const wide q4_ppm = angle1___ - v35;
-    const wide q4_pmm = angle1____ - v35;
-    const wide q4_mpm = angle1_____ - v36;
-    const wide q4_mmm = angle1______ - v36;
+    const wide q4_ppm = angle4 - v35;
+    const wide q4_pmm = angle5 - v35;
+    const wide q4_mpm = angle6 - v36;
+    const wide q4_mmm = angle7 - v36;
 
     /* theta6 */
     const wide v37 = w1 * (v2 * (wx * T22 + Y1 * T12));
@@ -645,79 +615,72 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide v41 = w3_p * (m3 * v3);
-    const wide angle1_______ = atan2_wide(-(v8 + v41), w3_p * v12 - v10);
-    const wide v42 = angle1_______ - offset2;
-    const wide angle1________ = atan2_wide(v41 - v8, w3_p * v13 - v10);
-    const wide v43 = angle1________ - offset2;
-    const wide angle1_________ = atan2_wide(-(v9 + w3_m * (m3 * v4)), w3_m * v12 - v11);
-    const wide v44 = angle1_________ - offset2;
-    const wide angle1__________ = atan2_wide(-(v9 + w3_m * (m3 * -v4)), w3_m * v13 - v11);
-    const wide v45 = angle1__________ - offset2;
-    const wide q2_ppp = v42 - pick_wide(half_turn < v42, all_wide(m10), all_wide(0.0));
-    const wide q2_pmp = v43 - pick_wide(half_turn < v43, all_wide(m10), all_wide(0.0));
-    const wide q2_mpp = v44 - pick_wide(half_turn < v44, all_wide(m10), all_wide(0.0));
-    const wide q2_mmp = v45 - pick_wide(half_turn < v45, all_wide(m10), all_wide(0.0));
-    const wide angle1___________ = atan2_wide(-sqrt_wide(v31), T33 * c2m3_pp + s2m3_pp * v28);
-    const wide angle1____________ = atan2_wide(-sqrt_wide(v32), T33 * c2m3_pm + s2m3_pm * v28);
-    const wide angle1_____________ = atan2_wide(-sqrt_wide(v33), T33 * c2m3_mp - s2m3_mp * v28);
-    const wide angle1______________ = atan2_wide(-sqrt_wide(v34), T33 * c2m3_mm - s2m3_mm * v28);
-    const wide v46 = angle1___________ - offset5;
-    const wide v47 = offset5 + angle1___________;
-    const wide v48 = angle1____________ - offset5;
-    const wide v49 = offset5 + angle1____________;
-    const wide v50 = angle1_____________ - offset5;
-    const wide v51 = offset5 + angle1_____________;
-    const wide v52 = angle1______________ - offset5;
-    const wide v53 = offset5 + angle1______________;
-    const wide q5_ppp = v46 + pick_wide(v46 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_ppm = pick_wide(-v47 <= -half_turn, all_wide(m10), all_wide(0.0)) - v47;
-    const wide q5_pmp = v48 + pick_wide(v48 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_pmm = pick_wide(-v49 <= -half_turn, all_wide(m10), all_wide(0.0)) - v49;
-    const wide q5_mpp = v50 + pick_wide(v50 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_mpm = pick_wide(-v51 <= -half_turn, all_wide(m10), all_wide(0.0)) - v51;
-    const wide q5_mmp = v52 + pick_wide(v52 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q5_mmm = pick_wide(-v53 <= -half_turn, all_wide(m10), all_wide(0.0)) - v53;
+    const wide angle8 = atan2_wide(-(v8 + v41), w3_p * v12 - v10);
+    const wide v42 = angle8 - offset2;
+    const wide angle9 = atan2_wide(v41 - v8, w3_p * v13 - v10);
+    const wide v43 = angle9 - offset2;
+    const wide angle10 = atan2_wide(-(v9 + w3_m * (m3 * v4)), w3_m * v12 - v11);
+    const wide v44 = angle10 - offset2;
+    const wide angle11 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), w3_m * v13 - v11);
+    const wide v45 = angle11 - offset2;
+    const wide q2_ppp = v42 - only_wide(half_turn < v42, m10);
+    const wide q2_pmp = v43 - only_wide(half_turn < v43, m10);
+    const wide q2_mpp = v44 - only_wide(half_turn < v44, m10);
+    const wide q2_mmp = v45 - only_wide(half_turn < v45, m10);
+    const wide angle12 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_pp + s2m3_pp * v28);
+    const wide angle13 = atan2_wide(-sqrt_wide(v32), T33 * c2m3_pm + s2m3_pm * v28);
+    const wide angle14 = atan2_wide(-sqrt_wide(v33), T33 * c2m3_mp - s2m3_mp * v28);
+    const wide angle15 = atan2_wide(-sqrt_wide(v34), T33 * c2m3_mm - s2m3_mm * v28);
+    const wide v46 = angle12 - offset5;
+    const wide v47 = offset5 + angle12;
+    const wide v48 = angle13 - offset5;
+    const wide v49 = offset5 + angle13;
+    const wide v50 = angle14 - offset5;
+    const wide v51 = offset5 + angle14;
+    const wide v52 = angle15 - offset5;
+    const wide v53 = offset5 + angle15;
+    const wide q5_ppp = v46 + only_wide(v46 <= -half_turn, m10);
+    const wide q5_ppm = only_wide(-v47 <= -half_turn, m10) - v47;
+    const wide q5_pmp = v48 + only_wide(v48 <= -half_turn, m10);
+    const wide q5_pmm = only_wide(-v49 <= -half_turn, m10) - v49;
+    const wide q5_mpp = v50 + only_wide(v50 <= -half_turn, m10);
+    const wide q5_mpm = only_wide(-v51 <= -half_turn, m10) - v51;
+    const wide q5_mmp = v52 + only_wide(v52 <= -half_turn, m10);
+    const wide q5_mmm = only_wide(-v53 <= -half_turn, m10) - v53;
     const wide v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31);
     const wide v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31);
     const wide v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31);
     const wide v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31);
-    const wide angle1_______________ = atan2_wide(v54, v29 * (c2m3_pp * v38 - s2m3_pp * T32) -
-        -X4_pp * v37);
-    const wide angle1________________ = atan2_wide(v55, v29 * (c2m3_pm * v38 - s2m3_pm * T32) -
-        -X4_pm * v37);
-    const wide angle1_________________ = atan2_wide(v56, v29 * (c2m3_mp * v38 + s2m3_mp * T32) -
-        X4_mp * v37);
-    const wide angle1__________________ = atan2_wide(v57, v29 * (c2m3_mm * v38 + s2m3_mm * T32) -
-        X4_mm * v37);
-    const wide v58 = angle1_______________ - offset6;
-    const wide v59 = angle1_______________ - h1 * copysign_wide(all_wide(half_turn), v54) - offset6;
-    const wide v60 = angle1________________ - offset6;
-    const wide v61 = angle1________________ - h1 * copysign_wide(all_wide(half_turn), v55) -
-        offset6;
-    const wide v62 = angle1_________________ - offset6;
-    const wide v63 = angle1_________________ - h1 * copysign_wide(all_wide(half_turn), v56) -
-        offset6;
-    const wide v64 = angle1__________________ - offset6;
-    const wide v65 = angle1__________________ - h1 * copysign_wide(all_wide(half_turn), v57) -
-        offset6;
-    const wide q6_ppp = v58 + pick_wide(v58 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q6_ppm = v59 + pick_wide(v59 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q6_pmp = v60 + pick_wide(v60 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q6_pmm = v61 + pick_wide(v61 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q6_mpp = v62 + pick_wide(v62 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q6_mpm = v63 + pick_wide(v63 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q6_mmp = v64 + pick_wide(v64 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide q6_mmm = v65 + pick_wide(v65 <= -half_turn, all_wide(m10), all_wide(0.0));
-    const wide v66 = q3__pp - pick_wide(half_turn < q3__pp, all_wide(m10), all_wide(0.0));
-    const wide v67 = v6 + pick_wide(half_turn < -v6, all_wide(m10), all_wide(0.0));
-    const wide v68 = q3__mp - pick_wide(half_turn < q3__mp, all_wide(m10), all_wide(0.0));
-    const wide v69 = v7 + pick_wide(half_turn < -v7, all_wide(m10), all_wide(0.0));
+    const wide angle16 = atan2_wide(v54, v29 * (c2m3_pp * v38 - s2m3_pp * T32) - -X4_pp * v37);
+    const wide angle17 = atan2_wide(v55, v29 * (c2m3_pm * v38 - s2m3_pm * T32) - -X4_pm * v37);
+    const wide angle18 = atan2_wide(v56, v29 * (c2m3_mp * v38 + s2m3_mp * T32) - X4_mp * v37);
+    const wide angle19 = atan2_wide(v57, v29 * (c2m3_mm * v38 + s2m3_mm * T32) - X4_mm * v37);
+    const wide v58 = angle16 - offset6;
+    const wide v59 = angle16 - h1 * copysign_wide(all_wide(half_turn), v54) - offset6;
+    const wide v60 = angle17 - offset6;
+    const wide v61 = angle17 - h1 * copysign_wide(all_wide(half_turn), v55) - offset6;
+    const wide v62 = angle18 - offset6;
+    const wide v63 = angle18 - h1 * copysign_wide(all_wide(half_turn), v56) - offset6;
+    const wide v64 = angle19 - offset6;
+    const wide v65 = angle19 - h1 * copysign_wide(all_wide(half_turn), v57) - offset6;
+    const wide q6_ppp = v58 + only_wide(v58 <= -half_turn, m10);
+    const wide q6_ppm = v59 + only_wide(v59 <= -half_turn, m10);
+    const wide q6_pmp = v60 + only_wide(v60 <= -half_turn, m10);
+    const wide q6_pmm = v61 + only_wide(v61 <= -half_turn, m10);
+    const wide q6_mpp = v62 + only_wide(v62 <= -half_turn, m10);
+    const wide q6_mpm = v63 + only_wide(v63 <= -half_turn, m10);
+    const wide q6_mmp = v64 + only_wide(v64 <= -half_turn, m10);
+    const wide q6_mmm = v65 + only_wide(v65 <= -half_turn, m10);
+    const wide v66 = q3__pp - only_wide(half_turn < q3__pp, m10);
+    const wide v67 = v6 + only_wide(half_turn < -v6, m10);
+    const wide v68 = q3__mp - only_wide(half_turn < q3__mp, m10);
+    const wide v69 = v7 + only_wide(half_turn < -v7, m10);
     const wide_mask v70 = (angle1 < low1) | (high1 < angle1);
     const wide_mask v71 = (q1__m < low1) | (high1 < q1__m);
-    const wide v72 = v66 + pick_wide(v66 < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v73 = pick_wide(-v67 < low3, all_wide(whole_turn), all_wide(0.0)) - v67;
-    const wide v74 = v68 + pick_wide(v68 < low3, all_wide(whole_turn), all_wide(0.0));
-    const wide v75 = pick_wide(-v69 < low3, all_wide(whole_turn), all_wide(0.0)) - v69;
+    const wide v72 = v66 + only_wide(v66 < low3, whole_turn);
+    const wide v73 = only_wide(-v67 < low3, whole_turn) - v67;
+    const wide v74 = v68 + only_wide(v68 < low3, whole_turn);
+    const wide v75 = only_wide(-v69 < low3, whole_turn) - v69;
     const wide_mask v76 = (v72 < low3) | (high3 < v72);
     const wide_mask v77 = (v73 < low3) | (high3 < v73);
     const wide_mask v78 = (v74 < low3) | (high3 < v74);
@@ -749,7 +712,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[0] = q1_ppp;
     q[1] = q2_ppp;
     q[2] = q3_ppp;
-    q[3] = angle1___;
+    q[3] = angle4;
     q[4] = q5_ppp;
     q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
@@ -763,7 +726,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[12] = q1_ppp;
     q[13] = q2_pmp;
     q[14] = q3_pmp;
-    q[15] = angle1____;
+    q[15] = angle5;
     q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
@@ -777,7 +740,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[24] = q1_mpp;
     q[25] = q2_mpp;
     q[26] = q3_mpp;
-    q[27] = angle1_____;
+    q[27] = angle6;
     q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
@@ -791,7 +754,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[36] = q1_mpp;
     q[37] = q2_mmp;
     q[38] = q3_mmp;
-    q[39] = angle1______;
+    q[39] = angle7;
     q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
@@ -871,31 +834,30 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
 
-    const four angle1__ = atan2_four(-(e1 * v18), -X4);
-    const four angle1___ = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), w3 * v8 - v7);
-    const four angle1____ = atan2_four(-sqrt_four(v20), T33 * c2m3 + e1 * (s2m3 * v17));
-    const four angle1_____ = atan2_four(v29, e1 * (v18 * (e1 * (c2m3 * v23) - s2m3 * T32) - -X4 *
-        v22));
+    const four angle3 = atan2_four(-(e1 * v18), -X4);
+    const four angle4 = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), w3 * v8 - v7);
+    const four angle5 = atan2_four(-sqrt_four(v20), T33 * c2m3 + e1 * (s2m3 * v17));
+    const four angle6 = atan2_four(v29, e1 * (v18 * (e1 * (c2m3 * v23) - s2m3 * T32) - -X4 * v22));
     const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
         __builtin_shufflevector(N3 - k3, all_four(-wx), 0, 5, 2, 3));
-    const four angle1_ = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
+    const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0));
-    const four q3_ = e2 * angle1_ - turn1;
-    const four q4_m = angle1__ - v21;
-    const four v26 = angle1___ - offset2;
-    const four q2_p = v26 - pick_four(half_turn < v26, all_four(m10), all_four(0.0));
-    const four v27 = angle1____ - offset5;
-    const four v28 = offset5 + angle1____;
-    const four q5_p = v27 + pick_four(v27 <= -half_turn, all_four(m10), all_four(0.0));
-    const four q5_m = pick_four(-v28 <= -half_turn, all_four(m10), all_four(0.0)) - v28;
-    const four v30 = angle1_____ - offset6;
-    const four v31 = angle1_____ - h1 * copysign_four(all_four(half_turn), v29) - offset6;
-    const four q6_p = v30 + pick_four(v30 <= -half_turn, all_four(m10), all_four(0.0));
-    const four q6_m = v31 + pick_four(v31 <= -half_turn, all_four(m10), all_four(0.0));
-    const four v32 = q3_ - pick_four(half_turn < q3_, all_four(m10), all_four(0.0));
+    const four q3_ = e2 * angle2 - turn1;
+    const four q4_m = angle3 - v21;
+    const four v26 = angle4 - offset2;
+    const four q2_p = v26 - only_four(half_turn < v26, m10);
+    const four v27 = angle5 - offset5;
+    const four v28 = offset5 + angle5;
+    const four q5_p = v27 + only_four(v27 <= -half_turn, m10);
+    const four q5_m = only_four(-v28 <= -half_turn, m10) - v28;
+    const four v30 = angle6 - offset6;
+    const four v31 = angle6 - h1 * copysign_four(all_four(half_turn), v29) - offset6;
+    const four q6_p = v30 + only_four(v30 <= -half_turn, m10);
+    const four q6_m = v31 + only_four(v31 <= -half_turn, m10);
+    const four v32 = q3_ - only_four(half_turn < q3_, m10);
     const four_mask v33 = (q1_ < low1) | (high1 < q1_);
-    const four v34 = v32 + pick_four(v32 < low3, all_four(whole_turn), all_four(0.0));
+    const four v34 = v32 + only_four(v32 < low3, whole_turn);
     const four_mask v35 = (v34 < low3) | (high3 < v34);
     const four q3_p = pick_four(v35, v32, v34);
     const four q1_p = q1_ + (w3 - w3);
@@ -905,7 +867,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle1__);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, angle3);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
