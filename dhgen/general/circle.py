@@ -27,6 +27,7 @@ WIDTH = 2 * pi / CELLS
 DEEPEST = 14  # how often a cell is halved before its roots count as one of higher multiplicity
 HALVINGS = 100  # in all cells together: f may be next to nothing for long stretches
 NEWTON_STEPS = 12
+SETTLED = 1e-9  # the step after one of this size [rad] is rounding
 
 # The quintic through f, f', f'' at both ends of a cell misses f by at most
 # WIDTH^6 8^6 / 46080 = 1.3e-9 of its largest value.
@@ -212,50 +213,39 @@ def _in_simple_cell(
     """The roots of a cell where f has one extremum at most."""
     if at_low[1] * at_high[1] >= 0:
         if (at_low[0] < 0) != (at_high[0] < 0):
-            simple.append(_refine(f, low, high, at_low[0] < 0))
+            simple.append(_between(f, 0, low, high, at_low))
         return
-    x = _extremum(f, low, high)
-    value, _, bend = f.at(cos(x), sin(x))
-    lifted = value * bend > 0 and abs(value) <= abs(bend) * LIFTED**2 / 2
-    if abs(value) <= f.rounding or lifted:
+    x = _between(f, 1, low, high, at_low)
+    at = f.at(cos(x), sin(x))
+    lifted = at[0] * at[2] > 0 and abs(at[0]) <= abs(at[2]) * LIFTED**2 / 2
+    if abs(at[0]) <= f.rounding or lifted:
         double.append(x)
         return
-    if (at_low[0] < 0) != (value < 0):
-        simple.append(_refine(f, low, x, at_low[0] < 0))
-    if (at_high[0] < 0) != (value < 0):
-        simple.append(_refine(f, x, high, value < 0))
+    if (at_low[0] < 0) != (at[0] < 0):
+        simple.append(_between(f, 0, low, x, at_low))
+    if (at_high[0] < 0) != (at[0] < 0):
+        simple.append(_between(f, 0, x, high, at))
 
 
-def _refine(f: Trigonometric, low: float, high: float, rising: bool) -> float:  # noqa: FBT001
-    """The root between two angles of unlike sign, by Newton with bisection where it leaves."""
+def _between(f: Trigonometric, order: int, low: float, high: float, at_low: Values) -> float:
+    """Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs.
+
+    By Newton, with bisection where it leaves.
+    """
+    rising = at_low[order] < 0
     x = (low + high) / 2
     for _ in range(4 * NEWTON_STEPS):
-        value, slope, _ = f.at(cos(x), sin(x))
-        if (value < 0) == rising:
+        at = f.at(cos(x), sin(x))
+        if (at[order] < 0) == rising:
             low = x
         else:
             high = x
-        step = -value / slope if slope else high - low
-        if abs(step) < 1e-15:
+        step = -at[order] / at[order + 1] if at[order + 1] else high - low
+        if not low < x + step < high:
+            step = (low + high) / 2 - x
+        x += step
+        if abs(step) < SETTLED:
             break
-        x = x + step if low < x + step < high else (low + high) / 2
-    return x
-
-
-def _extremum(f: Trigonometric, low: float, high: float) -> float:
-    """Where f' vanishes between two angles at which it has unlike signs."""
-    rising = f.at(cos(low), sin(low))[1] < 0
-    x = (low + high) / 2
-    for _ in range(4 * NEWTON_STEPS):
-        _, slope, bend = f.at(cos(x), sin(x))
-        if (slope < 0) == rising:
-            low = x
-        else:
-            high = x
-        step = -slope / bend if bend else high - low
-        if abs(step) < 1e-12:
-            break
-        x = x + step if low < x + step < high else (low + high) / 2
     return x
 
 

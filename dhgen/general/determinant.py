@@ -1,4 +1,4 @@
-"""The determinant of the hidden joint, and the null vectors where it vanishes.
+"""The equations and the determinant of the hidden joint, and the null vectors where it vanishes.
 
 The six equations, times the half-angle tangent x3 of one partner and as they are, are twelve
 equations in the twelve products x3^i x2^j, i = 0 ... 3, j = 0 ... 2. With A2, A1, A0 the 6x3 blocks
@@ -13,14 +13,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.rigid import Matrix, inverse
+from dhgen.general.features import FEATURES, act, slide, start, turn
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
-
-    from dhgen.general.formulation import Formulation
 
     FloatArray = NDArray[np.float64]
 
@@ -28,43 +26,62 @@ EQUATIONS = 6
 TINY = 1e-300  # keeps the reflection of a zero column finite; it then changes nothing
 
 
-def pose_monomials(P: FloatArray, *, inverted: bool) -> FloatArray:
-    """The 35 monomials (35, N) of poses (N, 4, 4) or of their inverses, as in `features`."""
-    R, t = np.moveaxis(P[:, :3, :3], 0, -1), P[:, :3, 3].T
-    if inverted:
-        t = np.stack([-(R[0, j] * t[0] + R[1, j] * t[1] + R[2, j] * t[2]) for j in range(3)])
-        R = np.swapaxes(R, 0, 1)
-    square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2]
-    back = [R[0, j] * t[0] + R[1, j] * t[1] + R[2, j] * t[2] for j in range(3)]
-    flat = [R[i, j] for i in range(3) for j in range(3)]
-    turned = [
-        t[(i + 1) % 3] * R[(i + 2) % 3, j] - t[(i + 2) % 3] * R[(i + 1) % 3, j]
-        for i in range(3)
-        for j in range(3)
-    ]
-    mirrored = [square * R[i, j] - 2.0 * (t[i] * back[j]) for i in range(3) for j in range(3)]
-    return np.stack([np.ones_like(square), *flat, *t, square, *back, *turned, *mirrored])
+def inverses(K: FloatArray) -> FloatArray:
+    """The inverses of rigid transforms (..., 4, 4)."""
+    result = np.zeros_like(K)
+    result[..., 3, 3] = 1.0
+    for i in range(3):
+        x = [K[..., j, i] for j in range(3)]
+        result[..., i, 3] = -(x[0] * K[..., 0, 3] + x[1] * K[..., 1, 3] + x[2] * K[..., 2, 3])
+        for j in range(3):
+            result[..., i, j] = x[j]
+    return result
 
 
-def equations(formulation: Formulation, P: FloatArray) -> FloatArray:
-    """The six equations of poses P (N, 4, 4) in arm sizes: (3, 6, 3, 3, N), as in `Formulation`."""
-    # forwards the loop contains P⁻¹; the right side contains the inverse of its links
-    inverted = (formulation.sign > 0) != formulation.splits_each_pose
-    values = pose_monomials(P, inverted=inverted)
-    rows = _times(formulation.table, values)
-    if not formulation.splits_each_pose:
-        return rows.reshape(3, EQUATIONS, 3, 3, -1)
-    right = rows.reshape(9, 14, -1)
-    left = np.array(formulation.left).reshape(3, 3, 3, 14)
-    both = np.empty((14, 8 + 27, len(P)))
-    both[:, :8] = np.swapaxes(right[1:], 0, 1)
-    both[:, 8:] = np.moveaxis(left, -1, 0).reshape(14, 27, 1)
-    for i in (0, 2):
-        for j in (0, 2):
-            both[:, 8 + 3 * i + j] -= right[0]
+def equations(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray:
+    """The six equations of a formulation.
+
+    Args:
+        links: L0 ... L5, (N, 4, 4) each, in arm sizes.
+        slides: Which of φ1 ... φ6 is a length; not the first, not the fourth.
+
+    Returns:
+        (3, 6, 3, 3, N): the coefficients by 1, c1, s1, equation, x3², x3, 1 and x2², x2, 1 with
+        x = tan(φ/2), or x = d where the joint slides; all times (1 + x²) for every turn.
+    """
+    K = [np.moveaxis(link, 0, -1) for link in links]
+    count = K[0].shape[-1]
+    right = start(count)
+    for link, slides_here in ((links[3], slides[4]), (links[4], slides[5])):
+        right = act(np.moveaxis(inverses(link), 0, -1), right)
+        right = _spread(right, slide(right) if slides_here else turn(right))
+    left = start(count)
+    for at in (2, 1):
+        left = act(K[at], left)
+        left = _spread(left, _powers(left, slides=slides[at]))
+    left = act(K[0], left)
+    left = act(K[5], _spread(left, turn(left)))
+    both = np.empty((FEATURES - 1, 8 + 27, count))
+    both[:, :8] = right[1:, 1:]
+    # the constant column of the right side goes over to the left, times every (1 + x²)
+    both[:, 8:] = left[1:] - right[1:, :1] * left[:1]
     for column in range(8):
         reflect(both[column:], column)
-    return np.swapaxes(both[8:, 8:].reshape(EQUATIONS, 3, 3, 3, -1), 0, 1)
+    rows = both[8:, 8:].reshape(EQUATIONS, 3, 3, 3, -1)  # equation, φ1, φ2, φ3
+    return rows.transpose(1, 0, 3, 2, 4)
+
+
+def _powers(x: FloatArray, *, slides: bool) -> FloatArray:
+    """The coefficients of x², x and 1 instead of 1, cos φ, sin φ or 1, d, d²."""
+    if slides:
+        return slide(x)[::-1]
+    one, cosine, sine = turn(x)
+    return np.stack([one - cosine, 2.0 * sine, one + cosine])
+
+
+def _spread(x: FloatArray, parts: FloatArray) -> FloatArray:
+    """Three columns for each column of features: (15, 3 k, N), the joint's own index first."""
+    return np.swapaxes(parts, 0, 1).reshape(FEATURES, 3 * x.shape[1], -1)
 
 
 def reflect(rows: FloatArray, column: int) -> None:
@@ -125,17 +142,3 @@ def fold(E: FloatArray, cosine: FloatArray, sine: FloatArray) -> tuple[FloatArra
     for i in range(6):
         determinant = determinant * factor[i, i]
     return determinant, factor
-
-
-def _times(table: Sequence[Sequence[float]], values: FloatArray) -> FloatArray:
-    """A constant matrix (m, k) times lanes (k, N), summed from the first to the last."""
-    matrix = np.array(table)
-    total = np.zeros((len(matrix), values.shape[1]))
-    for k, value in enumerate(values):
-        total += matrix[:, k : k + 1] * value
-    return total
-
-
-def as_array(K: Matrix, *, inverted: bool = False) -> FloatArray:
-    """A rigid transform as an array."""
-    return np.array(inverse(K) if inverted else K)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import isinf, pi
 from textwrap import indent
 from typing import TYPE_CHECKING
 
 from dhgen.general import circle, polish, reference
 from dhgen.general.determinant import TINY
 from dhgen.general.digits import HALF_CELLS, grid, harmonics
-from dhgen.general.loop import reach
+from dhgen.general.formulation import PARTNERS
+from dhgen.general.loop import LINKS, reach
 from dhgen.general.offset_wrist import BARELY, NEARLY_RIGHT
 from dhgen.numerical.kernel import FEW_STARTS
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
@@ -19,82 +20,195 @@ from dhgen.targets.templates import render
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
+    from dhgen.general.links import Held, Link
     from dhgen.general.rigid import Matrix
     from dhgen.kinematics.chain import Chain
 
-PADDED = 168  # 162 rows, to a multiple of eight
-PADDED_RIGHT = 128  # 126
-LEFT_ROW = 32  # 27
 ROOTS = 24  # more than 16 come from rounding
 CANDIDATES = 96
 
 
 def c_source(kernel: GeneralKernel, name: str) -> str:
     """The static functions of `<name>_general` in C99; they need <math.h>."""
-    return render("c/general6r.c.jinja", p=name, P=name.upper(), t=values(kernel))
+    return render("c/general6r.c.jinja", p=name, P=name.upper(), t=_c_values(kernel, name))
 
 
 def python_source(kernel: GeneralKernel, name: str) -> str:
     """The function `<name>_general` in Python; it needs numba and numpy."""
-    return render("python/general6r.py.jinja", p=name, P=name.upper(), t=values(kernel))
+    return render("python/general6r.py.jinja", p=name, P=name.upper(), t=_python_values(kernel))
 
 
-def c_rows(chain: Chain, name: str) -> str:
+def c_rows(kernel: GeneralKernel, chain: Chain, name: str) -> str:
     """The static function `all_joints` in C99; it calls `<name>_general` and the descent."""
     facing, zero = _behind(chain)
     return render(
         "c/general6r_rows.c.jinja",
         p=name,
-        n=_descent(),
+        dof=chain.dof,
+        n=_descent(chain),
         facing=indent(c_array("static const double facing[6]", facing), "    "),
         zero=indent(c_array("static const double zero[6]", zero), "    "),
+        **_c_free(kernel),
     )
 
 
-def python_rows(chain: Chain, name: str) -> str:
+def python_rows(kernel: GeneralKernel, chain: Chain, name: str) -> str:
     """The function `_all_joints` in Python; it calls `<name>_general` and the descent."""
     facing, zero = _behind(chain)
     return render(
         "python/general6r_rows.py.jinja",
         p=name,
-        n=_descent(),
+        dof=chain.dof,
+        n=_descent(chain),
         facing=python_array("_FACING = np.array", facing),
         zero=python_array("_ZERO = np.array", zero),
+        **_python_free(kernel),
     )
 
 
-def _descent() -> dict[str, str]:
-    return {"residual": repr(reference.RESIDUAL), "starts": str(FEW_STARTS)}
+def _descent(chain: Chain) -> dict[str, object]:
+    return {
+        "residual": repr(reference.RESIDUAL),
+        "starts": str(FEW_STARTS),
+        "given": [number - 1 for number in chain.free],
+    }
 
 
 def _behind(chain: Chain) -> tuple[list[str], list[str]]:
-    """Signs and offsets of the joint values behind the angles of the algebra."""
-    return _numbers(float(j.sign) for j in chain.joints), _numbers(j.offset for j in chain.joints)
+    """Signs and offsets of the joint values behind the loop's angles and lengths."""
+    solved = [joint for joint in chain.joints if joint.number not in chain.free]
+    return _numbers(float(j.sign) for j in solved), _numbers(j.offset for j in solved)
 
 
-def values(kernel: GeneralKernel) -> dict[str, object]:
+def _c_free(kernel: GeneralKernel) -> dict[str, str]:
+    count = len(kernel.given)
+    return {
+        "free_parameter": f", const double free_joints[{count}]" if count else "",
+        "free_argument": ", free_joints" if count else "",
+    }
+
+
+def _python_free(kernel: GeneralKernel) -> dict[str, str]:
+    return {"free_argument": ", q_free" if kernel.given else ""}
+
+
+def _c_values(kernel: GeneralKernel, name: str) -> dict[str, object]:
+    places = [f"loop->link[{i}]" for i in range(LINKS)]
+    slide = kernel.loop.slide
+    partners = {f"partner_{place + 1}": f"{name}_tangents" for place in PARTNERS}
+    if slide is not None:
+        for place in PARTNERS:
+            choice = f"form->joint[{place}] == {slide} ? {name}_lengths : {name}_tangents"
+            partners[f"partner_{place + 1}"] = choice
+    return {
+        **_values(kernel),
+        **_c_free(kernel),
+        **partners,
+        "given": _given(kernel, "free_joints"),
+        "links": _links(kernel, [*places, "P", "right"]),
+        "sine_of_start": "sin(angle)" if slide is None else f"i == {slide} ? angle : sin(angle)",
+    }
+
+
+def _python_values(kernel: GeneralKernel) -> dict[str, object]:
+    places = [f"links[{i}]" for i in range(LINKS)]
+    slide = kernel.loop.slide
+    return {
+        **_values(kernel),
+        **_python_free(kernel),
+        "given": _given(kernel, "q_free"),
+        "links": _links(kernel, [*places, "left", "right"]),
+        "circular_gap": _circular_gap(slide),
+        "sine_of_start": "math.sin(q[i])" if slide is None else _sine_or_length(slide),
+    }
+
+
+def _sine_or_length(slide: int) -> str:
+    return f"q[i] if i == {slide} else math.sin(q[i])"
+
+
+def _circular_gap(slide: int | None) -> str:
+    """Of two angles, or lengths, that differ by `gap`."""
+    shorter = f"min(gap, {2 * pi!r} - gap)"
+    return shorter if slide is None else f"gap if i == {slide} else {shorter}"
+
+
+def _given(kernel: GeneralKernel, array: str) -> list[dict[str, object]]:
+    """The angles and lengths of the joints whose values the caller gives."""
+    slides = {held.place: held.slides for link in _every_link(kernel) for held, _ in link.rest}
+    return [
+        {
+            "value": f"{'-' if sign < 0 else ''}{array}[{place}]{_plus(offset)}",
+            "slides": slides[place],
+        }
+        for place, (sign, offset) in enumerate(kernel.given)
+    ]
+
+
+def _plus(offset: float) -> str:
+    if not offset:
+        return ""
+    return f" - {-offset!r}" if offset < 0.0 else f" + {offset!r}"
+
+
+def _every_link(kernel: GeneralKernel) -> list[Link]:
+    return [*kernel.loop.links, kernel.loop.left, kernel.loop.right]
+
+
+def _links(kernel: GeneralKernel, to: Sequence[str]) -> list[dict[str, object]]:
+    """How the links come from constants and the joints that are given; `to`: where they go."""
+    result: list[dict[str, object]] = []
+    count = 0
+    for link, place in zip(_every_link(kernel), to, strict=True):
+        rest = []
+        first = count
+        for held, _ in link.rest:
+            count += 1
+            rest.append({"behind": count, **_motion(held)})
+        count += 1
+        result.append({"to": place, "first": first, "rest": rest})
+    return result
+
+
+def _motion(held: Held) -> dict[str, str]:
+    """The name of a motion and its arguments."""
+    if held.slides:
+        return {"motion": "slide", "by": f"{held.factor!r} * given_{held.place}"}
+    sign = "-" if held.factor < 0.0 else ""
+    return {"motion": "turn", "by": f"c_{held.place}, {sign}s_{held.place}"}
+
+
+def _constants(kernel: GeneralKernel) -> list[list[str]]:
+    every = [[link.first, *(K for _, K in link.rest)] for link in _every_link(kernel)]
+    return [_numbers(_rows(K)) for constants in every for K in constants]
+
+
+def _values(kernel: GeneralKernel) -> dict[str, object]:
     """The constants of an arm and of the algorithm, as text."""
     loop = kernel.loop
     grid_c, grid_s = grid()
+    farthest = reach(loop)
     return {
-        "left": _numbers(_rows(loop.left)),
-        "right": _numbers(_rows(loop.right)),
-        "links": [_numbers(_rows(K)) for K in loop.links],
+        "constants": _constants(kernel),
+        "slide": loop.slide,
+        "advance_c": _numbers(c for c, _ in loop.advances),
+        "advance_s": _numbers(s for _, s in loop.advances),
+        "size": repr(loop.size),
         "per_size": repr(1.0 / loop.size),
         # farther than all links in line the arm does not reach
-        "reach": repr((1.0 + 1e-9) * reach(loop) * reach(loop)),
+        "reach": "" if isinf(farthest) else repr((1.0 + 1e-9) * farthest * farthest),
         "nudges": [_numbers(_rows(nudge)) for nudge in reference.nudges()],
-        "formulations": [_formulation(f) for f in kernel.formulations],
+        "formulations": [
+            {"joints": [str(joint) for joint in f.joints], "sign": repr(float(f.sign))}
+            for f in kernel.formulations
+        ],
         "sample_c": _numbers(circle.sample_cosines()[0]),
         "sample_s": _numbers(circle.sample_cosines()[1]),
         "harmonics": [_numbers(row) for row in harmonics()],
         "grid_c": [_numbers(row) for row in grid_c],
         "grid_s": [_numbers(row) for row in grid_s],
         "wrist": _wrist(kernel),
-        "padded": PADDED,
-        "padded_right": PADDED_RIGHT,
         "roots": ROOTS,
         "candidates": CANDIDATES,
         **_tolerances(),
@@ -117,6 +231,8 @@ def _tolerances() -> dict[str, object]:
         "deepest": circle.DEEPEST,
         "halvings": circle.HALVINGS,
         "between": 4 * circle.NEWTON_STEPS,
+        "on_quintic": circle.NEWTON_STEPS,
+        "settled": repr(circle.SETTLED),
         "quintic": repr(circle.QUINTIC),
         "rounding": repr(circle.ROUNDING),
         "noise_factor": repr(circle.NOISE_FACTOR),
@@ -149,25 +265,9 @@ def _numbers(numbers: Iterable[float]) -> list[str]:
     return [repr(x) for x in numbers]
 
 
-def _rows(K: Matrix | None) -> list[float]:
-    """The upper three rows; nothing for the pose."""
-    return [0.0] * 12 if K is None else [x for row in K[:3] for x in row]
-
-
-def _formulation(f: Formulation) -> dict[str, object]:
-    height = PADDED_RIGHT if f.splits_each_pose else PADDED
-    columns: Sequence[Sequence[float]] = tuple(zip(*f.table, strict=True))
-    features = tuple(zip(*f.left, strict=True)) if f.left else ()
-    return {
-        "joints": [str(joint) for joint in f.joints],
-        "sign": repr(float(f.sign)),
-        "inverted": int((f.sign > 0) != f.splits_each_pose),
-        "pose": f.pose,
-        "each_pose": int(f.splits_each_pose),
-        "links": [_numbers(_rows(K)) for K in f.links],
-        "table": [_numbers(_padded(column, height)) for column in columns],
-        "left": [_numbers(_padded(row, LEFT_ROW)) for row in features],
-    }
+def _rows(K: Matrix) -> list[float]:
+    """The upper three rows."""
+    return [x for row in K[:3] for x in row]
 
 
 def _wrist(kernel: GeneralKernel) -> dict[str, object] | None:
@@ -175,7 +275,7 @@ def _wrist(kernel: GeneralKernel) -> dict[str, object] | None:
     arm = kernel.wrist
     if arm is None:
         return None
-    K0, K1, K2, K3, _ = kernel.loop.links
+    K0, K1, K2, K3, _ = (link.first for link in kernel.loop.links)
     elbow = [K1[i][3] + arm.elbow * K1[i][2] for i in range(2)]
     wrist = [K2[i][3] + arm.wrist_4 * K2[i][2] for i in range(2)]
     return {
@@ -195,7 +295,3 @@ def _wrist(kernel: GeneralKernel) -> dict[str, object] | None:
         "nearly_right": repr(NEARLY_RIGHT),
         "barely": repr(BARELY),
     }
-
-
-def _padded(row: Sequence[float], length: int) -> list[float]:
-    return [*row, *[0.0] * (length - len(row))]

@@ -3,15 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import cos, sin
 from typing import TYPE_CHECKING
 
+from dhgen.general.links import Value
+
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.general.formulation import Formulation
     from dhgen.general.loop import Loop
     from dhgen.general.offset_wrist import OffsetWrist
 
 
 MOST = 16  # solutions
+
+
+def method_name(*, slides: bool) -> str:
+    """What the method is called, of an arm without and with a slide to be solved for."""
+    return "general 5R1P" if slides else "general 6R"
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,13 +46,16 @@ class GeneralKernel:
     """Everything about an arm that does not depend on the pose.
 
     Attributes:
-        loop: The arm as a loop of six turns, in arm sizes.
+        loop: The arm as a loop of six joints, in arm sizes.
         first: The formulation that is tried first.
         second: One with another hidden joint, for poses where the first one fails; None when
             the arm's structure leaves only one.
         scores: Of `first` and `second`.
         wrist: When the arm has an offset wrist, whose polynomial is known in closed form: it is
             tried before the formulations.
+        numbers: The joints' numbers in the arm, from 1.
+        given: Sign and offset of every joint whose value the caller gives: its angle or length is
+            sign q + offset.
     """
 
     loop: Loop
@@ -50,6 +63,8 @@ class GeneralKernel:
     second: Formulation | None
     scores: tuple[Score, ...]
     wrist: OffsetWrist | None = None
+    numbers: tuple[int, ...] = (1, 2, 3, 4, 5, 6)
+    given: tuple[tuple[int, float], ...] = ()
 
     @property
     def rows(self) -> int:
@@ -59,9 +74,14 @@ class GeneralKernel:
     @property
     def method(self) -> str:
         """What the method is called."""
-        return "general 6R"
+        return method_name(slides=self.loop.slide is not None)
 
     @property
     def formulations(self) -> tuple[Formulation, ...]:
         """The one or two formulations in the order in which they are tried."""
         return (self.first,) if self.second is None else (self.first, self.second)
+
+    def held(self, free: Sequence[float]) -> tuple[Value, ...]:
+        """Angles and lengths of the joints whose values the caller gives."""
+        values = [s * q + offset for (s, offset), q in zip(self.given, free, strict=True)]
+        return tuple(Value(x, cos(x), sin(x)) for x in values)

@@ -17,7 +17,7 @@ import numpy as np
 from dhgen.general.recover import rigid_inverse, turn
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     from numpy.typing import NDArray
 
@@ -66,7 +66,9 @@ class OffsetWrist:
 
 def offset_wrist(loop: Loop) -> OffsetWrist | None:
     """The arm as one with an offset wrist, or None when it isn't."""
-    K0, K1, K2, K3, _ = loop.links
+    if loop.slide is not None or any(link.rest for link in loop.links):
+        return None
+    K0, K1, K2, K3, _ = (link.first for link in loop.links)
     flip = 1.0 if K1[2][2] > 0.0 else -1.0
     # where axes 1 and 2 meet, and the plane's height on axes 2 and 3
     height = -(K0[0][3] * K0[0][2] + K0[1][3] * K0[1][2])
@@ -130,7 +132,7 @@ def polynomial(arm: OffsetWrist, W: FloatArray, z5: FloatArray) -> float:
 
 
 def candidates(
-    arm: OffsetWrist, links: list[FloatArray], P: FloatArray, angle: float
+    arm: OffsetWrist, links: Sequence[FloatArray], P: FloatArray, angle: float
 ) -> Iterator[FloatArray]:
     """Joint angles (6,) near solutions whose sixth angle is a root."""
     frame, W, z5 = wrist_at(arm, links[4], P, np.cos(angle), np.sin(angle))
@@ -154,7 +156,7 @@ def candidates(
 
 def _angles(
     arm: OffsetWrist,
-    links: list[FloatArray],
+    links: Sequence[FloatArray],
     frame: FloatArray,
     places: tuple[FloatArray, FloatArray, FloatArray],
     theta_6: float,

@@ -2,18 +2,33 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.recover import EZ, turn
+from dhgen.general.recover import EZ, motion
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import NDArray
 
     FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """What the loop's joints have to reach.
+
+    Attributes:
+        links: K0 ... K4 [arm sizes], (4, 4) each.
+        P: The pose of the loop, (4, 4).
+        slide: Which of the six joints slides, from 0, if one does.
+    """
+
+    links: tuple[FloatArray, ...]
+    P: FloatArray
+    slide: int | None = None
+
 
 SINGULAR = 1e-6  # the smallest singular value of the Jacobian over the largest
 # Singular values below this part of the largest count as zero: Newton then moves in the rest
@@ -23,29 +38,28 @@ DAMPING = 1e-2
 GOOD_ENOUGH = 1e-15
 
 
-def is_singular(links: Sequence[FloatArray], P: FloatArray, theta: FloatArray) -> bool:
+def is_singular(target: Target, theta: FloatArray) -> bool:
     """Whether the arm is singular, to the accuracy to which a double root is known."""
-    _, J = _linearised(links, P, theta)
+    _, J = _linearised(target, theta)
     values = np.linalg.svd(J, compute_uv=False)
     return bool(values[-1] < SINGULAR * values[0])
 
 
 def polish(
-    links: Sequence[FloatArray], P: FloatArray, theta: FloatArray, steps: int, *, afar: bool = False
+    target: Target, theta: FloatArray, steps: int, *, afar: bool = False
 ) -> tuple[FloatArray, float]:
     """The best iterate and its residual.
 
     Args:
-        links: K0 ... K4 [arm sizes].
-        P: The pose of the loop, (4, 4).
-        theta: Joint angles, (6,) [rad].
+        target: The loop.
+        theta: Joint angles, (6,) [rad]; a slide's length [arm sizes].
         steps: How many steps at most.
         afar: Damp the steps (Levenberg and Marquardt, the damping falling with the square of the
             error): for starts far away, and for singular solutions.
     """
     best, least = theta, np.inf
     for _ in range(steps + 1):
-        miss, J = _linearised(links, P, theta)
+        miss, J = _linearised(target, theta)
         residual = float(np.linalg.norm(miss))
         if residual < least:
             best, least = theta, residual
@@ -60,21 +74,21 @@ def polish(
     return best, least
 
 
-def _linearised(
-    links: Sequence[FloatArray], P: FloatArray, theta: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    T = np.eye(4)
+def _linearised(target: Target, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
+    T, P = np.eye(4), target.P
     axes, points = [], []
-    for i, angle in enumerate(theta):
+    for i, value in enumerate(theta):
         if i:
-            T = T @ links[i - 1]
+            T = T @ target.links[i - 1]
         axes.append(T[:3, :3] @ EZ)
         points.append(T[:3, 3])
-        T = T @ turn(angle)
+        T = T @ motion(value, slides=i == target.slide)
     spin = P[:3, :3] @ T[:3, :3].T
     rotation = [spin[2, 1] - spin[1, 2], spin[0, 2] - spin[2, 0], spin[1, 0] - spin[0, 1]]
     half = np.array(rotation) / 2
     # half a turn away the skew part vanishes too: the trace tells
     half = half + np.where(np.trace(spin[:3, :3]) < 0, 1.0, 0.0)
-    J = [[*np.cross(z, T[:3, 3] - o), *z] for z, o in zip(axes, points, strict=True)]
-    return np.concatenate([P[:3, 3] - T[:3, 3], half]), np.array(J).T
+    J = np.array([[*np.cross(z, T[:3, 3] - o), *z] for z, o in zip(axes, points, strict=True)]).T
+    if target.slide is not None:
+        J[:, target.slide] = [*axes[target.slide], 0.0, 0.0, 0.0]
+    return np.concatenate([P[:3, 3] - T[:3, 3], half]), J

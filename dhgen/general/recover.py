@@ -18,8 +18,18 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
+TINY = 1e-300
 PLANE = 1e-24  # below this the rows of a shift don't span a plane
 EZ = np.array([0.0, 0.0, 1.0])
+
+
+def motion(value: float, *, slides: bool) -> FloatArray:
+    """The transform of a joint, (4, 4)."""
+    if not slides:
+        return turn(value)
+    T = np.eye(4)
+    T[2, 3] = value
+    return T
 
 
 def turn(angle: float) -> FloatArray:
@@ -69,21 +79,34 @@ def _eigenvectors(up: FloatArray, down: FloatArray) -> Iterator[FloatArray]:
     yield from vectors.real.T
 
 
-def partner_angles(vector: FloatArray) -> tuple[float, float]:
-    """φ2 and φ3 from (x3, 1) ⊗ (x2², x2, 1), any multiple of it."""
+def partner_values(vector: FloatArray, slides: Sequence[bool]) -> tuple[float, float]:
+    """φ2 and φ3 from (x3, 1) ⊗ (x2², x2, 1), any multiple of it.
+
+    Args:
+        vector: (2, 3).
+        slides: Which of φ1, φ2, φ3 is a length; x is tan(φ/2) or the length itself.
+    """
     row = vector[np.argmax(np.abs(vector).max(axis=1))]
     column = vector[:, np.argmax(np.abs(vector).max(axis=0))]
-    # cos φ : sin φ = 1 − x² : 2 x
     square, first, one = row * np.copysign(1.0, row[0] + row[2])
-    phi_2 = atan2(2 * first, one - square)
-    return phi_2, 2 * atan2(column[0], column[1])
+    if slides[1]:  # x² over x and x over 1, by least squares
+        phi_2 = _length(first * (square + one), first * first + one * one)
+    else:  # cos φ : sin φ = 1 − x² : 2 x
+        phi_2 = atan2(2 * first, one - square)
+    return phi_2, _length(*column) if slides[2] else 2 * atan2(column[0], column[1])
+
+
+def _length(over: float, under: float) -> float:
+    """A quotient; zero instead of infinity."""
+    return float(over * under / (under * under + TINY))
 
 
 def remaining_angles(
-    links: Sequence[FloatArray], phi: tuple[float, float, float]
+    links: Sequence[FloatArray], phi: tuple[float, float, float], slides: Sequence[bool]
 ) -> tuple[float, ...]:
     """φ1 ... φ6 from φ1, φ2, φ3 and the six links of this pose."""
-    A = turn(phi[0]) @ links[0] @ turn(phi[1]) @ links[1] @ turn(phi[2]) @ links[2]
+    A = turn(phi[0]) @ links[0] @ motion(phi[1], slides=slides[1]) @ links[1]
+    A = A @ motion(phi[2], slides=slides[2]) @ links[2]
     B = rigid_inverse(links[5] @ A)
     phi_5 = _middle_angle(B, links[3], links[4])
     C = links[3] @ turn(phi_5) @ links[4]

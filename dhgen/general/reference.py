@@ -6,7 +6,7 @@ M. Raghavan and B. Roth, Inverse kinematics of the general 6R manipulator and re
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -17,14 +17,17 @@ from dhgen.general.determinant import equations, fold
 from dhgen.general.kernel import MOST
 from dhgen.general.loop import reach
 from dhgen.general.offset_wrist import candidates, polynomial, wrist_at
-from dhgen.general.polish import is_singular, polish
-from dhgen.general.recover import null_vectors, partner_angles, remaining_angles, rigid_inverse
+from dhgen.general.polish import Target, is_singular, polish
+from dhgen.general.recover import null_vectors, partner_values, remaining_angles
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import ArrayLike, NDArray
 
     from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
+    from dhgen.general.loop import Loop
     from dhgen.general.offset_wrist import OffsetWrist
     from dhgen.general.rigid import Matrix
 
@@ -55,7 +58,7 @@ class Solved:
     """The solutions of one pose.
 
     Attributes:
-        q: (k, 6), sorted by θ1, then θ2 ... [rad, in (−π, π]].
+        q: (k, 6), sorted by θ1, then θ2 ... [rad, in (−π, π]; a slide's in the file's unit].
         residual: (k,), by how much the loop stays open [arm sizes, rad].
         complete: Whether a certificate says that there are no others.
         singular: Whether roots met, or the arm is singular at a solution.
@@ -67,14 +70,21 @@ class Solved:
     singular: bool = False
 
 
-def solve(T: ArrayLike, kernel: GeneralKernel) -> Solved:
-    """All solutions of T = C0 Rz(θ1) C1 ... Rz(θ6) C6 for a rigid T (4, 4)."""
-    loop = kernel.loop
-    P = np.array(loop.left) @ np.asarray(T, dtype=float) @ np.array(loop.right)
+def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> Solved:
+    """All solutions of T = C0 J1(θ1) C1 ... J6(θ6) C6.
+
+    Args:
+        T: A rigid transform (4, 4).
+        kernel: What is known of the arm.
+        free: Values of the joints that the caller gives.
+    """
+    loop, held = kernel.loop, kernel.held(free)
+    P = np.array(loop.left.at(held)) @ np.asarray(T, dtype=float) @ np.array(loop.right.at(held))
     P[:3, 3] /= loop.size
     if np.linalg.norm(P[:3, 3]) > (1.0 + 1e-9) * reach(loop):
         return Solved(np.empty((0, 6)), np.empty(0), complete=True)
-    search = _Search([np.array(K) for K in loop.links], P)
+    links = tuple(np.array(K.at(held)) for K in loop.links)
+    search = _Search(Target(links, P, loop.slide))
     complete = _attempt(kernel, search)
     if not complete:
         complete = _from_nearby(kernel, search)
@@ -82,14 +92,15 @@ def solve(T: ArrayLike, kernel: GeneralKernel) -> Solved:
         random = np.random.default_rng(0)
         for theta in random.uniform(-np.pi, np.pi, (STARTS, 6)):
             search.offer(theta, STEPS_FROM_AFAR)
-    return search.result(complete=complete)
+    return search.result(loop, complete=complete)
 
 
 class _Search:
-    """The solutions found so far."""
+    """The solutions found so far, a slide's length in arm sizes."""
 
-    def __init__(self, links: list[FloatArray], P: FloatArray) -> None:
-        self.links, self.P = links, P
+    def __init__(self, target: Target) -> None:
+        self.target = target
+        self.turns = np.array([place != target.slide for place in range(6)])
         self.found: list[FloatArray] = []
         self.residuals: list[float] = []
         self.singular: set[int | None] = set()
@@ -105,19 +116,20 @@ class _Search:
 
         A doubtful candidate, from a double root, may be a singular solution and is then marked.
         """
-        theta, residual = polish(self.links, self.P, theta, steps, afar=steps > STEPS)
+        theta, residual = polish(self.target, theta, steps, afar=steps > STEPS)
         if residual > RESIDUAL:
             return None
-        place = self._place(np.pi - np.remainder(np.pi - theta, 2 * np.pi))
+        theta = np.where(self.turns, np.pi - np.remainder(np.pi - theta, 2 * np.pi), theta)
+        place = self._place(theta)
         if place == MOST:
             return None
         if place == len(self.found):
             self.found.append(theta)
             self.residuals.append(np.inf)
         if residual < self.residuals[place]:
-            self.found[place] = np.pi - np.remainder(np.pi - theta, 2 * np.pi)
+            self.found[place] = theta
             self.residuals[place] = residual
-        if doubtful and is_singular(self.links, self.P, theta):
+        if doubtful and is_singular(self.target, theta):
             self.singular.add(place)
         return place
 
@@ -126,7 +138,7 @@ class _Search:
         kept: list[int] = []
         for i, theta in enumerate(self.found):
             others = [self.found[j] for j in kept if j in self.singular]
-            gaps = [_gap(theta, other) for other in others if i in self.singular]
+            gaps = [self._gap(theta, other) for other in others if i in self.singular]
             if min(gaps, default=np.inf) >= TOGETHER:
                 kept.append(i)
         return kept
@@ -134,20 +146,24 @@ class _Search:
     def _place(self, theta: FloatArray) -> int:
         """The place of the same solution, or the next free one."""
         for i, known in enumerate(self.found):
-            if _gap(theta, known) < SAME:
+            if self._gap(theta, known) < SAME:
                 return i
         return len(self.found)
 
-    def result(self, *, complete: bool) -> Solved:
-        order = sorted(self._merged(), key=lambda i: tuple(np.round(self.found[i], 9)))
-        q = np.array([self.found[i] for i in order]).reshape(-1, 6)
-        residuals = np.array([self.residuals[i] for i in order])
-        return Solved(q, residuals, complete, bool(self.singular or self.doubles))
+    def _gap(self, a: FloatArray, b: FloatArray) -> float:
+        """The largest difference of two joint vectors, modulo turns."""
+        turned = np.remainder(a - b + np.pi, 2 * np.pi) - np.pi
+        return float(np.abs(np.where(self.turns, turned, a - b)).max())
 
-
-def _gap(a: FloatArray, b: FloatArray) -> float:
-    """The largest difference of two joint vectors, modulo turns."""
-    return float(np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi).max())
+    def result(self, loop: Loop, *, complete: bool) -> Solved:
+        kept = self._merged()
+        q = np.array([self.found[i] for i in kept]).reshape(-1, 6)
+        q += [np.arctan2(s, c) for c, s in loop.advances]
+        q = np.where(self.turns, np.pi - np.remainder(np.pi - q, 2 * np.pi), loop.size * q)
+        order = sorted(range(len(q)), key=lambda i: tuple(np.round(q[i], 9)))
+        residual = np.array([self.residuals[kept[i]] for i in order])
+        singular = bool(self.singular or self.doubles)
+        return Solved(q[order].reshape(-1, 6), residual, complete, singular)
 
 
 def _attempt(kernel: GeneralKernel, search: _Search) -> bool:
@@ -160,9 +176,9 @@ def _attempt(kernel: GeneralKernel, search: _Search) -> bool:
 def _certified_wrist(arm: OffsetWrist, search: _Search) -> bool:
     """The same as `_certified` for an offset wrist."""
     cosines, sines = sample_cosines()
-    K4 = search.links[4]
+    links, P = search.target.links, search.target.P
     samples = [
-        polynomial(arm, *wrist_at(arm, K4, search.P, c, s)[1:])
+        polynomial(arm, *wrist_at(arm, links[4], P, c, s)[1:])
         for c, s in zip(cosines, sines, strict=True)
     ]
     f = trigonometric(np.array(samples))
@@ -175,7 +191,7 @@ def _certified_wrist(arm: OffsetWrist, search: _Search) -> bool:
     complete = found.complete
     for angle in (*found.simple, *found.double):
         double = angle in found.double
-        starts = candidates(arm, search.links, search.P, angle)
+        starts = candidates(arm, links, P, angle)
         places = {search.offer(theta, doubtful=double) for theta in starts} - {None}
         expected += arm.solutions_per_root
         if double and not places & search.singular:
@@ -191,7 +207,10 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     The certificate: every simple root leads to a solution, there is another one for each of them
     and two more for each double root, or a singular one; and regular solutions come in pairs.
     """
-    E = equations(formulation, search.P[None])
+    target = search.target
+    around = formulation.links(target.links, target.P)
+    slides = formulation.slides(target.slide)
+    E = equations([link[None] for link in around], slides)
     cosines, sines = sample_cosines()
     f = trigonometric(fold(E, np.array(cosines), np.array(sines))[0])
     if f.noise > NOISE or f.scale == 0.0:
@@ -202,13 +221,13 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     expected = len(found.simple)
     complete = found.complete
     for angle in found.simple:
-        (theta,) = _candidates(formulation, E, search.P, angle, 1)
-        place = search.offer(theta)
+        (phi,) = _candidates(E, around, slides, (angle, 1))
+        place = search.offer(formulation.angles(phi))
         complete = complete and place is not None
         met |= {place} - {None}
     for angle in (*_nearly_double(found.simple), *found.double):
-        candidates = _candidates(formulation, E, search.P, angle, 2)
-        places = {search.offer(theta, doubtful=True) for theta in candidates} - {None}
+        starts = [formulation.angles(phi) for phi in _candidates(E, around, slides, (angle, 2))]
+        places = {search.offer(theta, doubtful=True) for theta in starts} - {None}
         if angle in found.double:
             expected += 1 if places & search.singular else 2
         met |= places
@@ -222,22 +241,18 @@ def _nearly_double(simple: tuple[float, ...]) -> list[float]:
 
 
 def _candidates(
-    formulation: Formulation, E: FloatArray, P: FloatArray, angle: float, dimension: int
-) -> list[FloatArray]:
-    """Joint angles θ (6,) near solutions whose hidden angle is a root."""
-    inverse = rigid_inverse(P)
-    links: list[FloatArray] = [
-        np.array(K) if K is not None else (inverse if formulation.sign > 0 else P)
-        for K in formulation.links
-    ]
+    E: FloatArray,
+    links: Sequence[FloatArray],
+    slides: tuple[bool, ...],
+    root: tuple[float, int],
+) -> list[tuple[float, ...]]:
+    """φ1 ... φ6 near solutions, for a root and the dimension of its null space."""
+    angle, dimension = root
     _, factor = fold(E, np.array([np.cos(angle)]), np.array([np.sin(angle)]))
-    result = []
-    for vector in null_vectors(factor[..., 0], dimension):
-        phi = remaining_angles(links, (angle, *partner_angles(vector)))
-        theta = np.empty(6)
-        theta[list(formulation.joints)] = formulation.sign * np.array(phi)
-        result.append(theta)
-    return result
+    return [
+        remaining_angles(links, (angle, *partner_values(vector, slides)), slides)
+        for vector in null_vectors(factor[..., 0], dimension)
+    ]
 
 
 def _from_nearby(kernel: GeneralKernel, search: _Search) -> bool:
@@ -249,7 +264,8 @@ def _from_nearby(kernel: GeneralKernel, search: _Search) -> bool:
     followed = False
     before = -1
     for number, motion in enumerate(nudges()):
-        nearby = _Search(search.links, search.P @ np.array(motion))
+        moved = search.target.P @ np.array(motion)
+        nearby = _Search(replace(search.target, P=moved))
         complete = _attempt(kernel, nearby)
         places = {search.offer(theta, STEPS_FROM_AFAR, doubtful=True) for theta in nearby.found}
         count = -1

@@ -44,6 +44,11 @@ def along_z(length: float) -> Matrix:
     return (*IDENTITY[:2], (0.0, 0.0, 1.0, length), IDENTITY[3])
 
 
+def turn(c: float, s: float) -> Matrix:
+    """A rotation about z by the angle with this cosine and sine."""
+    return ((c, -s, 0.0, 0.0), (s, c, 0.0, 0.0), *IDENTITY[2:])
+
+
 def scaled(A: Matrix, factor: float) -> Matrix:
     """A rigid transform with its translation multiplied by a factor."""
     return tuple((*row[:3], row[3] * (factor if i < 3 else 1.0)) for i, row in enumerate(A))

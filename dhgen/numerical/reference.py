@@ -51,23 +51,8 @@ def solve(T: FloatArray, seed: FloatArray, free: FloatArray, kernel: NumericalKe
         free: Values of the free joints, in their order.
         kernel: The arm.
     """
-    arm = _Arm(kernel, T, seed, free)
+    arm = Arm(kernel, T, seed, free)
     return arm.nearest() if kernel.redundant else arm.all()
-
-
-def settle(
-    T: FloatArray, seed: FloatArray, rows: FloatArray, kernel: NumericalKernel, *, regular: bool
-) -> Found:
-    """Solutions that another algorithm found (k, n), sorted; singular ones follow the seed.
-
-    Args:
-        T: Pose (4, 4).
-        seed: Joint values (n,).
-        rows: The solutions.
-        kernel: The arm.
-        regular: Whether none of them is singular and all of them are known.
-    """
-    return _Arm(kernel, T, seed, np.empty(0)).settle(rows, regular=regular)
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +64,15 @@ class _Kept:
     chosen: bool
 
 
-class _Arm:
-    """An arm before a pose; u are the values of the joints solved for, in units."""
+class Arm:
+    """An arm before a pose; u are the values of the joints solved for, in units.
+
+    Args:
+        kernel: The arm.
+        T: Pose (4, 4); entries that the task does not name are ignored.
+        seed: Joint values (n,): the first start, and where indeterminate joints go.
+        free: Values of the free joints, in their order.
+    """
 
     def __init__(
         self, kernel: NumericalKernel, T: FloatArray, seed: FloatArray, free: FloatArray
@@ -111,6 +103,7 @@ class _Arm:
         return np.asarray(np.where(numbers == 0, self.seed, u))
 
     def miss(self, u: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """As `miss` in `dhgen.numerical.miss`, of joints (N, k)."""
         return miss(self.kernel, self.T, self.joints(u))
 
     def all(self) -> Found:
@@ -126,7 +119,12 @@ class _Arm:
         return self._sorted(kept)
 
     def settle(self, rows: FloatArray, *, regular: bool) -> Found:
-        """Rows of another algorithm; where the arm is singular those that the seed leads to."""
+        """Solutions that another algorithm found (k, n), sorted; singular ones follow the seed.
+
+        Args:
+            rows: Values of the joints that are solved for.
+            regular: Whether none of them is singular and all of them are known.
+        """
         kept: list[_Kept] = []
         if regular:
             kept = [

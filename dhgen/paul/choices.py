@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.errors import UnsolvedError
+from dhgen.general.arm import is_general
+from dhgen.general.kernel import MOST, method_name
 from dhgen.kinematics.neighbours import EXACT
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.mobility import surplus
@@ -30,6 +32,7 @@ MOST_CHOICES = 16  # more would take longer than a refusal may
 MOST_SKEW = 4  # so many joints are solved, or refused, soon without structure
 MOST_TURNING = 3  # the same whatever the number of slides
 POSITIONS = 3
+GENERAL = 2  # rank of what takes the joints all at once
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -63,7 +66,10 @@ def good_choices(
     found = []
     for chosen in sets if len(sets) <= MOST_CHOICES else ():
         remaining = replace(chain, free=tuple(sorted((*chain.free, *chosen))))
-        if surplus(remaining).count or not _has_structure(remaining):
+        if surplus(remaining).count:
+            continue
+        if not _has_structure(remaining):
+            found += _general(remaining, chosen)
             continue
         try:
             derivation = derive(remaining)
@@ -85,9 +91,18 @@ def choices_text(choices: tuple[Choice, ...]) -> list[str]:
 
 def _method(derivation: Derivation) -> tuple[int, str]:
     if derivation.whole is not None:
-        return 2, derivation.whole.method
+        return GENERAL, derivation.whole.method
     quartic = any(step.kind is Kind.CIRCLE for step in derivation.steps)
     return (1, "quartic") if quartic else (0, "closed form")
+
+
+def _general(chain: Chain, chosen: tuple[int, ...]) -> list[Choice]:
+    """An arm without structure as a choice, if the general algorithm is for it."""
+    if not is_general(chain):
+        return []
+    joints = [joint for joint in chain.joints if joint.number not in chain.free]
+    slides = any(joint.kind is JointKind.PRISMATIC for joint in joints)
+    return [Choice(GENERAL, MOST, chosen, method_name(slides=slides))]
 
 
 def _has_structure(chain: Chain) -> bool:

@@ -150,10 +150,11 @@ class _Run:
             if statement.general is None:
                 solved = numerical.solve(pose, seed, free, statement.descent)
             else:
-                first = general.solve(pose, statement.general)
+                first = general.solve(pose, statement.general, free)
                 rows = joint_values(first.q, statement.descent.arm.chain)
                 safe = first.complete and not first.singular
-                solved = numerical.settle(pose, seed, rows, statement.descent, regular=safe)
+                arm = numerical.Arm(statement.descent, pose, seed, free)
+                solved = arm.settle(rows, regular=safe)
             count = len(solved.q)
             values[k, :count], chosen[k, :count] = solved.q, solved.chosen
             found[k, :count] = True

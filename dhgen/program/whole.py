@@ -19,9 +19,9 @@ def whole_program(chain: Chain, kernel: GeneralKernel | NumericalKernel) -> Prog
     """The program of an arm whose joints come all at once, rows by ascending joint values."""
     names = tuple(f"q{joint.number}" for joint in chain.joints)
     if isinstance(kernel, GeneralKernel):
-        title, words = "the general 6R loop", _numbered("root", kernel.rows)
+        title, words = f"the {kernel.method} loop", _numbered("root", kernel.rows)
         descent = numerical_kernel(chain, redundant=False)
-        statement = AllJoints(0, names, FOUND, CHOSEN, descent, kernel)
+        statement = AllJoints(0, names, FOUND, CHOSEN, descent, kernel, bool(chain.free))
     else:
         title = "damped least squares"
         words = ("nearest",) if kernel.redundant else _numbered("solution", kernel.rows)

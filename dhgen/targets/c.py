@@ -147,7 +147,8 @@ def _all_joints(module: SolverModule) -> str:
     if whole.general is None:
         parts.append(c_search(whole.descent))
     else:
-        parts += [c_source(whole.general, module.name), c_rows(module.chain, module.name)]
+        parts.append(c_source(whole.general, module.name))
+        parts.append(c_rows(whole.general, module.chain, module.name))
     return "\n".join(parts)
 
 

@@ -72,7 +72,7 @@ class SolverModule:
 
     @property
     def method(self) -> str:
-        """How it is solved: closed form, quartic, general 6R or numerical."""
+        """How it is solved: closed form, quartic, general 6R or 5R1P, numerical."""
         whole = whole_arm(self.solver)
         if whole is not None:
             return whole.method

@@ -90,7 +90,8 @@ def _all_joints(module: SolverModule) -> str:
     if whole.general is None:
         parts.append(python_search(whole.descent))
     else:
-        parts += [python_source(whole.general, module.name), python_rows(module.chain, module.name)]
+        parts.append(python_source(whole.general, module.name))
+        parts.append(python_rows(whole.general, module.chain, module.name))
     return "\n\n".join(parts)
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.general.emit import c_source, python_source
+from dhgen.general.links import Link
 from dhgen.general.setup import setup
 
 if TYPE_CHECKING:
@@ -94,7 +95,7 @@ def forward(table: Sequence[Row], q: Sequence[float]) -> np.ndarray:
 
 @cache
 def kernel(name: str) -> GeneralKernel:
-    found = setup(constants(TABLES[name]))
+    found = setup([Link(C) for C in constants(TABLES[name])])
     assert found is not None
     return found
 

@@ -2,50 +2,75 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import pytest
 
 from dhgen.general.determinant import equations, fold
 from dhgen.general.digits import grid
-from dhgen.general.features import FEATURES, act, monomials, turn
+from dhgen.general.features import FEATURES, act, slide, turn
 from dhgen.general.formulation import formulations
-from dhgen.general.householder import left_null_space
+from dhgen.general.links import Link
 from dhgen.general.loop import close_loop
-from dhgen.general.rigid import inverse, multiply
-from tests.general.arms import TABLES, constants, forward, gap, kernel, poses
+from dhgen.general.recover import motion
+from dhgen.general.rigid import along_z, inverse, multiply
+from tests.general.arms import TABLES, constants, forward, gap, kernel
+
+if TYPE_CHECKING:
+    from dhgen.general.rigid import Matrix
+
+
+def lanes(*matrices: Matrix) -> np.ndarray:
+    """Transforms (4, 4, N)."""
+    return np.moveaxis(np.array(matrices), 0, -1)
+
+
+def some_features(seed: int) -> np.ndarray:
+    """(15, 1, 1), the first of them 1."""
+    x = np.random.default_rng(seed).uniform(-1, 1, (FEATURES, 1, 1))
+    x[0] = 1.0
+    return x
 
 
 def test_features_compose() -> None:
     A, B = (constants(TABLES["general"])[i] for i in (2, 4))
-    x = [1.0, *np.random.default_rng(0).uniform(-1, 1, FEATURES - 1).tolist()]
-    once = act(monomials(multiply(A, B)), x)
-    np.testing.assert_allclose(act(monomials(A), act(monomials(B), x)), once, atol=1e-14)
-    np.testing.assert_allclose(act(monomials(inverse(A)), act(monomials(A), x)), x, atol=1e-14)
+    x = some_features(0)
+    once = act(lanes(multiply(A, B)), x)
+    np.testing.assert_allclose(act(lanes(A), act(lanes(B), x)), once, atol=1e-14)
+    np.testing.assert_allclose(act(lanes(inverse(A)), act(lanes(A), x)), x, atol=1e-14)
 
 
 def test_a_turn_is_a_rigid_motion() -> None:
     c, s = 0.6, 0.8
-    x = [1.0, *np.random.default_rng(1).uniform(-1, 1, FEATURES - 1).tolist()]
+    x = some_features(1)
+    one, cosine, sine = turn(x)
     Rz = ((c, -s, 0.0, 0.0), (s, c, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0), (0.0, 0.0, 0.0, 1.0))
-    one, cosine, sine = map(np.array, turn(x))
-    np.testing.assert_allclose(one + c * cosine + s * sine, act(monomials(Rz), x), atol=1e-15)
+    np.testing.assert_allclose(one + c * cosine + s * sine, act(lanes(Rz), x), atol=1e-15)
 
 
-def test_null_space_of_dependent_columns() -> None:
-    columns = np.random.default_rng(2).uniform(-1, 1, (8, 14))
-    columns[3] = columns[1] - 2 * columns[0]
-    null = np.array(left_null_space(columns.tolist(), 6))
-    np.testing.assert_allclose(null @ columns.T, 0, atol=1e-14)
-    np.testing.assert_allclose(null @ null.T, np.eye(6), atol=1e-14)
+def test_a_slide_is_a_rigid_motion() -> None:
+    d = 0.7
+    x = some_features(2)
+    one, first, square = slide(x)
+    Tz = lanes(along_z(d))
+    np.testing.assert_allclose(one + d * first + d * d * square, act(Tz, x), atol=1e-15)
 
 
-def test_every_formulation_vanishes_at_solutions() -> None:
-    loop = close_loop(constants(TABLES["general"]))
-    q, T = poses("general", 1)[0]
-    P = np.array(loop.left) @ T @ np.array(loop.right)
-    P[:3, 3] /= loop.size
-    for formulation in formulations(loop.links):
-        E = equations(formulation, P[None])
+@pytest.mark.parametrize("slides", [None, 0, 1, 2, 3, 4, 5])
+def test_every_formulation_vanishes_at_solutions(slides: int | None) -> None:
+    random = np.random.default_rng(3)
+    q = random.uniform(-1, 1, 6)
+    loop = close_loop([Link(C) for C in constants(TABLES["general"])], slides)
+    links = [np.array(K.first) for K in loop.links]
+    P = np.eye(4)
+    for i, value in enumerate(q):
+        P = P @ (links[i - 1] if i else np.eye(4)) @ motion(value, slides=i == slides)
+    every = formulations(slides)
+    assert len(every) == (12 if slides is None else 4)
+    for formulation in every:
+        around = [link[None] for link in formulation.links(links, P)]
+        E = equations(around, formulation.slides(slides))
         angles = formulation.sign * q[formulation.joints[0]] + np.array([0.0, 1e-6, 0.5])
         at_root, beside, elsewhere = np.abs(fold(E, np.cos(angles), np.sin(angles))[0])
         assert at_root < 1e-4 * beside < 1e-2 * elsewhere
@@ -65,16 +90,17 @@ def test_frames_may_stand_anywhere_on_their_axes() -> None:
     slide[2, 3] = 3.7
     moved[2] = tuple(map(tuple, (np.array(moved[2]) @ slide).tolist()))
     moved[3] = tuple(map(tuple, (np.linalg.inv(slide) @ np.array(moved[3])).tolist()))
-    for K, L in zip(close_loop(constants(table)).links, close_loop(moved).links, strict=True):
-        np.testing.assert_allclose(K, L, atol=1e-8)
+    once, again = (close_loop([Link(C) for C in each]) for each in (constants(table), moved))
+    for K, L in zip(once.links, again.links, strict=True):
+        np.testing.assert_allclose(K.first, L.first, atol=1e-8)
 
 
 def test_an_arm_without_lengths_is_refused() -> None:
     wrist = tuple((0, 0.0, 0.0, 1) for _ in range(6))
     with pytest.raises(ValueError, match="meet in one point"):
-        close_loop(constants(wrist))
+        close_loop([Link(C) for C in constants(wrist)])
     with pytest.raises(ValueError, match="seven"):
-        close_loop(constants(wrist)[:5])
+        close_loop([Link(C) for C in constants(wrist)[:5]])
 
 
 def test_digits() -> None:

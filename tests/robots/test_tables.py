@@ -24,8 +24,6 @@ REFUSED = {"degenerate_collinear_56"}
 # No robot files yet.
 UNSOLVED = {
     "bartell_rprpr",
-    "kinova_gen3_7",
-    "xarm7",
 }
 # Strokes and a task that the table leaves open.
 CHOSEN = {"cartesian"}

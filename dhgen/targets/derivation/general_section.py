@@ -23,8 +23,8 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
         paragraph(
             "No three neighbouring axes are parallel or meet in one point, and no order of "
             "equations of the types 1 to 9 gives the joints one after the other. The six joints "
-            "are found together, by the elimination of M. Raghavan and B. Roth (1993). An arm of "
-            "this kind has at most sixteen solutions."
+            f"are found together{_given(kernel)}, by the elimination of M. Raghavan and B. Roth "
+            "(1993). An arm of this kind has at most sixteen solutions."
         ),
         *(
             [paragraph(f"Near to a closed form: {'; '.join(near)} (lengths in {unit}).")]
@@ -38,7 +38,7 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
             ),
             say("The loop."),
         ),
-        Display((_loop(),)),
+        Display((_loop(kernel),)),
     ]
     blocks += _elimination(kernel)
     blocks += _polynomial(kernel)
@@ -46,18 +46,37 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
     return blocks
 
 
-def _loop() -> Symbol:
-    turns = " ".join(rf"R_z(\theta_{k})\,K_{k - 1}" for k in range(1, 6))
-    plain = " ".join(f"Rz(θ{k}) K{k - 1}" for k in range(1, 6))
+def _given(kernel: GeneralKernel) -> str:
+    """What the other joints are for."""
+    others = sorted(set(range(1, 7 + len(kernel.given))) - set(kernel.numbers))
+    if not others:
+        return ""
+    if len(others) == 1:
+        return f" while joint {others[0]} keeps the value that the caller gives"
+    return f" while joints {', '.join(map(str, others))} keep the values that the caller gives"
+
+
+def _loop(kernel: GeneralKernel) -> Symbol:
+    joints = [_motion(kernel, place) for place in range(6)]
+    links = [rf"{symbol.latex}\,K_{k}" for k, symbol in enumerate(joints[:5])]
+    plain = " ".join(f"{symbol.text} K{k}" for k, symbol in enumerate(joints[:5]))
     return Symbol(
-        rf"{turns}\,R_z(\theta_6) = P, \qquad P = C_0^{{-1}}\,\mathit{{POS}}\,C_6^{{-1}}",
-        f"{plain} Rz(θ6) = P,  P = C0⁻¹ POS C6⁻¹",
+        rf"{' '.join(links)}\,{joints[5].latex} = P, "
+        r"\qquad P = C_0^{-1}\,\mathit{POS}\,C_6^{-1}",
+        f"{plain} {joints[5].text} = P,  P = C0⁻¹ POS C6⁻¹",
     )
+
+
+def _motion(kernel: GeneralKernel, place: int) -> Symbol:
+    number = kernel.numbers[place]
+    if place == kernel.loop.slide:
+        return Symbol(f"T_z(d_{number})", f"Tz(d{number})")
+    return Symbol(rf"R_z(\theta_{number})", f"Rz(θ{number})")
 
 
 def _elimination(kernel: GeneralKernel) -> list[Block]:
     first = kernel.first
-    hidden, one, two = (_theta(first, place) for place in (0, 1, 2))
+    hidden, one, two = (_joint(kernel, first, place) for place in (0, 1, 2))
     return [
         Paragraph(
             say(
@@ -91,13 +110,13 @@ def _elimination(kernel: GeneralKernel) -> list[Block]:
 
 
 def _polynomial(kernel: GeneralKernel) -> list[Block]:
-    hidden, one, two = (_theta(kernel.first, place) for place in (0, 1, 2))
+    hidden, one, two = (_joint(kernel, kernel.first, place) for place in (0, 1, 2))
     blocks: list[Block] = [
         Paragraph(
             say(
-                "With the half-angle tangents of {} and {}, and each equation also multiplied by "
-                "the first of them, there are twelve linear equations in twelve monomials. They "
-                "have a solution where the determinant vanishes,",
+                f"With the {_variables(kernel)} of {{}} and {{}}, and each equation also "
+                "multiplied by the first of them, there are twelve linear equations in twelve "
+                "monomials. They have a solution where the determinant vanishes,",
                 one,
                 two,
             ),
@@ -130,6 +149,11 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
     return blocks
 
 
+def _variables(kernel: GeneralKernel) -> str:
+    slides = kernel.loop.slide is not None
+    return "half-angle tangent and the length" if slides else "half-angle tangents"
+
+
 def _rest(kernel: GeneralKernel) -> list[Block]:
     second = kernel.second
     blocks: list[Block] = [
@@ -151,7 +175,7 @@ def _rest(kernel: GeneralKernel) -> list[Block]:
                     if second is None
                     else "the same is done with {} hidden, and then from a pose nearby."
                 ),
-                *(() if second is None else (_theta(second, 0),)),
+                *(() if second is None else (_joint(kernel, second, 0),)),
             ),
             say("4. The certificate."),
         ),
@@ -166,6 +190,9 @@ def _rest(kernel: GeneralKernel) -> list[Block]:
     return blocks
 
 
-def _theta(formulation: Formulation, place: int) -> Symbol:
-    joint = formulation.joints[place] + 1
-    return Symbol(rf"\theta_{joint}", f"θ{joint}")
+def _joint(kernel: GeneralKernel, formulation: Formulation, place: int) -> Symbol:
+    joint = formulation.joints[place]
+    number = kernel.numbers[joint]
+    if joint == kernel.loop.slide:
+        return Symbol(f"d_{number}", f"d{number}")
+    return Symbol(rf"\theta_{number}", f"θ{number}")

@@ -41,10 +41,10 @@ def summary_text(story: Story, singular: list[Singularity]) -> str:
 def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
     """Of an arm that is solved as a whole."""
     if isinstance(kernel, GeneralKernel):
-        hidden = kernel.first.joints[0] + 1
+        hidden = kernel.numbers[kernel.first.joints[0]]
         return [
-            "no closed form: the general 6R algorithm, up to 16 solutions",
-            f"a polynomial of degree 8 in θ{hidden}; rows by ascending θ1, then θ2 and so on",
+            f"no closed form: the {kernel.method} algorithm, up to 16 solutions",
+            f"a polynomial of degree 8 in θ{hidden}; rows by ascending joint values",
             *missed_structure(story.algebra.chain),
         ]
     if kernel.redundant:

@@ -1,0 +1,74 @@
+/* kinova_gen3_7: Kinova Gen3 with 7 joints
+ *
+ * Inverse kinematics, generated from robots/kinova_gen3_7.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/kinova_gen3_7.yaml. The formulas and where they come from:
+ * kinova_gen3_7.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef KINOVA_GEN3_7_H
+#define KINOVA_GEN3_7_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define KINOVA_GEN3_7_METHOD "general 6R"
+
+enum {
+    KINOVA_GEN3_7_DOF = 7, /* joints */
+    KINOVA_GEN3_7_FREE = 1, /* free joints, whose values the caller gives: 3 */
+    KINOVA_GEN3_7_ROWS = 16 /* branches */
+};
+
+/* What a row of kinova_gen3_7_ik holds. */
+enum {
+    /* joint values */
+    KINOVA_GEN3_7_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    KINOVA_GEN3_7_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    KINOVA_GEN3_7_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    KINOVA_GEN3_7_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose, or a free joint's value is not finite */
+    KINOVA_GEN3_7_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const kinova_gen3_7_branches[16];
+
+/* The pose T of the joint values q. */
+void kinova_gen3_7_fk(const double q[7], double T[16]);
+
+/* The geometric Jacobian, 6 x 7 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void kinova_gen3_7_jacobian(const double q[7], double J[42]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -KINOVA_GEN3_7_INVALID_POSE. */
+int kinova_gen3_7_ik(
+    const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
+    unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns KINOVA_GEN3_7_OK or KINOVA_GEN3_7_FREE_JOINT, or, with NaN in q,
+ * minus KINOVA_GEN3_7_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int kinova_gen3_7_ik_nearest(
+    const double T[16], const double free_joints[1], const double q_seed[7], double q[7]);
+
+/* kinova_gen3_7_ik without a seed for n poses: T holds n x 16 numbers, free_joints n x 1,
+ * q n x 16 x 7, status n x 16. */
+void kinova_gen3_7_ik_batch(
+    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,123 @@
+"""Arms with joints that are given, and with a slide: at every place, all solutions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.general.arm import general_kernel, loop_constants
+from dhgen.general.reference import solve
+from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.robot.load import load
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.kinematics.chain import Chain
+
+HEAD = "name: arm\nconvention: standard\ntask: pose\n"
+SKEW = (
+    "{theta: q + 0.7, d: 0.31, a: 0.2, alpha: 80 deg}",
+    "{theta: q, d: 0.1, a: 0.4, alpha: 25 deg}",
+    "{theta: -q, d: -0.17, a: 0.15, alpha: 70 deg}",
+    "{theta: q, d: 0.2, a: 0.1, alpha: 95 deg}",
+    "{theta: 1.1 - q, d: 0.15, a: 0.05, alpha: 50 deg}",
+    "{theta: q + 0.2, d: 0.1, a: 0.12, alpha: 40 deg}",
+    "{theta: q, d: 0.1, a: 0.02, alpha: 90 deg}",
+)
+SLIDE = "{theta: 0.3, d: 0.1 - q, a: 0.15, alpha: 70 deg}"
+POSES = 4
+
+
+def chain(folder: Path, rows: tuple[str, ...], free: list[int]) -> Chain:
+    text = HEAD + "joints:\n" + "".join(f"  - {row}\n" for row in rows) + f"free: {free}\n"
+    path = folder / "arm.yaml"
+    path.write_text(text, encoding="utf-8")
+    return build_chain(load(path))
+
+
+def known(arm: Chain) -> GeneralKernel:
+    kernel = general_kernel(arm)
+    assert kernel is not None
+    return kernel
+
+
+def joint_values(
+    arm: Chain, kernel: GeneralKernel, q: np.ndarray, angles: np.ndarray
+) -> np.ndarray:
+    """Joint values (k, n) of solutions (k, 6), with what is given as in q."""
+    every = np.tile(q, (len(angles), 1))
+    for place, number in enumerate(kernel.numbers):
+        joint = arm.joints[number - 1]
+        every[:, number - 1] = joint.sign * (angles[:, place] - joint.offset)
+    return every
+
+
+def check(arm: Chain, seed: int) -> None:
+    """All rows reach their pose, they are even, and the joints that it came from are among them."""
+    kernel, forward = known(arm), numeric_arm(arm)
+    for q in np.random.default_rng(seed).uniform(-1.5, 1.5, (POSES, arm.dof)):
+        T = forward.pose(q)
+        found = solve(T, kernel, [q[number - 1] for number in arm.free])
+        rows = joint_values(arm, kernel, q, found.q)
+        assert found.complete
+        assert len(rows) % 2 == 0
+        np.testing.assert_allclose(forward.pose(rows) - T, 0.0, atol=1e-9)
+        turns = np.remainder(rows - q + np.pi, 2 * np.pi) - np.pi
+        assert np.abs(turns).max(axis=1).min() < 1e-6
+
+
+@pytest.mark.parametrize("place", range(1, 8))
+def test_a_joint_given(tmp_path: Path, place: int) -> None:
+    check(chain(tmp_path, SKEW, [place]), place)
+
+
+@pytest.mark.parametrize("place", [1, 4, 7])
+def test_a_slide_given(tmp_path: Path, place: int) -> None:
+    rows = (*SKEW[: place - 1], SLIDE, *SKEW[place - 1 : 6])
+    check(chain(tmp_path, rows, [place]), place)
+
+
+def test_two_joints_given(tmp_path: Path) -> None:
+    check(chain(tmp_path, (SLIDE, *SKEW), [1, 5]), 8)
+    check(chain(tmp_path, (*SKEW[:2], SLIDE, *SKEW[2:]), [3, 4]), 9)
+
+
+@pytest.mark.parametrize("place", range(1, 7))
+def test_a_slide_to_be_solved_for(tmp_path: Path, place: int) -> None:
+    check(chain(tmp_path, (*SKEW[: place - 1], SLIDE, *SKEW[place - 1 : 5]), []), place)
+
+
+def test_every_formulation_finds_the_same(tmp_path: Path) -> None:
+    arm = chain(tmp_path, (*SKEW[:2], SLIDE, *SKEW[2:5]), [])
+    kernel = known(arm)
+    assert kernel.second is not None
+    other = replace(kernel, first=kernel.second, second=None)
+    for q in np.random.default_rng(10).uniform(-1.5, 1.5, (POSES, 6)):
+        T = numeric_arm(arm).pose(q)
+        np.testing.assert_allclose(solve(T, kernel).q, solve(T, other).q, atol=1e-8)
+
+
+def test_links_with_joints_inside(tmp_path: Path) -> None:
+    arm = chain(tmp_path, (*SKEW[:2], SLIDE, *SKEW[2:]), [3, 4])
+    kernel, forward = known(arm), numeric_arm(arm)
+    assert kernel.numbers == (1, 2, 5, 6, 7, 8)
+    held = kernel.held([0.3, -0.4])
+    q = np.array([0.0, 0.0, 0.3, -0.4, 0.0, 0.0, 0.0, 0.0])
+    moves = [e[0] if isinstance(e, tuple) else 0 for e in forward.elements]
+    T = np.eye(4)
+    for element in forward.elements[moves.index(2) + 1 : moves.index(5)]:
+        T = T @ forward.step(q, element)
+    link = loop_constants(arm)[2]
+    np.testing.assert_allclose(link.at(held), T, atol=1e-15)
+    np.testing.assert_allclose(np.array(link.inverse().at(held)) @ T, np.eye(4), atol=1e-15)
+
+
+def test_other_arms_are_left_alone(tmp_path: Path) -> None:
+    assert general_kernel(chain(tmp_path, SKEW[:6], [1])) is None
+    assert general_kernel(chain(tmp_path, (SLIDE, *SKEW[:4], SLIDE), [])) is None
