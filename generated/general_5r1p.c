@@ -10,6 +10,346 @@
 
 static const double turn = 6.283185307179586;
 
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and the same over the arm's size; between which values starts lie, and what is added
+ * from start to start. */
+static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
+static const int turning[6] = { 1, 1, 0, 1, 1, 1 };
+static const double unit[6] = { 1.0, 1.0, 2.651, 1.0, 1.0, 1.0 };
+static const double part[6] = {
+    0.37721614485099964, 0.37721614485099964, 1.0, 0.37721614485099964, 0.37721614485099964,
+    0.37721614485099964,
+};
+static const double span_low[6] = {
+    -3.141592653589793, -3.141592653589793, -0.30177291588079974, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+};
+static const double span_width[6] = {
+    6.283185307179586, 6.283185307179586, 0.6035458317615995, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+static const double no_lowest[6] = {
+    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+};
+static const double no_highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+
+/* A descent towards a pose: u are the joints that are solved for, in units. */
+struct descent {
+    const double *T;
+    double q[6], seed[6]; /* all joint values; the seed in units */
+    double e[6], length; /* the miss [arm sizes, rad], and its length */
+    double A[6][6]; /* how u moves the tool */
+};
+
+/* The rotation vector of an axis times the sine, and the cosine. */
+static void turn_vector(const double axis[3], double cosine, double vector[3])
+{
+    const double sine = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    const double scale = sine < 1e-09 ? 1.0 : atan2(sine, cosine) / sine;
+    const int opposite = sine < 1e-09 && cosine < 0.0; /* any axis will do */
+    vector[0] = opposite ? 1.5079644737231006 : scale * axis[0];
+    vector[1] = opposite ? 1.8849555921538759 : scale * axis[1];
+    vector[2] = opposite ? 2.0106192982974678 : scale * axis[2];
+}
+
+/* By how much u misses the pose, and the analytic Jacobian of that. */
+static void look(struct descent *d, const double u[6])
+{
+    double P[16], J[36], square = 0.0;
+    for (int j = 0; j < 6; j++)
+        d->q[solved[j]] = unit[j] * u[j];
+    general_5r1p_fk(d->q, P);
+    general_5r1p_jacobian(d->q, J);
+    d->e[0] = (d->T[3] - P[3]) / 2.651;
+    for (int j = 0; j < 6; j++)
+        d->A[0][j] = part[j] * J[0 + solved[j]];
+    d->e[1] = (d->T[7] - P[7]) / 2.651;
+    for (int j = 0; j < 6; j++)
+        d->A[1][j] = part[j] * J[6 + solved[j]];
+    d->e[2] = (d->T[11] - P[11]) / 2.651;
+    for (int j = 0; j < 6; j++)
+        d->A[2][j] = part[j] * J[12 + solved[j]];
+    double R[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            R[i][j] = d->T[4 * i] * P[4 * j] + d->T[4 * i + 1] * P[4 * j + 1]
+                + d->T[4 * i + 2] * P[4 * j + 2];
+    const double axis[3] = { 0.5 * (R[2][1] - R[1][2]), 0.5 * (R[0][2] - R[2][0]),
+        0.5 * (R[1][0] - R[0][1]) };
+    turn_vector(axis, 0.5 * (R[0][0] + R[1][1] + R[2][2] - 1.0), d->e + 3);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 6; j++)
+            d->A[3 + i][j] = J[6 * (3 + i) + solved[j]];
+    for (int i = 0; i < 6; i++)
+        square += d->e[i] * d->e[i];
+    d->length = sqrt(square);
+}
+
+/* The damped least squares step A' (A A' + damping)^-1 e. */
+static void damped_step(
+    const struct descent *d, const double e[6], double length, double step[6])
+{
+    double L[6][6], y[6];
+    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    for (int i = 0; i < 6; i++) {
+        y[i] = e[i];
+        for (int j = 0; j <= i; j++) {
+            double sum = i == j ? damping : 0.0;
+            for (int k = 0; k < 6; k++)
+                sum += d->A[i][k] * d->A[j][k];
+            for (int k = 0; k < j; k++)
+                sum -= L[i][k] * L[j][k];
+            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
+        }
+        for (int k = 0; k < i; k++)
+            y[i] -= L[i][k] * y[k];
+        y[i] /= L[i][i];
+    }
+    for (int i = 6 - 1; i >= 0; i--) {
+        for (int k = i + 1; k < 6; k++)
+            y[i] -= L[k][i] * y[k];
+        y[i] /= L[i][i];
+    }
+    for (int j = 0; j < 6; j++) {
+        step[j] = 0.0;
+        for (int i = 0; i < 6; i++)
+            step[j] += d->A[i][j] * y[i];
+    }
+}
+
+/* Makes a step no longer than it may be. */
+static void shorten(double step[6])
+{
+    double longest = 2.0;
+    for (int j = 0; j < 6; j++)
+        longest = fmax(longest, fabs(step[j]));
+    for (int j = 0; j < 6; j++)
+        step[j] *= 2.0 / longest;
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. */
+static double descend(struct descent *d, double u[6])
+{
+    double least = HUGE_VAL, best[6], step[6];
+    for (int k = 0; k <= 40; k++) {
+        look(d, u);
+        const int stalled = d->length >= 0.5 * least && least <= 1e-10;
+        if (d->length < least) {
+            least = d->length;
+            copy(u, best);
+        }
+        if (stalled)
+            break;
+        damped_step(d, d->e, d->length, step);
+        shorten(step);
+        for (int j = 0; j < 6; j++)
+            u[j] += step[j];
+    }
+    copy(best, u);
+    return least;
+}
+
+/* A step with a pull; joints that it would take beyond a limit are put there, and locked. */
+static void limited_step(
+    struct descent *d, const double u[6], double pull, const double low[6],
+    const double high[6], double step[6])
+{
+    double e[6], wish[6], fixed[6];
+    int locked[6], beyond = 1;
+    for (int j = 0; j < 6; j++) {
+        wish[j] = pull * (d->seed[j] - u[j]);
+        locked[j] = 0;
+    }
+    while (beyond) {
+        beyond = 0;
+        for (int i = 0; i < 6; i++) {
+            e[i] = d->e[i];
+            for (int j = 0; j < 6; j++)
+                e[i] -= d->A[i][j] * wish[j];
+        }
+        damped_step(d, e, d->length, step);
+        for (int j = 0; j < 6; j++)
+            step[j] += wish[j];
+        shorten(step);
+        for (int j = 0; j < 6; j++) {
+            const double end = u[j] + step[j];
+            if (locked[j]) {
+                step[j] = fixed[j];
+            } else if (end < low[j] || end > high[j]) {
+                step[j] = fixed[j] = (end < low[j] ? low[j] : high[j]) - u[j];
+                beyond = locked[j] = 1;
+                wish[j] = 0.0;
+                for (int i = 0; i < 6; i++) {
+                    d->e[i] -= d->A[i][j] * fixed[j];
+                    d->A[i][j] = 0.0;
+                }
+            }
+        }
+    }
+}
+
+/* Takes u to a solution on the way to the seed; returns by how much it misses the pose. */
+static double pulled(
+    struct descent *d, double u[6], const double low[6],
+    const double high[6])
+{
+    double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    for (int k = 1; k <= 60 + 40; k++) {
+        look(d, u);
+        if (pull == 0.0) {
+            if (d->length >= 0.5 * least && least <= 1e-10)
+                break;
+            if (d->length < least) {
+                least = d->length;
+                copy(u, best);
+            }
+        }
+        limited_step(d, u, pull, low, high, step);
+        double longest = 0.0;
+        for (int j = 0; j < 6; j++) {
+            longest = fmax(longest, fabs(step[j]));
+            u[j] += step[j];
+        }
+        if (k >= 60 || longest < 1e-09)
+            pull = 0.0;
+    }
+    copy(best, u);
+    return least;
+}
+
+/* Start number k; number 0 is the seed. */
+static void start_of(const struct descent *d, int k, double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
+}
+
+static double distance_between(const double a[6], const double b[6])
+{
+    double most = 0.0;
+    for (int j = 0; j < 6; j++)
+        most = fmax(most, fabs(a[j] - b[j]));
+    return most;
+}
+/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, 0 if it is a
+ * singular solution that stands alone, -1 if it is a regular one. */
+static int continuum(struct descent *d, const double u[6])
+{
+    double along[6], moved[6], square = 0.0;
+    look(d, u);
+    for (int i = 0; i < 6; i++) {
+        moved[i] = 0.0;
+        for (int j = 0; j < 6; j++)
+            moved[i] += d->A[i][j] * stride[j];
+    }
+    damped_step(d, moved, 0.0, along);
+    for (int j = 0; j < 6; j++) {
+        along[j] = stride[j] - along[j]; /* what of it leaves the tool where it is */
+        square += along[j] * along[j];
+    }
+    if (sqrt(square) <= 0.0001)
+        return -1;
+    for (int side = -1; side <= 1; side += 2) {
+        double end[6];
+        for (int j = 0; j < 6; j++)
+            end[j] = u[j] - side * 0.05 * along[j] / sqrt(square);
+        if (descend(d, end) > 1e-10 || distance_between(end, u) <= 0.002)
+            return 0;
+    }
+    return 1;
+}
+
+/* The solutions kept so far. */
+struct kept {
+    double u[16][6];
+    int count, singular[16], chosen[16];
+};
+
+static int is_known(const struct kept *kept, const double u[6], int singular)
+{
+    static const double none[6] = { 0.0 };
+    for (int k = 0; k < kept->count; k++) {
+        double gap[6];
+        for (int j = 0; j < 6; j++)
+            gap[j] = u[j] - kept->u[k][j];
+        wrap_angles(gap);
+        const int loose = singular && kept->singular[k];
+        if (distance_between(gap, none) < (loose ? 0.001 : 1e-06))
+            return 1;
+    }
+    return 0;
+}
+
+/* A solution joins those found before, unless it is one of them. */
+static void keep(struct descent *d, struct kept *kept, double u[6])
+{
+    if (kept->count == 16 || is_known(kept, u, 0))
+        return;
+    const int kind = continuum(d, u);
+    if (kind == 1) {
+        double end[6];
+        copy(u, end);
+        if (pulled(d, end, no_lowest, no_highest) <= 1e-10)
+            copy(end, u);
+    }
+    wrap_angles(u);
+    if (is_known(kept, u, kind >= 0))
+        return;
+    kept->singular[kept->count] = kind >= 0;
+    kept->chosen[kept->count] = kind == 1;
+    copy(u, kept->u[kept->count++]);
+}
+
+/* Whether a row of joint values stands before another. */
+static int stands_before(const double a[6], const double b[6])
+{
+    for (int i = 0; i < 6; i++)
+        if (fabs(a[i] - b[i]) > 1e-09)
+            return a[i] < b[i];
+    return 0;
+}
+
+/* Rows by the first joint, then by the second and so on. */
+static void sorted_rows(
+    struct descent *d, const struct kept *kept, double q[16][6], int found[16],
+    int chosen[16])
+{
+    for (int row = 0; row < 16; row++)
+        found[row] = chosen[row] = 0;
+    for (int k = 0; k < kept->count; k++) {
+        int row = k;
+        for (int j = 0; j < 6; j++)
+            d->q[solved[j]] = unit[j] * kept->u[k][j];
+        for (; row > 0 && stands_before(d->q, q[row - 1]); row--) {
+            chosen[row] = chosen[row - 1];
+            for (int i = 0; i < 6; i++)
+                q[row][i] = q[row - 1][i];
+        }
+        found[k] = 1;
+        chosen[row] = kept->chosen[k];
+        for (int i = 0; i < 6; i++)
+            q[row][i] = d->q[i];
+    }
+}
+
 /* The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or
  * parallel
  * axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
@@ -199,22 +539,37 @@ static const double general_5r1p_advance[2][6] = {
 };
 
 /* poses close by, for those at which the formulations fail */
-static const double general_5r1p_nudge[5][12] = {
+static const double general_5r1p_nudge[10][12] = {
     { 0.9999995580001719, -0.000580303174204035, -0.00073976191215864, 0.0005300000000000001,
         0.0005796963744401407, 0.9999994956001963, -0.0008202142808546233, 0.00071,
         0.0007402375119735841, 0.0008197850810216249, 0.9999993900002373, -0.00047 },
+    { 0.9999995580001719, 0.0005796963744401407, 0.0007402375119735841, -0.0005300000000000001,
+        -0.000580303174204035, 0.9999994956001963, 0.0008197850810216249, -0.00071,
+        -0.00073976191215864, -0.0008202142808546233, 0.9999993900002373, 0.00047 },
     { 0.9999949420151998, -0.0018617746051811336, 0.002578708850722032, -0.00183,
         0.0018582142158804597, 0.9999973180080597, 0.001382395245764047, 0.00087,
         -0.0025812756430085644, -0.0013775964601848774, 0.999995719612863, 0.00201 },
+    { 0.9999949420151998, 0.0018582142158804597, -0.0025812756430085644, 0.00183,
+        -0.0018617746051811336, 0.9999973180080597, -0.0013775964601848774, -0.00087,
+        0.002578708850722032, 0.001382395245764047, 0.999995719612863, -0.00201 },
     { 0.9999377228865443, 0.009025321676340304, 0.00656459573098787, 0.0059, -0.008973844062327714,
         0.9999290832869896, -0.007829337110224942, -0.0043, -0.0066347924773686754,
         0.007769939863287338, 0.9999478024193579, 0.0031 },
+    { 0.9999377228865443, -0.008973844062327714, -0.0066347924773686754, -0.0059,
+        0.009025321676340304, 0.9999290832869896, 0.007769939863287338, 0.0043, 0.00656459573098787,
+        -0.007829337110224942, 0.9999478024193579, -0.0031 },
     { 0.9996484117295773, 0.020763800426894047, 0.01648992172102878, 0.011099999999999999,
         -0.021220469326757335, 0.9993821115042827, 0.028019401970663643, 0.0183,
         -0.015897943517502292, -0.028359474555668215, 0.9994713580662733, 0.017099999999999997 },
+    { 0.9996484117295773, -0.021220469326757335, -0.015897943517502292, -0.011099999999999999,
+        0.020763800426894047, 0.9993821115042827, -0.028359474555668215, -0.0183,
+        0.01648992172102878, 0.028019401970663643, 0.9994713580662733, -0.017099999999999997 },
     { 0.999472790696877, -0.013504055448103867, 0.029525940172180323, -0.0153, 0.014085964965612287,
         0.9997088653063301, -0.01959005408153817, -0.0201, -0.02925279897008453,
         0.019995627381619797, 0.9993720271440617, 0.012299999999999998 },
+    { 0.999472790696877, 0.014085964965612287, -0.02925279897008453, 0.0153, -0.013504055448103867,
+        0.9997088653063301, 0.019995627381619797, 0.0201, 0.029525940172180323,
+        -0.01959005408153817, 0.9993720271440617, -0.012299999999999998 },
 };
 
 /* cosines and sines of the 24 angles at which the determinant is sampled */
@@ -1052,28 +1407,46 @@ static void general_5r1p_pass(const double K[12], double from[15][40], int colum
     }
 }
 
-/* Reflections that clear the eight columns of the right side; what they leave in the last six of
- * the 14 rows annihilates it. Rows of 40: eight columns of the right side, 32 of the left. */
-static void general_5r1p_clear_right(double work[14][40])
+/* Reflections that clear the columns of A, `rows` long, one after the other; `axis` and `factor`
+ * say
+ * how to reflect others. */
+static inline void general_5r1p_clear(double A[6][8], int rows, int columns, double axis[6][8],
+                                 double factor[6])
 {
-    for (int c = 0; c < 8; c++) {
-        double axis[14], square = 0.0, length, factor;
-        for (int i = c; i < 14; i++) {
-            axis[i] = work[i][c];
-            square += axis[i] * axis[i];
+    for (int c = 0; c < columns; c++) {
+        double square = 0.0, length;
+        for (int i = c; i < rows; i++) {
+            axis[c][i] = A[c][i];
+            square += A[c][i] * A[c][i];
         }
-        length = copysign(sqrt(square), axis[c]);
-        axis[c] += length;
-        factor = 1.0 / (length * axis[c] + 1e-300);
-        for (int k = 0; k < 40; k += GENERAL_5R1P_LANES) {
-            general_5r1p_lane sum = {0};
-            for (int i = c; i < 14; i++) {
-                sum += axis[i] * GENERAL_5R1P_LOAD(&work[i][k]);
+        length = copysign(sqrt(square), A[c][c]);
+        axis[c][c] += length;
+        factor[c] = 1.0 / (length * axis[c][c] + 1e-300);
+        for (int j = c + 1; j < columns; j++) {
+            double sum = 0.0;
+            for (int i = c; i < rows; i++) {
+                sum += axis[c][i] * A[j][i];
             }
-            sum *= factor;
-            for (int i = c; i < 14; i++) {
-                GENERAL_5R1P_STORE(&work[i][k], GENERAL_5R1P_LOAD(&work[i][k]) - axis[i] * sum);
+            sum *= factor[c];
+            for (int i = c; i < rows; i++) {
+                A[j][i] -= axis[c][i] * sum;
             }
+        }
+    }
+}
+
+static inline void general_5r1p_mirror(double axis[6][8], const double factor[6], int rows, int
+    columns,
+                                  general_5r1p_lane x[8])
+{
+    for (int c = 0; c < columns; c++) {
+        general_5r1p_lane sum = axis[c][c] * x[c];
+        for (int i = c + 1; i < rows; i++) {
+            sum += axis[c][i] * x[i];
+        }
+        sum *= factor[c];
+        for (int i = c; i < rows; i++) {
+            x[i] -= axis[c][i] * sum;
         }
     }
 }
@@ -1084,38 +1457,50 @@ static void general_5r1p_equations(const general_5r1p_formulation *form, double 
     E[192])
 {
     double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
-    double work[14][40], inverse[12];
+    double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
+    /* the features that the outer joint of the right side leaves alone, and those that it mixes:
+     * the
+     * former hold two of the eight monomials, the latter six */
+    static const int still[6] = {3, 6, 7, 8, 11, 14}, pair[8] = {1, 2, 4, 5, 9, 10, 12, 13};
     (void)form;
     x[0][0] = x[3][0] = 1.0; /* the origin and z */
     general_5r1p_invert(link[3], inverse);
     general_5r1p_pass(inverse, x, 1, general_5r1p_cosines, y);
     general_5r1p_invert(link[4], inverse);
     general_5r1p_pass(inverse, y, 3, general_5r1p_cosines, right);
+    for (int i = 0; i < 6; i++) {
+        A[0][i] = right[still[i]][1];
+        A[1][i] = right[still[i]][2];
+    }
+    general_5r1p_clear(A, 6, 2, still_axis, still_factor);
+    for (int i = 0; i < 8; i++) {
+        for (int k = 0; k < 6; k++) {
+            A[k][i] = right[pair[i]][3 + k];
+        }
+    }
+    general_5r1p_clear(A, 8, 6, pair_axis, pair_factor);
     general_5r1p_pass(link[2], x, 1, form->joint[2] == 2 ? general_5r1p_lengths :
         general_5r1p_tangents, y);
     general_5r1p_pass(link[1], y, 3, form->joint[1] == 2 ? general_5r1p_lengths :
         general_5r1p_tangents, x);
     general_5r1p_pass(link[0], x, 9, general_5r1p_cosines, y);
     for (int k = 0; k < 32; k += GENERAL_5R1P_LANES) {
-        general_5r1p_lane z[15];
+        general_5r1p_lane z[15], alone[8], mixed[8];
         for (int i = 0; i < 15; i++) {
             z[i] = GENERAL_5R1P_LOAD(&y[i][k]);
         }
         general_5r1p_act(link[5], z);
-        for (int i = 0; i < 14; i++) {
+        for (int i = 0; i < 6; i++) {
             /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
-            GENERAL_5R1P_STORE(&work[i][8 + k], z[1 + i] - right[1 + i][0] * z[0]);
+            alone[i] = z[still[i]] - right[still[i]][0] * z[0];
         }
-    }
-    for (int i = 0; i < 14; i++) {
-        for (int k = 0; k < 8; k++) {
-            work[i][k] = right[1 + i][1 + k];
+        for (int i = 0; i < 8; i++) {
+            mixed[i] = z[pair[i]];
         }
-    }
-    general_5r1p_clear_right(work);
-    for (int r = 0; r < 6; r++) {
-        for (int k = 0; k < 32; k++) {
-            E[32 * r + k] = work[8 + r][8 + k];
+        general_5r1p_mirror(still_axis, still_factor, 6, 2, alone);
+        general_5r1p_mirror(pair_axis, pair_factor, 8, 6, mixed);
+        for (int r = 0; r < 6; r++) {
+            GENERAL_5R1P_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
 }
@@ -1209,7 +1594,9 @@ typedef struct {
 } general_5r1p_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f (two roots, none or one). `complete` says that no cell was given up. */
+ * within the rounding of f, or nearly (two roots, none or one). `complete` says that no cell was
+ * given
+ * up. */
 typedef struct {
     int simple, doubles, complete;
     double c[GENERAL_5R1P_ROOTS + 8], s[GENERAL_5R1P_ROOTS + 8];
@@ -1350,14 +1737,47 @@ static void general_5r1p_add_root(general_5r1p_roots *roots, double x, int twice
     *count += 1;
 }
 
-/* Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs:
- * Newton,
- * with bisection where it leaves. `rising` says that it is negative at the lower one. */
-static double general_5r1p_between(const general_5r1p_trigonometric *f, int order, double low,
-    double high,
-                              int rising)
+/* Where the quintic through f, f', f'' at two angles vanishes (order 0), or its derivative (order
+ * 1),
+ * in parts of the way between them. */
+static double general_5r1p_on_quintic(int order, double h, const double low[3], const double
+    high[3])
 {
-    double x = 0.5 * (low + high);
+    const double d = h * low[1], s = h * h * low[2];
+    const double D = high[0] - low[0] - d - 0.5 * s, D1 = h * high[1] - d - s;
+    const double D2 = h * h * high[2] - s;
+    const double c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
+    const double c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
+    const int rising = low[order] < 0.0;
+    double x = 0.5, from = 0.0, to = 1.0;
+    for (int i = 0; i < 12; i++) {
+        const double f = low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x * c5))));
+        const double f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
+        const double f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
+        const double value = order ? f1 : f, slope = order ? f2 : f1;
+        double next;
+        if ((value < 0.0) == rising) {
+            from = x;
+        } else {
+            to = x;
+        }
+        next = fabs(slope) > 0.0 ? x - value / slope : from;
+        next = next > from && next < to ? next : 0.5 * (from + to);
+        if (fabs(next - x) < 1e-09) {
+            return next;
+        }
+        x = next;
+    }
+    return x;
+}
+
+/* Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs: from
+ * where the quintic says by Newton, with bisection where it leaves. */
+static double general_5r1p_between(const general_5r1p_trigonometric *f, int order, double low,
+                              const double at_low[3], double high, const double at_high[3])
+{
+    const int rising = at_low[order] < 0.0;
+    double x = low + (high - low) * general_5r1p_on_quintic(order, high - low, at_low, at_high);
     for (int i = 0; i < 48; i++) {
         double at[3], step;
         general_5r1p_at(f, cos(x), sin(x), at);
@@ -1367,10 +1787,13 @@ static double general_5r1p_between(const general_5r1p_trigonometric *f, int orde
             high = x;
         }
         step = fabs(at[order + 1]) > 0.0 ? -at[order] / at[order + 1] : high - low;
-        if (fabs(step) < 1e-15) {
+        if (!(x + step > low && x + step < high)) {
+            step = 0.5 * (low + high) - x;
+        }
+        x += step;
+        if (fabs(step) < 1e-09) {
             break;
         }
-        x = x + step > low && x + step < high ? x + step : 0.5 * (low + high);
     }
     return x;
 }
@@ -1383,21 +1806,22 @@ static void general_5r1p_few(const general_5r1p_trigonometric *f, double low, co
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
         if ((at_low[0] < 0.0) != (at_high[0] < 0.0)) {
-            general_5r1p_add_root(roots, general_5r1p_between(f, 0, low, high, at_low[0] < 0.0), 0);
+            general_5r1p_add_root(roots, general_5r1p_between(f, 0, low, at_low, high, at_high), 0);
         }
         return;
     }
-    x = general_5r1p_between(f, 1, low, high, at_low[1] < 0.0);
+    x = general_5r1p_between(f, 1, low, at_low, high, at_high);
     general_5r1p_at(f, cos(x), sin(x), at);
-    if (fabs(at[0]) <= 30.0 * f->rounding) {
+    if (fabs(at[0]) <= f->rounding ||
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
         general_5r1p_add_root(roots, x, 1);
         return;
     }
     if ((at_low[0] < 0.0) != (at[0] < 0.0)) {
-        general_5r1p_add_root(roots, general_5r1p_between(f, 0, low, x, at_low[0] < 0.0), 0);
+        general_5r1p_add_root(roots, general_5r1p_between(f, 0, low, at_low, x, at), 0);
     }
     if ((at_high[0] < 0.0) != (at[0] < 0.0)) {
-        general_5r1p_add_root(roots, general_5r1p_between(f, 0, x, high, at[0] < 0.0), 0);
+        general_5r1p_add_root(roots, general_5r1p_between(f, 0, x, at, high, at_high), 0);
     }
 }
 
@@ -2150,6 +2574,7 @@ static inline general_5r1p_lane general_5r1p_polish(const general_5r1p_loop *loo
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
+    int doubles; /* roots that met */
     double q[16][6], residual[16];
 } general_5r1p_found;
 
@@ -2357,6 +2782,7 @@ static int general_5r1p_attempt(const general_5r1p_formulation *form, const gene
     for (int i = 0; i < roots.doubles; i++) {
         general_5r1p_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
+    found->doubles += roots.doubles;
     return general_5r1p_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }
@@ -2402,28 +2828,34 @@ static unsigned general_5r1p_follow_back(const general_5r1p_loop *loop, double (
     return met;
 }
 
-/* Solve poses close by, and follow their solutions back. Around a singular pose none of them has to
- * have all solutions: then all are looked at. */
+/* Solve poses close by, and follow their solutions back. Where two solutions meet they are on one
+ * side
+ * only: both sides have to have as many as are found. Around a singular pose none of them has to
+ * have
+ * all solutions: then all are looked at. */
 static int general_5r1p_from_nearby(const general_5r1p_loop *loop, general_5r1p_found *found)
 {
-    int followed = 0;
-    for (int n = 0; n < 5; n++) {
+    int followed = 0, before = -1;
+    for (int n = 0; n < 10; n++) {
         general_5r1p_loop nearby = *loop;
         general_5r1p_found other;
-        int complete, lost = 0;
+        int complete, count = -1, lost = 0;
         unsigned met;
         general_5r1p_then(nearby.link[5], general_5r1p_nudge[n]);
         other.count = 0;
         other.singular = 0;
+        other.doubles = 0;
         complete = general_5r1p_try(&nearby, &other);
         met = general_5r1p_follow_back(loop, other.q, other.count, found, &lost);
         if (complete && !lost && met) {
-            if (general_5r1p_bits(met) == other.count && !found->singular &&
-                general_5r1p_paired(found)) {
-                return 1;
-            }
+            count = general_5r1p_bits(met) == other.count ? other.count : -1;
             followed |= (met & found->singular) != 0;
         }
+        if (n % 2 && before == found->count && count == found->count && !found->singular &&
+            general_5r1p_paired(found)) {
+            return 1;
+        }
+        before = count;
     }
     return followed && general_5r1p_paired(found);
 }
@@ -2484,8 +2916,9 @@ static int general_5r1p_before(const double a[6], const double b[6])
  *
  * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
  * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
- * open, in radians and arm sizes. Returns how many; negative when it is not certain that these are
- * all: then -1 - count. */
+ * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
+ * are
+ * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
 static int general_5r1p_general(const double T[16], double q[16][6], double residual[16])
 {
     general_5r1p_found found;
@@ -2495,6 +2928,7 @@ static int general_5r1p_general(const double T[16], double q[16][6], double resi
     general_5r1p_close(T, &whole);
     found.count = 0;
     found.singular = 0;
+    found.doubles = 0;
     complete = general_5r1p_try(loop, &found) || general_5r1p_from_nearby(loop, &found);
     if (!complete) {
         general_5r1p_from_anywhere(loop, &found);
@@ -2514,21 +2948,42 @@ static int general_5r1p_general(const double T[16], double q[16][6], double resi
         q[i][2] *= 0.6327271772032304;
         residual[i] = found.residual[order[i]];
     }
-    return complete ? found.count : -1 - found.count;
+    return complete && !found.singular && !found.doubles ? found.count : -1 - found.count;
 }
 
-/* All solutions. */
+/* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
+ * followed too; singular solutions out of a continuum go to the seed. */
 static void all_joints(
     const double T[16], const double seed[6], double q[16][6],
     int found[16], int chosen[16])
 {
-    double residual[16];
-    const int count = general_5r1p_general(T, q, residual);
-    (void)seed;
-    for (int k = 0; k < 16; k++) {
-        found[k] = k < (count < 0 ? -1 - count : count);
-        chosen[k] = 0;
+    static const double facing[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+    static const double zero[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+    struct descent d = { .T = T };
+    struct kept kept = { .count = 0 };
+    double angles[16][6], residual[16], u[6];
+    const int count = general_5r1p_general(T, angles, residual);
+    for (int j = 0; j < 6; j++)
+        u[j] = d.seed[j] = seed[solved[j]] / unit[j];
+    if (count < 0 && descend(&d, u) <= 1e-10)
+        keep(&d, &kept, u);
+    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+        for (int j = 0; j < 6; j++)
+            u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
+        if (count < 0) {
+            keep(&d, &kept, u);
+            continue;
+        }
+        wrap_angles(u);
+        kept.singular[k] = kept.chosen[k] = 0;
+        copy(u, kept.u[kept.count++]);
     }
+    for (int k = 1; count < 0 && k < 12; k++) {
+        start_of(&d, k, u);
+        if (descend(&d, u) <= 1e-10)
+            keep(&d, &kept, u);
+    }
+    sorted_rows(&d, &kept, q, found, chosen);
 }
 
 static const double d1 = -0.293; /* joint offset 1 [m] */
@@ -2573,12 +3028,6 @@ static const double highest[6] = { INFINITY, INFINITY, 0.8, INFINITY, INFINITY, 
 static const int revolute[6] = { 1, 1, 0, 1, 1, 1 };
 /* Of squared differences of joint values: lengths count in arm sizes. */
 static const double weight[6] = { 1.0, 1.0, 0.14229201993625035, 1.0, 1.0, 1.0 };
-
-/* The angle moved by whole turns to (-pi, pi]. */
-static double wrap(double angle)
-{
-    return angle - turn * ceil(angle / turn - 0.5);
-}
 
 void general_5r1p_fk(const double q[6], double T[16])
 {
@@ -2827,30 +3276,22 @@ static void solve(
     const double T[16], const double seed[6], double q[16][6], unsigned char status[16])
 {
 
-    /* all joints: the general 6R loop */
+    /* all joints: the general 5R1P loop */
     double solution_roots[16][6];
     int solution_found[16], solution_chosen[16];
     all_joints(T, seed, solution_roots, solution_found, solution_chosen);
 
     for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
-        const double x1 = solution_roots[i1][0];
-        const double x2 = solution_roots[i1][1];
-        const double x3 = solution_roots[i1][2];
-        const double x4 = solution_roots[i1][3];
-        const double x5 = solution_roots[i1][4];
-        const double x6 = solution_roots[i1][5];
+        const double q1 = solution_roots[i1][0];
+        const double q2 = solution_roots[i1][1];
+        const double q3 = solution_roots[i1][2];
+        const double q4 = solution_roots[i1][3];
+        const double q5 = solution_roots[i1][4];
+        const double q6 = solution_roots[i1][5];
         const int found = solution_found[i1];
         const int chosen = solution_chosen[i1];
-        /* all joints: the general 6R loop */
+        /* all joints: the general 5R1P loop */
         if (!found) continue; /* out of reach */
-
-        /* joint values */
-        const double q1 = wrap(x1);
-        const double q2 = wrap(x2);
-        const double q3 = x3;
-        const double q4 = wrap(x4);
-        const double q5 = wrap(x5);
-        const double q6 = wrap(x6);
         const int row = i1;
         q[row][0] = q1;
         q[row][1] = q2;

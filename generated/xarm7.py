@@ -14,15 +14,39 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import njit
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):
         return lambda function: function
 
+    def intrinsic(**_):
+        return lambda function: np.zeros
 
-_OPTIONS = {"cache": True, "error_model": "numpy"}
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
 
 NAME = "xarm7"
 METHOD = "general 6R"
@@ -72,8 +96,8 @@ a4 = 0.0775  # link length 4 [m]
 d5 = 0.3425  # joint offset 5 [m]
 a6 = 0.076  # link length 6 [m]
 d7 = 0.097  # joint offset 7 [m]
-offset1 = 3.141592653589793  # offset of joint 1
-offset2 = 3.141592653589793  # offset of joint 2
+offset1 = 3.141592653589793  # offset of joint 1 [rad]
+offset2 = 3.141592653589793  # offset of joint 2 [rad]
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -88,12 +112,6 @@ _BYTE = np.dtype(np.uint8)
 
 class Unreachable(ValueError):  # noqa: N818
     """There is no solution, or none inside the limits; the text says which."""
-
-
-@_jit
-def _wrap(angle):
-    """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
 
 
 @_jit
@@ -303,6 +321,293 @@ def jacobian(q):
     return J
 
 
+# The joints that are solved for, and whether they turn; what a step of one means, in rad or
+# lengths, and the same over the arm's size; between which values starts lie, and what is added
+# from start to start. Below, u are these joints in units.
+_SOLVED = np.array([0, 1, 3, 4, 5, 6])
+_TURNING = np.array([True, True, True, True, True, True])
+_UNIT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_PART = np.array([
+    0.8295313148071338, 0.8295313148071338, 0.8295313148071338, 0.8295313148071338,
+    0.8295313148071338, 0.8295313148071338,
+])
+_SPAN_LOW = np.array([
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+])
+_SPAN_WIDTH = np.array([
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+])
+_STRIDE = np.array([
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+])
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
+
+
+@_inner
+def _turn_vector(axis, cosine, vector):
+    """The rotation vector of an axis times the sine, and the cosine."""
+    sine = math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
+    if sine < 1e-09 and cosine < 0.0:  # half a turn: any axis will do
+        vector[0] = 1.5079644737231006
+        vector[1] = 1.8849555921538759
+        vector[2] = 2.0106192982974678
+        return
+    scale = 1.0 if sine < 1e-09 else math.atan2(sine, cosine) / sine
+    for i in range(3):
+        vector[i] = scale * axis[i]
+
+
+@_inner
+def _look(T, q, u, e, A):
+    """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
+    for j in range(6):
+        q[_SOLVED[j]] = _UNIT[j] * u[j]
+    P, J = fk(q), jacobian(q)
+    for j in range(6):
+        column = _SOLVED[j]
+        A[0, j] = _PART[j] * J[0, column]
+        A[1, j] = _PART[j] * J[1, column]
+        A[2, j] = _PART[j] * J[2, column]
+        for i in range(3):
+            A[3 + i, j] = J[3 + i, column]
+    e[0] = (T[0, 3] - P[0, 3]) / 1.2055000000000002
+    e[1] = (T[1, 3] - P[1, 3]) / 1.2055000000000002
+    e[2] = (T[2, 3] - P[2, 3]) / 1.2055000000000002
+    R = np.zeros((3, 3))
+    for i in range(3):
+        for j in range(3):
+            for k in range(3):
+                R[i, j] += T[i, k] * P[j, k]
+    axis = 0.5 * (R[2, 1] - R[1, 2]), 0.5 * (R[0, 2] - R[2, 0]), 0.5 * (R[1, 0] - R[0, 1])
+    _turn_vector(axis, 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0), e[3:])
+    square = 0.0
+    for i in range(6):
+        square += e[i] * e[i]
+    return math.sqrt(square)
+
+
+@_inner
+def _damped_step(A, e, length, step):
+    """The damped least squares step A' (A A' + damping)^-1 e."""
+    damping = 0.1 * min(length * length, 1.0) + 1e-13
+    L, y = np.zeros((6, 6)), np.empty(6)
+    for i in range(6):
+        y[i] = e[i]
+        for j in range(i + 1):
+            total = damping if i == j else 0.0
+            for k in range(6):
+                total += A[i, k] * A[j, k]
+            for k in range(j):
+                total -= L[i, k] * L[j, k]
+            L[i, j] = math.sqrt(max(total, 1e-13)) if i == j else total / L[j, j]
+        for k in range(i):
+            y[i] -= L[i, k] * y[k]
+        y[i] /= L[i, i]
+    for i in range(5, -1, -1):
+        for k in range(i + 1, 6):
+            y[i] -= L[k, i] * y[k]
+        y[i] /= L[i, i]
+    for j in range(6):
+        step[j] = 0.0
+        for i in range(6):
+            step[j] += A[i, j] * y[i]
+
+
+@_inner
+def _shorten(step):
+    """Makes a step no longer than it may be."""
+    longest = 2.0
+    for j in range(6):
+        longest = max(longest, abs(step[j]))
+    for j in range(6):
+        step[j] *= 2.0 / longest
+
+
+@_inner
+def _descend(T, q, u):
+    """Takes u to where damped least squares lead; returns by how much that misses the pose."""
+    e, A = np.empty(6), np.empty((6, 6))
+    least, best, step = math.inf, u.copy(), np.empty(6)
+    for _ in range(40 + 1):
+        length = _look(T, q, u, e, A)
+        stalled = length >= 0.5 * least and least <= 1e-10
+        if length < least:
+            least = length
+            best[:] = u
+        if stalled:
+            break
+        _damped_step(A, e, length, step)
+        _shorten(step)
+        for j in range(6):
+            u[j] += step[j]
+    u[:] = best
+    return least
+
+
+@_inner
+def _limited_step(A, e, length, wish, u, low, high, step):
+    """A step with a wish; joints that it would take beyond a limit are put there, and locked."""
+    fixed, locked = np.zeros(6), np.zeros(6, np.uint8)
+    rest = np.empty(6)
+    beyond = True
+    while beyond:
+        beyond = False
+        for i in range(6):
+            rest[i] = e[i]
+            for j in range(6):
+                rest[i] -= A[i, j] * wish[j]
+        _damped_step(A, rest, length, step)
+        for j in range(6):
+            step[j] += wish[j]
+        _shorten(step)
+        for j in range(6):
+            end = u[j] + step[j]
+            if locked[j]:
+                step[j] = fixed[j]
+            elif end < low[j] or end > high[j]:
+                step[j] = fixed[j] = (low[j] if end < low[j] else high[j]) - u[j]
+                beyond, locked[j], wish[j] = True, 1, 0.0
+                for i in range(6):
+                    e[i] -= A[i, j] * fixed[j]
+                    A[i, j] = 0.0
+
+
+@_inner
+def _pulled(T, q, u, near, low, high):
+    """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
+    e, A = np.empty(6), np.empty((6, 6))
+    least, best, step, pull = math.inf, u.copy(), np.empty(6), 0.5
+    for k in range(1, 60 + 40 + 1):
+        length = _look(T, q, u, e, A)
+        if pull == 0.0:
+            if length >= 0.5 * least and least <= 1e-10:
+                break
+            if length < least:
+                least = length
+                best[:] = u
+        _limited_step(A, e, length, pull * (near - u), u, low, high, step)
+        longest = 0.0
+        for j in range(6):
+            longest = max(longest, abs(step[j]))
+            u[j] += step[j]
+        if k >= 60 or longest < 1e-09:
+            pull = 0.0
+    u[:] = best
+    return least
+
+
+@_inner
+def _start_of(k, near, u):
+    """Start number k; number 0 is the seed."""
+    for j in range(6):
+        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(6):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _continuum(T, q, u):
+    """Whether u is one of a continuum of solutions: 1 if there are others to both sides.
+
+    0 if it is a singular solution that stands alone, -1 if it is a regular one.
+    """
+    e, A = np.empty(6), np.empty((6, 6))
+    along, end = np.empty(6), np.empty(6)
+    _look(T, q, u, e, A)
+    for i in range(6):
+        e[i] = 0.0
+        for j in range(6):
+            e[i] += A[i, j] * _STRIDE[j]
+    _damped_step(A, e, 0.0, along)
+    square = 0.0
+    for j in range(6):
+        along[j] = _STRIDE[j] - along[j]  # what of it leaves the tool where it is
+        square += along[j] * along[j]
+    if math.sqrt(square) <= 0.0001:
+        return -1
+    for side in (-1.0, 1.0):
+        gap = 0.0
+        for j in range(6):
+            end[j] = u[j] - side * 0.05 * along[j] / math.sqrt(square)
+        miss = _descend(T, q, end)
+        for j in range(6):
+            gap = max(gap, abs(end[j] - u[j]))
+        if miss > 1e-10 or gap <= 0.002:
+            return 0
+    return 1
+
+
+@_inner
+def _is_known(kept, kinds, count, u, singular):
+    """Whether a solution is one of those found before."""
+    between = np.empty(6)
+    for k in range(count):
+        for j in range(6):
+            between[j] = u[j] - kept[k, j]
+        _wrap_angles(between)
+        gap = 0.0
+        for j in range(6):
+            gap = max(gap, abs(between[j]))
+        if gap < (0.001 if singular and kinds[k] >= 0 else 1e-06):
+            return True
+    return False
+
+
+@_inner
+def _keep(T, q, near, kept, kinds, count, u):
+    """A solution joins those found before, unless it is one of them; how many there are then."""
+    if count == 16 or _is_known(kept, kinds, count, u, False):
+        return count
+    kind = _continuum(T, q, u)
+    if kind == 1:
+        end = u.copy()
+        if _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST) <= 1e-10:
+            u[:] = end
+    _wrap_angles(u)
+    if _is_known(kept, kinds, count, u, kind >= 0):
+        return count
+    kinds[count] = kind
+    kept[count] = u
+    return count + 1
+
+
+@_inner
+def _stands_before(a, b):
+    """Whether a row of joint values stands before another."""
+    for i in range(7):
+        if abs(a[i] - b[i]) > 1e-09:
+            return a[i] < b[i]
+    return False
+
+
+@_inner
+def _sorted_rows(kept, kinds, count, joints, q, found, chosen):
+    """Rows by the first joint, then by the second and so on."""
+    for k in range(count):
+        row = k
+        for j in range(6):
+            joints[_SOLVED[j]] = _UNIT[j] * kept[k, j]
+        while row > 0 and _stands_before(joints, q[row - 1]):
+            q[row] = q[row - 1]
+            chosen[row] = chosen[row - 1]
+            row -= 1
+        q[row] = joints
+        chosen[row] = kinds[k] == 1
+        found[k] = True
+
+
+
+
 # The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or parallel
 # axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
 # determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
@@ -329,10 +634,15 @@ _XARM7_ADVANCE_S = np.array([0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 
 # poses close by, for those at which the formulations fail
 _XARM7_NUDGES = np.array([
     [0.9999995580001719, -0.000580303174204035, -0.00073976191215864, 0.0005300000000000001, 0.0005796963744401407, 0.9999994956001963, -0.0008202142808546233, 0.00071, 0.0007402375119735841, 0.0008197850810216249, 0.9999993900002373, -0.00047],
+    [0.9999995580001719, 0.0005796963744401407, 0.0007402375119735841, -0.0005300000000000001, -0.000580303174204035, 0.9999994956001963, 0.0008197850810216249, -0.00071, -0.00073976191215864, -0.0008202142808546233, 0.9999993900002373, 0.00047],
     [0.9999949420151998, -0.0018617746051811336, 0.002578708850722032, -0.00183, 0.0018582142158804597, 0.9999973180080597, 0.001382395245764047, 0.00087, -0.0025812756430085644, -0.0013775964601848774, 0.999995719612863, 0.00201],
+    [0.9999949420151998, 0.0018582142158804597, -0.0025812756430085644, 0.00183, -0.0018617746051811336, 0.9999973180080597, -0.0013775964601848774, -0.00087, 0.002578708850722032, 0.001382395245764047, 0.999995719612863, -0.00201],
     [0.9999377228865443, 0.009025321676340304, 0.00656459573098787, 0.0059, -0.008973844062327714, 0.9999290832869896, -0.007829337110224942, -0.0043, -0.0066347924773686754, 0.007769939863287338, 0.9999478024193579, 0.0031],
+    [0.9999377228865443, -0.008973844062327714, -0.0066347924773686754, -0.0059, 0.009025321676340304, 0.9999290832869896, 0.007769939863287338, 0.0043, 0.00656459573098787, -0.007829337110224942, 0.9999478024193579, -0.0031],
     [0.9996484117295773, 0.020763800426894047, 0.01648992172102878, 0.011099999999999999, -0.021220469326757335, 0.9993821115042827, 0.028019401970663643, 0.0183, -0.015897943517502292, -0.028359474555668215, 0.9994713580662733, 0.017099999999999997],
+    [0.9996484117295773, -0.021220469326757335, -0.015897943517502292, -0.011099999999999999, 0.020763800426894047, 0.9993821115042827, -0.028359474555668215, -0.0183, 0.01648992172102878, 0.028019401970663643, 0.9994713580662733, -0.017099999999999997],
     [0.999472790696877, -0.013504055448103867, 0.029525940172180323, -0.0153, 0.014085964965612287, 0.9997088653063301, -0.01959005408153817, -0.0201, -0.02925279897008453, 0.019995627381619797, 0.9993720271440617, 0.012299999999999998],
+    [0.999472790696877, 0.014085964965612287, -0.02925279897008453, 0.0153, -0.013504055448103867, 0.9997088653063301, 0.019995627381619797, 0.0201, 0.029525940172180323, -0.01959005408153817, 0.9993720271440617, -0.012299999999999998],
 ])
 
 # A formulation: the joints phi_1 (hidden) ... phi_6 are; the sign of phi = sign q.
@@ -401,7 +711,7 @@ _XARM7_START = np.array([
 ])
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_compose(A, B):
     """A B for rigid transforms, twelve numbers each."""
     C = np.empty(12)
@@ -412,7 +722,7 @@ def _xarm7_compose(A, B):
     return C
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_invert(A):
     """The inverse of a rigid transform."""
     B = np.empty(12)
@@ -423,7 +733,7 @@ def _xarm7_invert(A):
     return B
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_turn(T, c, s):
     """T Rz, in place."""
     for i in range(3):
@@ -432,20 +742,20 @@ def _xarm7_turn(T, c, s):
         T[4 * i + 1] = y * c - x * s
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_slide(T, d):
     """T Tz, in place."""
     for i in range(3):
         T[4 * i + 3] += T[4 * i + 2] * d
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_move(T, joint, c, s):
     """The motion of a joint, by cosine and sine or by a length that stands in the sine's place."""
     _xarm7_turn(T, c, s)
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_close(T, q_free):
     """The loop: K0 ... K4 and its pose P = L T R, in arm sizes."""
     links = np.empty((6, 12))
@@ -474,7 +784,7 @@ def _xarm7_close(T, q_free):
     return links
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_act(K, x):
     """The features of a point and a direction, for all columns of x: 1, l, p, p.p, p.l, p x l and
     (p.p) l - 2 (p.l) p, as a rigid motion acts on them, in place."""
@@ -502,7 +812,7 @@ def _xarm7_act(K, x):
         x[14, k] += square * u2 - twice * t2 - 2.0 * (t0 * v1 - t1 * v0)
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_pass(K, x, joint, powers):
     """Columns of features pass a link, and each becomes three by what the joint before it does: the
     coefficients of 1, cos and sin, or with `powers` of y^2, y and 1 for y = tan(phi/2), times
@@ -527,7 +837,7 @@ def _xarm7_pass(K, x, joint, powers):
     return to
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_reflect(M, first, rest, column):
     """Reflect the first row and the rows from `rest` on so that `column` stays in the first only."""
     rows, columns = M.shape
@@ -552,7 +862,7 @@ def _xarm7_reflect(M, first, rest, column):
     return -length
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_around(form, loop):
     """The links L0 ... L5 of a formulation."""
     links = np.empty((6, 12))
@@ -565,7 +875,7 @@ def _xarm7_around(form, loop):
     return links
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_equations(joints, links):
     """The six equations of a formulation: columns 9 a + 3 j + i for 1, c1, s1 (a), the powers x3^2, x3,
     1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths."""
@@ -588,7 +898,7 @@ def _xarm7_equations(joints, links):
     return work[8:, 8:]
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_fold(E, c, s):
     """The determinant at a hidden angle, and the upper triangular factor whose null vectors are
     (x3, 1) x (x2^2, x2, 1). With A2, A1, A0 the blocks of x3^2, x3, 1 the matrix is
@@ -619,7 +929,7 @@ def _xarm7_fold(E, c, s):
     return determinant * factor[5, 5], factor
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_at(f, x):
     """f, f', f'' at an angle; f holds a_0 ... a_8, b_1 ... b_8."""
     value, slope, bend = f[0], 0.0, 0.0
@@ -634,7 +944,7 @@ def _xarm7_at(f, x):
     return value, slope, bend
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_fit(samples):
     """The coefficients from 24 samples, the largest sample, and the harmonics beyond the eighth."""
     h = np.zeros(24)
@@ -649,7 +959,7 @@ def _xarm7_fit(samples):
     return h, scale, beyond / scale if scale > 0.0 else 1.0
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_grid(f):
     """f, f', f'' at the edges of the cells; the first edge stands at the end again."""
     grid = np.zeros((257, 3))
@@ -671,7 +981,7 @@ def _xarm7_grid(f):
     return grid
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_kind(low, high, h, scale, rounding):
     """0: no root between two angles; 1: nothing but rounding; 2: one extremum at most; 3: none of
     these. The Bernstein coefficients of the quintic through f, f', f'' at both ends and their
@@ -696,7 +1006,7 @@ def _xarm7_kind(low, high, h, scale, rounding):
     return 2 if min(e0, e1, e2, e3) > bound or max(e0, e1, e2, e3) < -bound else 3
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_between(f, order, low, high, rising):
     """Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs:
     Newton, with bisection where it leaves. `rising` says that it is negative at the lower one."""
@@ -715,14 +1025,15 @@ def _xarm7_between(f, order, low, high, rising):
     return x
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_few(f, rounding, low, at_low, high, at_high, roots, counts):
     """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double)."""
     middle, at_middle = high, at_high[0]
     if at_low[1] * at_high[1] < 0.0:
         middle = _xarm7_between(f, 1, low, high, at_low[1] < 0.0)
-        at_middle = _xarm7_at(f, middle)[0]
-        if abs(at_middle) <= 30.0 * rounding:
+        at_middle, _, bend = _xarm7_at(f, middle)
+        lifted = at_middle * bend > 0.0 and abs(at_middle) <= abs(bend) * 5e-09
+        if abs(at_middle) <= rounding or lifted:
             _xarm7_add_root(roots, counts, 1, middle)
             return
         if (at_middle < 0.0) != (at_high[0] < 0.0):
@@ -732,7 +1043,7 @@ def _xarm7_few(f, rounding, low, at_low, high, at_high, roots, counts):
         _xarm7_add_root(roots, counts, 0, _xarm7_between(f, 0, low, middle, at_low[0] < 0.0))
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_add_root(roots, counts, twice, x):
     """Add a root; counts[2] says that nothing was given up."""
     if twice:
@@ -747,7 +1058,7 @@ def _xarm7_add_root(roots, counts, twice, x):
     counts[twice] += 1
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_find_roots(f, scale, rounding):
     """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]]."""
     roots = np.empty((2, 24))
@@ -789,7 +1100,7 @@ def _xarm7_find_roots(f, scale, rounding):
     return roots, counts
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_inverse_iteration(U, x):
     """x = U^-1 U^-T x, to length one; a diagonal next to nothing is kept finite."""
     most = 0.0
@@ -811,7 +1122,7 @@ def _xarm7_inverse_iteration(U, x):
         x[i] /= length
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_split(n, shift, out, count):
     """Vectors w of the plane with up w = x down w for some x (least squares): their sums of the two
     null vectors n go to `out`. The shift, by 3 for x3 or by 1 for x2, takes `down` to `up`."""
@@ -846,7 +1157,7 @@ def _xarm7_split(n, shift, out, count):
     return count
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_null_vectors(E, c, s, double):
     """Vectors near (x3, 1) x (x2^2, x2, 1): one of a simple root, and of a double one also those at
     which one of the two shifts, x3 or x2, has an eigenvalue."""
@@ -877,7 +1188,7 @@ def _xarm7_null_vectors(E, c, s, double):
     return out[:count]
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_unit(c, s):
     """A cosine and a sine without their common factor."""
     length = math.sqrt(c * c + s * s)
@@ -886,7 +1197,7 @@ def _xarm7_unit(c, s):
     return c / length, s / length
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_middle(K, M, value):
     """c and s of phi5 from invariants of B = Rz K Rz(phi5) M Rz, `value` = l_z, p_z, p.l, p.p / 2 and
     (p x l)_z, by least squares."""
@@ -926,7 +1237,7 @@ def _xarm7_middle(K, M, value):
     return _xarm7_unit(bb * ar - ab * br, aa * br - ab * ar)
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_angles(joints, links, n, c, s):
     """The cosines and sines of phi_2 ... phi_6 from phi_1 and a null vector, in place; the length of a
     slide stands in the sine's place."""
@@ -967,7 +1278,7 @@ def _xarm7_angles(joints, links, n, c, s):
     c[5], s[5] = _xarm7_unit(cosine, sine)
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_marked(marks):
     """How many marks are set."""
     count = 0
@@ -976,7 +1287,7 @@ def _xarm7_marked(marks):
     return count
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_error(links, c, s, J):
     """The square of the loop's error; J takes the Jacobian with the error, translation and rotation
     vector, as seventh column."""
@@ -1009,7 +1320,7 @@ def _xarm7_error(links, c, s, J):
     return square + 1.0 if S[0, 0] + S[1, 1] + S[2, 2] < 0.0 else square
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_step(J, x):
     """A step of Newton: the least-squares solution of J x = error by reflections. Where a diagonal is
     next to nothing the step stays zero instead of leaping. Returns the smallest diagonal over the
@@ -1029,7 +1340,7 @@ def _xarm7_step(J, x):
     return least / most if most > 0.0 else 0.0
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_damped_step(J, damping, x):
     """The same damped, for starts far away and for singular solutions: (J' J + d) x = J' error."""
     A = np.empty((6, 7))
@@ -1052,7 +1363,7 @@ def _xarm7_damped_step(J, damping, x):
         x[i] = max(min(total / A[i, i], 1.0), -1.0)
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_polish(links, c, s, afar):
     """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
     J, x = np.empty((6, 7)), np.empty(6)
@@ -1078,7 +1389,7 @@ def _xarm7_polish(links, c, s, afar):
     return math.sqrt(least)
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_gap(a, b):
     """The largest difference of two joint vectors, modulo turns."""
     most = 0.0
@@ -1088,7 +1399,7 @@ def _xarm7_gap(a, b):
     return most
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_merge(q, residual, singular, count):
     """Singular solutions are known less well: those that lie together become one."""
     kept = 0
@@ -1106,7 +1417,7 @@ def _xarm7_merge(q, residual, singular, count):
     return kept
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_begun(q, c, s):
     """The cosines and sines in the loop of joint values; a length stands in the sine's place."""
     for i in range(6):
@@ -1115,7 +1426,7 @@ def _xarm7_begun(q, c, s):
         s[i] = sine * _XARM7_ADVANCE_C[i] - cosine * _XARM7_ADVANCE_S[i]
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_offer(links, c, s, afar, doubtful, q, residual, singular, count):
     """Polish a candidate and keep it unless it is known or none: (its place or -1, the count)."""
     missing = _xarm7_polish(links, c, s, afar)
@@ -1151,8 +1462,8 @@ def _xarm7_offer(links, c, s, afar, doubtful, q, residual, singular, count):
     return place, count
 
 
-@njit(error_model="numpy")
-def _xarm7_attempt(form, loop, q, residual, singular, count):
+@_inner
+def _xarm7_attempt(form, loop, q, residual, singular, doubles_met, count):
     """Find what a formulation finds: (whether that is certainly everything, the count).
 
     The certificate: every simple root leads to a solution, there is another one for each of them and
@@ -1169,6 +1480,7 @@ def _xarm7_attempt(form, loop, q, residual, singular, count):
     rounding = scale * (3e-15 + 8.0 * noise)
     roots, counts = _xarm7_find_roots(f, scale, rounding)
     simple, doubles, complete = counts[0], counts[1], counts[2] == 1
+    doubles_met[0] += doubles
     # simple roots, pairs of them that nearly meet, double roots
     angles = np.empty(96)
     total = simple
@@ -1209,31 +1521,33 @@ def _xarm7_attempt(form, loop, q, residual, singular, count):
     return complete and _xarm7_marked(met) >= expected and regular % 2 == 0, count
 
 
-@njit(error_model="numpy")
-def _xarm7_try(loop, q, residual, singular):
+@_inner
+def _xarm7_try(loop, q, residual, singular, doubles_met):
     """Find what the methods find, one after the other, until that is certainly everything."""
     for i in range(16):
         singular[i] = 0
     complete, count = False, np.int64(0)
     for form in range(2):
         if not complete:
-            complete, count = _xarm7_attempt(form, loop, q, residual, singular, count)
+            complete, count = _xarm7_attempt(form, loop, q, residual, singular, doubles_met, count)
     return complete, count
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_from_nearby(loop, q, residual, singular, count):
     """Solve poses close by, and follow their solutions back: (whether that is all, the count).
 
-    Around a singular pose none of them has to have all solutions: then all are looked at.
+    Where two solutions meet they are on one side only: both sides have to have as many as are
+    found. Around a singular pose none of them has to have all solutions: then all are looked at.
     """
     followed = False
+    before = -1
     c, s = np.empty(6), np.empty(6)
     other, ignored, marks = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
-    for n in range(5):
+    for n in range(10):
         nearby = loop.copy()
         nearby[5] = _xarm7_compose(loop[5], _XARM7_NUDGES[n])
-        complete, found = _xarm7_try(nearby, other, ignored, marks)
+        complete, found = _xarm7_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
         for i in range(found):
@@ -1247,14 +1561,18 @@ def _xarm7_from_nearby(loop, q, residual, singular, count):
                 met[place] = 1
                 singular_here = singular_here or singular[place] == 1
         marked = _xarm7_marked(singular)
+        agreed = -1
         if complete and found > 0:
-            if _xarm7_marked(met) == found and marked == 0 and count % 2 == 0:
-                return True, count
+            agreed = found if _xarm7_marked(met) == found else -1
             followed = followed or singular_here
+        alike = n % 2 == 1 and before == count and agreed == count
+        if alike and marked == 0 and count % 2 == 0:
+            return True, count
+        before = agreed
     return followed and (count - _xarm7_marked(singular)) % 2 == 0, count
 
 
-@njit(error_model="numpy")
+@_inner
 def _xarm7_before(a, b):
     """Whether row a comes before row b: by the first angle, angles that agree to rounding by the
     next."""
@@ -1264,7 +1582,7 @@ def _xarm7_before(a, b):
     return False
 
 
-@njit(error_model="numpy")
+@_inner
 def xarm7_general(T, q_free, q, residual):
     """All solutions of T = C0 J(q1) C1 ... J(q6) C6, at most 16.
 
@@ -1275,14 +1593,16 @@ def xarm7_general(T, q_free, q, residual):
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
-        How many; negative when it is not certain that these are all: then -1 - count.
+        How many; -1 - count when it is not certain that these are all: for want of a certificate,
+        or because roots met or the arm is singular at a solution.
     """
     loop = _xarm7_close(T, q_free)
     P = loop[5]
     if P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004:
         return 0
     found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
-    complete, count = _xarm7_try(loop, found, missing, singular)
+    doubles_met = np.zeros(1, dtype=np.int64)
+    complete, count = _xarm7_try(loop, found, missing, singular, doubles_met)
     if not complete:
         complete, count = _xarm7_from_nearby(loop, found, missing, singular, count)
     if not complete:
@@ -1309,51 +1629,72 @@ def xarm7_general(T, q_free, q, residual):
         for k in range(6):
             q[i, k] = found[order[i], k]
         residual[i] = missing[order[i]]
-    return count if complete else -1 - count
+    regular = _xarm7_marked(singular) == 0 and doubles_met[0] == 0
+    return count if complete and regular else -1 - count
 
 
-@_jit
+_FACING = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_ZERO = np.array([3.141592653589793, 3.141592653589793, 0.0, 0.0, 0.0, 0.0])
+
+
+@_inner
 def _all_joints(pose, q_free, seed):
-    """All solutions (16, 6), which rows hold one, and whether a joint was indeterminate there."""
+    """All solutions, which rows hold one, and where a joint was indeterminate and follows the seed."""
     T = np.zeros((4, 4))
     for i in range(3):
         for j in range(4):
             T[i, j] = pose[4 * i + j]
     T[3, 3] = 1.0
-    q, residual = np.empty((16, 6)), np.empty(16)
-    count = xarm7_general(T, q_free, q, residual)
+    angles, residual, joints = np.empty((16, 6)), np.empty(16), np.zeros(7)
+    known = xarm7_general(T, q_free, angles, residual)
+    q = np.zeros((16, 7))
     found, chosen = np.zeros(16, np.bool_), np.zeros(16, np.bool_)
-    found[: -1 - count if count < 0 else count] = True
+    kept, kinds, count = np.empty((16, 6)), np.full(16, -1), 0
+    near = np.empty(6)
+    joints[2] = q_free[0]
+    for j in range(6):
+        near[j] = seed[_SOLVED[j]] / _UNIT[j]
+    if known < 0:
+        u = near.copy()
+        if _descend(T, joints, u) <= 1e-10:
+            count = _keep(T, joints, near, kept, kinds, count, u)
+    for k in range(-1 - known if known < 0 else known):
+        u = _FACING * (angles[k] - _ZERO) / _UNIT
+        if known < 0:
+            count = _keep(T, joints, near, kept, kinds, count, u)
+        else:
+            _wrap_angles(u)
+            kept[count] = u
+            count += 1
+    if known < 0:
+        for k in range(1, 12):
+            u = np.empty(6)
+            _start_of(k, near, u)
+            if _descend(T, joints, u) <= 1e-10:
+                count = _keep(T, joints, near, kept, kinds, count, u)
+    _sorted_rows(kept, kinds, count, joints, q, found, chosen)
     return q, found, chosen
 
 
-@_jit
+@_inner
 def _solve(pose, q_free, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     # all joints: the general 6R loop
     solution_roots, solution_found, solution_chosen = _all_joints(pose, q_free, seed)
 
     for i1 in range(16):  # root1 to root16
-        x1 = solution_roots[i1, 0]
-        x2 = solution_roots[i1, 1]
-        x4 = solution_roots[i1, 2]
-        x5 = solution_roots[i1, 3]
-        x6 = solution_roots[i1, 4]
-        x7 = solution_roots[i1, 5]
+        q1 = solution_roots[i1, 0]
+        q2 = solution_roots[i1, 1]
+        q3 = solution_roots[i1, 2]
+        q4 = solution_roots[i1, 3]
+        q5 = solution_roots[i1, 4]
+        q6 = solution_roots[i1, 5]
+        q7 = solution_roots[i1, 6]
         found = solution_found[i1]
         chosen = solution_chosen[i1]
         # all joints: the general 6R loop
         if not found:
             continue  # out of reach
-
-        # joint values
-        q1 = _wrap(x1 - offset1)
-        q2 = _wrap(x2 - offset2)
-        q3 = q_free[0]
-        q4 = _wrap(x4)
-        q5 = _wrap(x5)
-        q6 = _wrap(x6)
-        q7 = _wrap(x7)
         row = i1
         q[row, 0] = q1
         q[row, 1] = q2
@@ -1365,7 +1706,7 @@ def _solve(pose, q_free, seed, q, status):
         status[row] = FREE_JOINT if chosen else OK
 
 
-@_jit
+@_merged
 def _read(T, q_free):
     """Whether T is a pose, and its upper three rows.
 
@@ -1410,7 +1751,7 @@ def _read(T, q_free):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_jit
+@_inner
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
@@ -1422,7 +1763,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_jit
+@_inner
 def _whole(pose, q_free, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(16):
@@ -1442,6 +1783,36 @@ def _whole(pose, q_free, seed, q, status):
         if status[row] != OUT_OF_LIMITS:
             count += 1
     return count
+
+
+@_merged
+def _into(T, q_free, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (16, 7) or status.shape != (16,):
+        raise ValueError("T, q and status must be (4, 4), (16, 7) and (16,)")
+    if q_free.shape != (1,):
+        raise ValueError("q_free must be (1,)")
+    valid, pose = _read(T, q_free)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    return _whole(pose, q_free, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(7):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q_free, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(7), 7))
+    return _into(T, q_free, seed, q, status)
 
 
 @_jit
@@ -1464,22 +1835,13 @@ def ik_into(T, q_free, q, status, q_seed=None):
     Raises:
         ValueError: An array has another shape, or the seed is not finite.
     """
-    if T.shape != (4, 4) or q.shape != (16, 7) or status.shape != (16,):
-        raise ValueError("T, q and status must be (4, 4), (16, 7) and (16,)")
-    if q_free.shape != (1,):
-        raise ValueError("q_free must be (1,)")
-    seed = _ZEROS if q_seed is None else q_seed
+    seed = _zeros(carray(_room(7), 7)) if q_seed is None else q_seed
     if seed.shape != (7,):
         raise ValueError("q_seed must be (7,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
-    valid, pose = _read(T, q_free)
-    if not valid:
-        status[:] = INVALID_POSE
-        q[:] = math.nan
-        return 0
-    return _whole(pose, q_free, seed, q, status)
+    return _into(T, q_free, seed, q, status)
 
 
 def ik_all(T, q_free, q_seed=None):
@@ -1496,10 +1858,19 @@ def ik_all(T, q_free, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((16, 7)), np.empty(16, _BYTE)
-    T = _array(T, (4, 4), "T")
-    q_free = _array(q_free, (1,), "q_free")
-    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
-    ik_into(T, q_free, q, status, seed)
+    T = np.ascontiguousarray(T, _FLOAT)
+    q_free = np.ascontiguousarray(q_free, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q_free, q, status)
+        else:
+            seed = _array(q_seed, (7,), "q_seed")
+            ik_into(T, q_free, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        _array(q_free, (1,), "q_free")
+        raise
     return q, status
 
 
@@ -1562,10 +1933,8 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
 
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q_free, q, status):
-    seed = np.empty(7)
-    seed[:] = 0.0
     for k in range(len(T)):
-        ik_into(T[k], q_free[k], q[k], status[k], seed)
+        _unseeded(T[k], q_free[k], q[k], status[k])
 
 
 def ik_batch(T, q_free, *, cores=None):
@@ -1594,7 +1963,7 @@ def _share(solve, cores, *arrays):
 def _array(values, shape, name):
     values = np.ascontiguousarray(values, _FLOAT)
     if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}")
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
 
 
