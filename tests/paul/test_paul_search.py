@@ -11,11 +11,16 @@ import pytest
 
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import Derivation, derive
+from dhgen.paul.inverse_forms import with_inverse_forms
 from dhgen.paul.knowledge import initial_knowledge
+from dhgen.paul.pool import build_pool
+from dhgen.paul.problem import build_problem
 from dhgen.paul.refusal import unknown_name
-from dhgen.paul.search import learn
+from dhgen.paul.search import Search, learn
 from dhgen.paul.step import Kind, Step
+from dhgen.paul.types import QUARTIC
 from dhgen.robot.load import load
+from tests.kinematics.values import algebra_of, table
 from tests.paul.arms import all_steps, derivation
 from tests.robots.cases import NAMES, robot
 
@@ -119,7 +124,9 @@ SHOW = """
 import sys
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import derive
+from dhgen.paul.types import QUARTIC
 from dhgen.robot.load import load
+from tests.kinematics.values import algebra_of, table
 for name in sys.argv[1:]:
     found = derive(build_chain(load(f"robots/{name}.yaml")))
     for step in [*found.steps, *(o for others in found.alternatives for o in others)]:
@@ -163,3 +170,11 @@ def test_a_factor_that_may_vanish_is_not_needed_where_a_constant_one_does(tmp_pa
     factors = [elbow.coefficient(letter) for letter in "XY"]
     assert [bool(factor) for factor in factors] == [False, True]
     assert found.problem.algebra.is_constant(factors[1])
+
+
+def test_an_equation_seen_from_both_ends_of_the_arm_is_not_two() -> None:
+    """The squared distance of two points, from the base and from the tool: 0 = 0 of type 9."""
+    link = ("theta: q, d: 0.1, alpha: pi/2", "theta: q, a: 0.1, alpha: -pi/2")
+    algebra = algebra_of(table(*(link * 4), free="[1, 2]"))
+    pool = with_inverse_forms(build_pool(build_problem(algebra)))
+    assert list(Search(pool, QUARTIC).routes()) == []

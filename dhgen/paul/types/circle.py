@@ -192,8 +192,19 @@ def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
     sine = view.witnesses.evaluate(view.knowledge.runs.algebra.generator(split.kept.sine))
     parts = [_numeric(linear, view) for linear in (*split.p, *split.q, *split.r)]
     numbers = None if ratio is None else (_complex(ratio[0], view), _complex(ratio[1], view))
+    if _says_it_twice(parts, cosine, sine):
+        return False
     slopes, sizes = _slope(parts, cosine, sine, numbers)
     return bool(np.all(np.abs(slopes) > FLAT * sizes))
+
+
+def _says_it_twice(
+    parts: list[Parts], cosine: NDArray[np.float64], sine: NDArray[np.float64]
+) -> bool:
+    """Whether the second equation is the first again, so that the polynomial is 0 = 0."""
+    p1, p2, q1, q2, r1, r2 = (one + u * cosine + v * sine for one, u, v in parts)
+    products = [(p1 * q2, q1 * p2), (q1 * r2, r1 * q2), (r1 * p2, p1 * r2)]
+    return all(bool(np.all(np.abs(a - b) <= SAME * np.abs(a))) for a, b in products)
 
 
 Parts = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
