@@ -81,20 +81,6 @@ def apart(name: str, rows: FloatArray, q: FloatArray) -> FloatArray:
     return np.asarray(np.where(turns, turned, miss / arm_size(robot(name))).max(axis=-1))
 
 
-def test_closed_forms_are_short() -> None:
-    """Less than 60 kB of C, of which a compiler makes code within two seconds."""
-    headers = {name: (GENERATED / f"{name}.h").read_text(encoding="utf-8") for name in NAMES}
-    closed = [name for name, text in headers.items() if '_METHOD "closed form"' in text]
-    assert len(closed) > 40
-    assert [n for n in closed if (GENERATED / f"{n}.c").stat().st_size >= 60_000] == []
-
-
-def test_every_robot_has_its_files() -> None:
-    wanted = {f"{name}.{end}" for name in NAMES for end in ("py", "c", "h", "md")}
-    wanted |= {f"dhgen_pose.{end}" for end in ("py", "c", "h")}
-    assert {path.name for path in GENERATED.iterdir() if path.is_file()} == wanted
-
-
 @pytest.mark.parametrize(("name", "language"), ASKED)
 def test_random_poses(name: str, language: str) -> None:
     """The generating joints are found on each, and every row gives its pose again."""
