@@ -81,6 +81,12 @@ def apart(name: str, rows: FloatArray, q: FloatArray) -> FloatArray:
     return np.asarray(np.where(turns, turned, miss / arm_size(robot(name))).max(axis=-1))
 
 
+def test_every_robot_has_its_files() -> None:
+    wanted = {f"{name}.{end}" for name in NAMES for end in ("py", "c", "h", "md")}
+    wanted |= {f"dhgen_pose.{end}" for end in ("py", "c", "h")}
+    assert {path.name for path in GENERATED.iterdir() if path.is_file()} == wanted
+
+
 @pytest.mark.parametrize(("name", "language"), ASKED)
 def test_random_poses(name: str, language: str) -> None:
     """The generating joints are found on each, and every row gives its pose again."""
