@@ -23,6 +23,7 @@ from dhgen.errors import PrecisionError
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import derive
 from dhgen.paul.step import Kind
+from dhgen.program.arm_plane import arm_angle_program
 from dhgen.program.forward import forward_program, jacobian_program
 from dhgen.program.lower import lower
 from dhgen.program.tolerances import DOUBLE, SINGLE
@@ -96,6 +97,7 @@ def _module(
     """The programs of a robot for some arithmetic, under the name that they bear there."""
     chain = derivation.problem.algebra.chain
     name = robot.name + precision.suffix
+    angle = arm_angle_program(derivation, precision.tolerances)
     return SolverModule(
         name=name,
         title=robot.title,
@@ -105,6 +107,7 @@ def _module(
         forward=replace(forward_program(chain), name=name),
         jacobian=replace(jacobian_program(chain), name=name),
         length_unit=robot.length_unit,
+        arm_angle=None if angle is None else replace(angle, name=name),
         precision=precision,
     )
 

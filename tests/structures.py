@@ -7,6 +7,7 @@ STRUCTURES = (
     "fanuc_crx10ia",
     "franka_panda",
     "kuka_iiwa14",
+    "kuka_iiwa14_arm_angle",
     "kuka_kr6_r900",
     "kuka_youbot",
     "olson_pprrrr",

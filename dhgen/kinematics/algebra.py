@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 POSE_NAMES = tuple(f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3, 4))
 POINT_NAMES = tuple(f"w{k}{axis}" for k in ("", "2", "3", "4", "5", "6") for axis in "xyz")
+# no parameter can be called so
+SHOULDER_NAMES = tuple(tuple(f"b__{row}{column}" for column in (1, 2, 3)) for row in (1, 2, 3))
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -62,7 +64,8 @@ class Algebra:
 
     Attributes:
         chain: The arm.
-        ring: Generators: pose entries, points, cosines, sines, lengths, then constants.
+        ring: Generators: pose entries, points, the shoulder's rotation where the arm angle gives
+            it, cosines, sines, lengths, then constants.
         normal: The normal form of this ring.
         angles: Every sum of consecutive parallel axes, single joints included.
         slides: The names of prismatic lengths by joint number.
@@ -125,7 +128,8 @@ def build_algebra(chain: Chain) -> Algebra:
     }
     trig = [name for angle in angles for name in (angle.cosine, angle.sine)]
     constants = [str(symbol) for symbol in chain.ring.symbols]
-    names = [*POSE_NAMES, *POINT_NAMES, *trig, *slides.values(), *constants]
+    shoulder = [name for row in SHOULDER_NAMES for name in row] if chain.arm_angle else []
+    names = [*POSE_NAMES, *POINT_NAMES, *shoulder, *trig, *slides.values(), *constants]
     ring = PolyRing(names, QQ)
     return Algebra(
         chain=chain,

@@ -54,6 +54,7 @@ def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
         task=robot.task,
         free=robot.free,
         size=sum(abs(constant.value) for constant in constants if constant.is_length) or 1.0,
+        arm_angle=robot.arm_angle,
     )
 
 

@@ -67,6 +67,7 @@ def _chain_of_rows(robot: Robot, geometry: DhTable) -> Chain:
         task=robot.task,
         free=robot.free,
         size=_size(geometry, robot.tool, table.parameters),
+        arm_angle=robot.arm_angle,
     )
 
 

@@ -80,6 +80,7 @@ class Chain:
         task: What of the pose the caller means.
         free: Joints, from 1, whose value the caller gives.
         size: Length that tolerances are relative to: the sum of all lengths of the arm.
+        arm_angle: Whether the caller gives the arm angle, in place of the value of a joint.
     """
 
     name: str
@@ -92,11 +93,17 @@ class Chain:
     task: Task
     free: tuple[int, ...]
     size: float
+    arm_angle: bool = False
 
     @property
     def dof(self) -> int:
         """The number of joints."""
         return len(self.joints)
+
+    @property
+    def given(self) -> int:
+        """How many values the caller gives besides the pose."""
+        return len(self.free) + self.arm_angle
 
 
 def parallel_groups(chain: Chain) -> tuple[tuple[tuple[int, int], ...], ...]:

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 from dhgen.errors import UnsolvedError
 from dhgen.general.arm import general_kernel
 from dhgen.kinematics.algebra import build_algebra
+from dhgen.kinematics.arm_angle import demand_arm_angle
 from dhgen.numerical.kernel import numerical_kernel
+from dhgen.paul.arm_plane import with_arm_plane
 from dhgen.paul.choices import good_choices
 from dhgen.paul.inverse_forms import with_inverse_forms
 from dhgen.paul.mobility import surplus
@@ -69,6 +71,9 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
     """
     if len(chain.free) == chain.dof:
         raise UnsolvedError("every joint is free: there is nothing to solve")
+    if chain.arm_angle:
+        demand_arm_angle(chain)
+        numerical = False  # it could hold joints, but not an arm angle
     spare = surplus(chain)
     problem = build_problem(build_algebra(chain))
     if spare.count:
@@ -78,6 +83,8 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
             )
         raise UnsolvedError(redundant(chain, spare, good_choices(chain, spare, derive)))
     pool = build_pool(problem)
+    if chain.arm_angle:
+        pool = with_arm_plane(pool)
     closed = Search(pool, CLOSED)
     for route in closed.routes():
         return Derivation(pool, route.steps, route.alternatives)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import chain
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -117,6 +117,8 @@ class FormReader:
         self._places = [(algebra.index[a.cosine], algebra.index[a.sine]) for a in algebra.angles]
         self._lengths = {Length(j, name): algebra.index[name] for j, name in algebra.slides.items()}
         self._equations = [(equation, self._content(equation)) for equation in pool.equations]
+        self._late = _places_of_late(pool)
+        self._elbow = None if pool.plane is None else pool.plane.elbow_angle
         self._seen: dict[object, Form] = {}
         self._turns: dict[tuple[int, int], tuple[Polynomial, Polynomial]] = {}
 
@@ -129,7 +131,10 @@ class FormReader:
         """
         names = [self._name(angle, knowledge) for angle in self._algebra.angles]
         found = []
+        late = self._elbow is not None and not knowledge.knows(self._elbow)
         for place, (equation, content) in enumerate(self._equations):
+            if late and place in self._late:
+                continue
             read = tuple([names[number] for number in content.angles])
             lengths = tuple([u for u in content.lengths if u.joint not in knowledge.slides])
             count = len({abs(name) for name in read if name}) + len(lengths)
@@ -204,6 +209,19 @@ class FormReader:
             powers = ([name] * exponent for name, exponent in zip(names, exponents, strict=True))
             collected[tuple(sorted(chain.from_iterable(powers)))] = part
         return collected
+
+
+def _places_of_late(pool: Pool) -> frozenset[int]:
+    """The equations of the shoulder, which is known from the arm angle once the elbow is."""
+    if pool.plane is None:
+        return frozenset()
+    index = pool.problem.algebra.index
+    names = [index[name] for row in SHOULDER_NAMES for name in row]
+    return frozenset(
+        place
+        for place, equation in enumerate(pool.equations)
+        if any(monomial[name] for monomial in equation.difference for name in names)
+    )
 
 
 def substitute(

@@ -48,7 +48,7 @@ def with_inverse_forms(pool: Pool) -> Pool:
         return pool
     view = _View(pool)
     equations = [*pool.equations, *view.equations()]
-    return Pool(problem, merged(equations), pool.points, tuple(view.points))
+    return Pool(problem, merged(equations), pool.points, tuple(view.points), pool.plane)
 
 
 def _holds(problem: Problem, name: str) -> bool:

@@ -47,7 +47,7 @@ class Surplus:
 
 
 def surplus(chain: Chain) -> Surplus:
-    """What the task leaves open at every pose, the free joints held."""
+    """What the task leaves open at every pose, the free joints or the arm angle held."""
     source = np.random.default_rng(3)
     arm = numeric_arm(chain)
     solved = [joint.number for joint in chain.joints if joint.number not in chain.free]
@@ -61,7 +61,10 @@ def surplus(chain: Chain) -> Surplus:
         count = min(count, len(solved) - rank)
         null = rows[rank:]
         moving &= np.abs(null).max(axis=0, initial=0.0) > NULL**0.5
-    return Surplus(count, tuple(j for j, moves in zip(solved, moving, strict=True) if moves))
+    return Surplus(
+        max(count - chain.arm_angle, 0),
+        tuple(j for j, moves in zip(solved, moving, strict=True) if moves),
+    )
 
 
 def task_jacobian(arm: NumericArm, q: Array) -> Array:

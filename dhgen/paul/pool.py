@@ -21,10 +21,12 @@ if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.arm_plane import ArmPlane
     from dhgen.paul.problem import Problem
 
 Vector = tuple["Polynomial", "Polynomial", "Polynomial"]
-Line = tuple[int, int, bool, str, int]  # m, k, inverse, "row" or "column", its number
+Matrix = tuple[int, int, bool, bool]  # m, k, inverse, shoulder: which form it is
+Line = tuple[Matrix, str, int]  # of which matrix, "row" or "column", its number
 
 
 MOST_SQUARED = 4  # angles and lengths in a squared distance: with more it comes too late to help
@@ -41,6 +43,8 @@ class Origin:
         row: From 1; 0 for the squared length of column 4.
         column: From 1 to 4.
         inverse: Whether it stands in the inverted form (A_{k+1} ... A_n) U_0^-1 (A_1 ... A_m).
+        shoulder: Whether the rotation B of the joints before the elbow, which the arm angle gives,
+            stands for U_0; then n is their number.
     """
 
     m: int
@@ -49,6 +53,12 @@ class Origin:
     row: int
     column: int
     inverse: bool = False
+    shoulder: bool = False
+
+    @property
+    def matrix(self) -> Matrix:
+        """Which of the forms it stands in."""
+        return self.m, self.k, self.inverse, self.shoulder
 
     @property
     def is_mixed(self) -> bool:
@@ -59,7 +69,7 @@ class Origin:
     def name(self) -> str:
         """How a message calls the place: U2[3, 4], or U1 (A5 A6)^-1 [3, 4] for a mixed form."""
         moved = " ".join(f"A{joint}" for joint in range(self.k + 1, self.dof + 1))
-        matrix = f"U{self.m}"
+        matrix = f"B{self.m}" if self.shoulder else f"U{self.m}"
         if self.inverse:
             before = " ".join(f"A{joint}" for joint in range(1, self.m + 1))
             matrix = f"{moved} U0^-1 {before}".strip() + " "
@@ -92,8 +102,8 @@ class Equation:
     def lines(self) -> frozenset[Line]:
         """The columns and rows in which the equation stands."""
         places = [o for o in self.origins if o.row]
-        columns = {(o.m, o.k, o.inverse, "column", o.column) for o in places}
-        return frozenset(columns | {(o.m, o.k, o.inverse, "row", o.row) for o in places})
+        columns = {(o.matrix, "column", o.column) for o in places}
+        return frozenset(columns | {(o.matrix, "row", o.row) for o in places})
 
 
 def common_origins(equations: Sequence[Equation]) -> tuple[Origin, ...]:
@@ -109,7 +119,7 @@ def common_origins(equations: Sequence[Equation]) -> tuple[Origin, ...]:
 def _in_line(origins: tuple[Origin, ...]) -> bool:
     if len(origins) == 1:
         return True
-    one_form = len({(origin.m, origin.k, origin.inverse) for origin in origins}) == 1
+    one_form = len({origin.matrix for origin in origins}) == 1
     one_column = len({origin.column for origin in origins}) == 1
     one_row = len({origin.row for origin in origins}) == 1
     return one_form and (one_column or one_row) and all(origin.row for origin in origins)
@@ -155,12 +165,14 @@ class Pool:
         equations: In the order m, k descending, column 4 first.
         points: Points with names of their own.
         base_points: The same for points of the base seen from the tool.
+        plane: Where the caller gives the arm angle: what it fixes.
     """
 
     problem: Problem
     equations: tuple[Equation, ...]
     points: tuple[Point, ...]
     base_points: tuple[BasePoint, ...] = ()
+    plane: ArmPlane | None = None
 
 
 def build_pool(problem: Problem) -> Pool:

@@ -103,7 +103,7 @@ def build_problem(algebra: Algebra) -> Problem:
         forward=forward,
         base_left=base_left,
         tool_left=tool_left,
-        redundant=chain.dof - len(chain.free) < task_dimension(chain.task),
+        redundant=chain.dof - chain.given < task_dimension(chain.task),
     )
 
 

@@ -7,6 +7,7 @@ from collections import Counter
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.arm_angle import why_no_arm_angle
 from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.paul.choices import choices_text
 from dhgen.paul.mobility import crowded_axes
@@ -58,9 +59,17 @@ def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
         *others,
         f"name {given} under `free` to solve for the others with its value given",
         *choices_text(choices),
+        *_elbow_choice(chain),
         "--numerical would give the solution near to a seed, by damped least squares",
     ]
     return "\n".join(lines)
+
+
+def _elbow_choice(chain: Chain) -> list[str]:
+    """The arm angle, where there is one and nothing else is given."""
+    if chain.free or why_no_arm_angle(chain):
+        return []
+    return ["  free: arm_angle gives the elbow's place on its circle instead"]
 
 
 def unknown_name(unknown: Unknown) -> str:

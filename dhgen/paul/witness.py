@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
+from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES, SHOULDER_NAMES
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -159,6 +159,8 @@ def _loose(algebra: Algebra, source: random.Random) -> Values:
     for column in range(LOOSE):
         named = {name: source.uniform(-1.0, 1.0) for name in (*POSE_NAMES, *POINT_NAMES)}
         named |= _lengths(algebra, source, own=True) | _joints(algebra, source)
+        if algebra.chain.arm_angle:
+            named |= {name: source.uniform(-1.0, 1.0) for row in SHOULDER_NAMES for name in row}
         for name, value in named.items():
             values[algebra.index[name], column] = value
     return values
@@ -208,6 +210,10 @@ def _add_pose(pool: Pool, witnesses: Witnesses) -> None:
             witnesses.values[index[name]] = place + witnesses.evaluate(
                 problem.forward.entry(row, 3)
             )
+    if pool.plane is not None:
+        for names, entries in zip(SHOULDER_NAMES, pool.plane.rotation, strict=True):
+            for name, entry in zip(names, entries, strict=True):
+                witnesses.values[index[name]] = witnesses.evaluate(entry)
     for base_point in pool.base_points:
         offset = [
             witnesses.evaluate(base_point.in_base[row])

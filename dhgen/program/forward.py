@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.program.builder import Builder
 from dhgen.program.joints import offset_constant
+from dhgen.program.vectors import cross
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, Element
@@ -20,7 +21,7 @@ Vector = list["Node"]
 
 def forward_program(chain: Chain) -> Program:
     """The twelve entries of Z A_1 ... A_n E, row by row."""
-    walk = _Walk(chain, "f")
+    walk = Walk(chain, "f")
     walk.along_arm()
     results = {
         f"T{row + 1}{column + 1}": walk.columns[column][row]
@@ -36,7 +37,7 @@ def jacobian_program(chain: Chain) -> Program:
     Column i is (z x (p - o), z) for a revolute joint with axis z through o, and (z, 0) for a
     prismatic one (B. Siciliano et al., Robotics, 2009, equations 3.30 and 3.29).
     """
-    walk = _Walk(chain, "g")
+    walk = Walk(chain, "g")
     walk.along_arm()
     builder = walk.builder
     tip = walk.columns[3]
@@ -46,7 +47,7 @@ def jacobian_program(chain: Chain) -> Program:
             column = [*axis, *(builder.integer(0) for _ in range(3))]
         else:
             arm = [builder.sub(p, o) for p, o in zip(tip, origin, strict=True)]
-            column = [*_cross(builder, axis, arm), *axis]
+            column = [*cross(builder, axis, arm), *axis]
         for row, entry in zip(rows, column, strict=True):
             row.append(entry)
     results = {
@@ -57,23 +58,15 @@ def jacobian_program(chain: Chain) -> Program:
     return builder.finish(chain.name, results, [])
 
 
-def _cross(builder: Builder, left: Vector, right: Vector) -> Vector:
-    return [
-        builder.sub(
-            builder.mul(left[(k + 1) % 3], right[(k + 2) % 3]),
-            builder.mul(left[(k + 2) % 3], right[(k + 1) % 3]),
-        )
-        for k in range(3)
-    ]
-
-
-class _Walk:
+class Walk:
     """The frame carried along the arm.
 
     Attributes:
         builder: Where values go.
         columns: x, y, z and origin of the frame reached.
         axes: For every joint met its axis, and a point on it (None for prismatic joints).
+        joints: For every joint met the columns of the frame whose z it turns about or slides along.
+        frames: The columns of the base frame and of the frame after every link.
     """
 
     def __init__(self, chain: Chain, folded: str) -> None:
@@ -86,14 +79,18 @@ class _Walk:
             [one if row == column else zero for row in range(3)] for column in range(4)
         ]
         self.axes: list[tuple[Vector, Vector | None]] = []
+        self.joints: list[list[Vector]] = []
+        self.frames: list[list[Vector]] = []
 
     def along_arm(self) -> None:
         """From the base frame to the tool."""
         self._fixed(self._chain.base)
+        self.frames.append(list(self.columns))
         for number, link in enumerate(self._chain.links, start=1):
             for element in link:
                 self._element(element)
             self._name_frame(number)
+            self.frames.append(list(self.columns))
         self._fixed(self._chain.tool)
 
     def _name_frame(self, number: int) -> None:
@@ -103,6 +100,8 @@ class _Walk:
                 self.builder.hint(entry, f"{letter}{number}_{component}")
 
     def _element(self, element: Element) -> None:
+        if not isinstance(element, Fixed):
+            self.joints.append(list(self.columns))
         match element:
             case Fixed(transform):
                 self._fixed(transform)

@@ -13,7 +13,9 @@ from dhgen.paul.branches import branch_words
 from dhgen.paul.problem import task_entries
 from dhgen.paul.step import Kind
 from dhgen.program.angles import Angles
+from dhgen.program.arm_plane import lower_shoulder
 from dhgen.program.builder import Builder
+from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Failure
 from dhgen.program.kernels import KERNELS
@@ -24,6 +26,7 @@ from dhgen.program.tolerances import TOLERANCES
 from dhgen.program.whole import whole_program
 
 if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.forms import Unknown
@@ -54,7 +57,7 @@ def _has_strangers(derivation: Derivation, program: Program) -> bool:
     arm = numeric_arm(chain)
     q = np.random.default_rng(17).uniform(-2.5, 2.5, (TRIED, chain.dof))
     poses = arm.pose(q)
-    rows = interpret(program, poses, q, q[:, [joint - 1 for joint in chain.free]])
+    rows = interpret(program, poses, q, given_values(arm, q))
     reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
     miss = np.abs(reached - poses[:, None])
     miss[..., :3, 3] /= chain.size
@@ -98,12 +101,24 @@ class Lowering:
             self.step_number = number
             self.builder.heading(_unknowns(step), _source(step))
             KERNELS[step.kind](self, step)
+            self._shoulder(step)
         if self._checked:
             self._check()
         self.builder.heading("joint values")
         joints = {f"q{n}": self.angles.joint_value(n) for n in range(1, chain.dof + 1)}
         free = self.angles.free_joints()
         return self.builder.finish(chain.name, joints, free, self.angles.near)
+
+    def _shoulder(self, step: Step) -> None:
+        """Once the elbow's angle is known the arm angle gives the shoulder's rotation."""
+        plane = self._derivation.pool.plane
+        if plane is None or plane.elbow_angle not in step.unknowns:
+            return
+        self.builder.heading("shoulder", f"its rotation, from the arm angle and {_unknowns(step)}")
+        wrist = [self._point(row, plane.wrist_in_tool) for row in range(3)]
+        found = lower_shoulder(self, plane, wrist)
+        self._values |= found
+        self.polynomials.solved(*found)
 
     def new_sign(self) -> Node:
         """The sign of the step at hand."""
@@ -137,6 +152,15 @@ class Lowering:
     def redundant(self) -> bool:
         """Whether poses may be given that the arm can't take."""
         return self._problem.redundant
+
+    @property
+    def chain(self) -> Chain:
+        """The arm."""
+        return self._algebra.chain
+
+    def normal(self, polynomial: Polynomial) -> Polynomial:
+        """The normal form of a polynomial."""
+        return self._algebra.normal(polynomial)
 
     def are_constant(self, *polynomials: Polynomial) -> bool:
         """Whether all of these are made of the arm's lengths and twists alone."""

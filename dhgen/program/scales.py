@@ -40,10 +40,9 @@ class Scales:
         self._algebra = pool.problem.algebra
         self._builder = builder
         self._size = self._algebra.chain.size
-        self._constants = self._algebra.chain.constants
         points = [name for point in pool.points for name in point.names]
         points += [name for point in pool.base_points for name in point.names]
-        lengths = [constant.name for constant in self._constants if constant.is_length]
+        lengths = [c.name for c in self._algebra.chain.constants if c.is_length]
         names = ["t14", "t24", "t34", *self._algebra.slides.values(), *points, *lengths]
         self._lengths = [self._algebra.index[name] for name in names]
 

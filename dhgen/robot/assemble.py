@@ -17,7 +17,7 @@ from dhgen.robot.robot import (
     Task,
     TaskKind,
 )
-from dhgen.robot.schema import COORDINATES, AxisRow, FrameEntry, JointRow, Units
+from dhgen.robot.schema import ARM_ANGLE, COORDINATES, AxisRow, FrameEntry, JointRow, Units
 from dhgen.robot.shape import Shape
 from dhgen.robot.source import quoted
 
@@ -65,6 +65,7 @@ class _Assembly:
             tool=tool,
             task=_task(file.task),
             free=free,
+            arm_angle=self._plain_free() == ARM_ANGLE,
             numerical=file.numerical,
             length_unit=units.length,
             float32=file.float32,
@@ -125,7 +126,7 @@ class _Assembly:
         return read_frame(self.cells, (key,), entry) if entry else IDENTITY_FRAME
 
     def _free(self, joints: int) -> tuple[int, ...]:
-        plain = self.document.plain(("free",)) if self.document.has("free") else []
+        plain = self._plain_free()
         free: list[int] = []
         for i, entry in enumerate(plain if isinstance(plain, list) else []):
             path = ("free", i)
@@ -139,6 +140,9 @@ class _Assembly:
                 self.report.error(path, "free joints stand in ascending order, each once")
             free.append(number)
         return tuple(free)
+
+    def _plain_free(self) -> object:
+        return self.document.plain(("free",)) if self.document.has("free") else []
 
     def _count(self, key: str) -> int:
         value = self.document.plain((key,)) if self.document.has(key) else []

@@ -150,6 +150,7 @@ class Robot:
         tool: E in POS = Z T E, pose of the tool in the last frame.
         task: What of the pose the caller means.
         free: Joints (from 1) whose value the caller gives.
+        arm_angle: Whether the caller gives the arm angle, in place of the value of a joint.
         numerical: Whether the numerical solver may take an arm that nothing else solves.
         length_unit: How lengths are called, e.g. "m".
         float32: Whether C in single precision is wanted besides.
@@ -165,6 +166,7 @@ class Robot:
     tool: Frame
     task: Task
     free: tuple[int, ...] = ()
+    arm_angle: bool = False
     numerical: bool = False
     length_unit: str = "m"
     float32: bool = False

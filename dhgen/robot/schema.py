@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 MAX_JOINTS = 64
 MAX_PARAMETERS = 128
+ARM_ANGLE = "arm_angle"  # what `free` says instead of joints
 TASKS = ("pose", "position", "orientation", "pointing")
 COORDINATES = ("x", "y", "z")
 
@@ -69,9 +70,25 @@ def _joint_number(value: object) -> object:
     return value
 
 
+def _free(value: object) -> object:
+    if value == ARM_ANGLE:
+        return []
+    if isinstance(value, str):
+        # pydantic reports no other kind
+        raise ValueError(f"expected a list of joints, or {ARM_ANGLE}")  # noqa: TRY004
+    return value
+
+
 _CELL = {"type": ["number", "string"]}
 Cell = Annotated[str, WithJsonSchema(_CELL)]
 JointNumber = Annotated[int, BeforeValidator(_joint_number)]
+Free = Annotated[
+    list[JointNumber],
+    BeforeValidator(_free),
+    WithJsonSchema(
+        {"anyOf": [{"enum": [ARM_ANGLE]}, {"items": {"type": "integer"}, "type": "array"}]}
+    ),
+]
 Text = Annotated[str, AfterValidator(_one_line)]
 Triple = Annotated[list[Cell], Field(min_length=3, max_length=3)]
 Quadruple = Annotated[list[Cell], Field(min_length=4, max_length=4)]
@@ -226,8 +243,10 @@ class RobotFile(_Strict):
         description="What of the pose the caller means: pose, position, orientation, pointing "
         "(position and the tool's z axis), or a list out of x, y, z.",
     )
-    free: list[JointNumber] = Field(
-        default=[], description="Joints, from 1, whose value the caller gives, in ascending order."
+    free: Free = Field(
+        default=[],
+        description="Joints, from 1, whose value the caller gives, in ascending order; or arm_angle"
+        ", for an arm of seven joints whose axes 1, 2, 3 meet and 5, 6, 7 meet.",
     )
     numerical: bool = Field(
         default=False,

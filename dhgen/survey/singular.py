@@ -7,15 +7,17 @@ centres on the first axis, whatever the offsets are.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhgen.robot.robot import Robot, TaskKind
 from dhgen.survey.oracle.arm import arm, arm_size
-from dhgen.survey.oracle.forward import forward, forward_with_derivatives, jacobian
+from dhgen.survey.oracle.arm_angle import elbow_rates, given_values
+from dhgen.survey.oracle.forward import forward, jacobian
 from dhgen.survey.oracle.poses import NEAR, boundary, random_joints, ranges, right_angles
-from dhgen.survey.oracle.problem import task_entries
+from dhgen.survey.oracle.problem import state
 
 if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import Arm, FloatArray
@@ -68,20 +70,18 @@ def in_a_family(robot: Robot, q: FloatArray) -> bool:
     A step where the Jacobian sees no motion is taken, and corrected by Newton's method: from
     beside a double root that leads back, along a family it leads to another member.
     """
-    model = arm(robot).divided_by(arm_size(robot))
-    start = q / np.where(model.revolute, 1.0, arm_size(robot))
-    moving = [joint for joint in range(len(q)) if joint + 1 not in robot.free]
-    T = forward(model, start)
-    entries = task_entries(robot.task)
-    still = np.linalg.svd(task_jacobian(model, robot, start))[2][-1]
+    problem = state(robot, forward(robot, q), tuple(given_values(robot, q)))
+    start = (q / problem.units)[None]
+    if problem.elbow is not None:  # where it is, which a stretched arm's arm angle says coarsely
+        upper, _ = problem.elbow
+        place = forward(upper, start[0, : len(upper.before)])[:3, 3]
+        problem = replace(problem, elbow=(upper, place))
     there = start.copy()
-    there[moving] += STEP * still
+    there[:, problem.moving] += STEP * np.linalg.svd(problem.residual(start)[1][0])[2][-1]
     for _ in range(CORRECTIONS):
-        reached, rates = forward_with_derivatives(model, there)
-        miss = (reached - T)[:3].ravel()[entries]
-        J = rates[moving][:, :3].reshape(len(moving), 12)[:, entries].T
-        there[moving] -= np.linalg.pinv(J, rcond=SINGULAR) @ miss
-    miss = (forward(model, there) - T)[:3].ravel()[entries]
+        (miss,), (J,) = problem.residual(there)
+        there[:, problem.moving] -= np.linalg.pinv(J, rcond=SINGULAR) @ miss
+    miss = problem.residual(there)[0]
     return bool(np.abs(miss).max() < SINGULAR and np.abs(there - start).max() > STEP / 4)
 
 
@@ -128,9 +128,14 @@ def _determinant(model: Arm, robot: Robot, q: FloatArray) -> FloatArray:
 
 
 def task_jacobian(model: Arm, robot: Robot, q: FloatArray) -> FloatArray:
-    """What the task says of the tool's velocity, (..., m, joints that are not free)."""
+    """What the task says of the tool's velocity, (..., m, joints that are not free).
+
+    Where an arm angle is given, also how fast the elbow leaves the plane of the arm.
+    """
     moving = [joint for joint in range(len(robot.joints)) if joint + 1 not in robot.free]
     J = jacobian(model, q)[..., moving]
+    if robot.arm_angle:
+        return np.concatenate([J, elbow_rates(model, q)[..., None, :]], axis=-2)
     match robot.task.kind:
         case TaskKind.POSE:
             return J

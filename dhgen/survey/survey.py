@@ -92,7 +92,7 @@ def _answers(compilation: Compilation, poses: int, cpu: float) -> Answers:
         source = Path(folder) / f"{robot.name}.c"
         for each in (source.name, f"{robot.name}.h"):
             (Path(folder) / each).write_text(compilation.files[each], encoding="utf-8")
-        rows, free = module.solver.rows, len(robot.free)
+        rows, free = module.solver.rows, module.chain.given
         c = compile_solver(source, Path(folder), robot.name, len(robot.joints), rows, free)
         if c is None:
             raise DhgenError("a survey needs a C compiler: cc, gcc, clang or $CC")

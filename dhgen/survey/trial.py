@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
 
@@ -42,8 +43,9 @@ class Trial:
         return np.ascontiguousarray(forward(self.model, q), dtype=float)
 
     def given(self, q: FloatArray) -> FloatArray | None:
-        """The values of the free joints, where there are any."""
-        return q[[joint - 1 for joint in self.robot.free]] if self.robot.free else None
+        """The values of the free joints, or the arm angle, where there are any."""
+        values = given_values(self.robot, q)
+        return values if values.shape[-1] else None
 
     def solve(self, T: FloatArray, q: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
         """The rows (k, n) that hold joint values, and their statuses; the seed is q (n,)."""

@@ -13,7 +13,7 @@ from dhgen.targets.c_regular import best_lanes, entry_lines, regular_values
 from dhgen.targets.c_single import in_single_precision
 from dhgen.targets.layout import INDENT, WIDTH, c_array, call, fitted, listed, packed, paragraph
 from dhgen.targets.module import constant_texts, made_text, module_values, regular_solver
-from dhgen.targets.scalar import output_texts, solver_lines, straight_lines
+from dhgen.targets.scalar import arm_angle_values, output_texts, solver_lines, straight_lines
 from dhgen.targets.templates import render
 from dhgen.targets.walk import whole_arm
 
@@ -51,7 +51,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
     dof = module.chain.dof
     frames = "Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in "
     finite = [f"isfinite(T[{4 * row + 3}])" for row in module.position_entries]
-    given = [f"isfinite(free_joints[{place}])" for place in range(len(module.chain.free))]
+    given = [f"isfinite(free_joints[{place}])" for place in range(module.chain.given)]
     values = module_values(module)
     single = f", all in {SINGLE.name}" if module.precision is SINGLE else ""
     return {
@@ -87,7 +87,7 @@ def _constants(module: SolverModule, *flats: Program) -> dict[str, object]:
 def _functions(module: SolverModule) -> dict[str, str]:
     """Prototypes of the header's functions, and what they share."""
     name, dof, rows = module.name, module.chain.dof, module.solver.rows
-    count = len(module.chain.free)
+    count = module.chain.given
     free = [f"const double free_joints[{count}]"] if count else []
     pose = "const double T[16]"
     table = [f"double q[{rows}][{dof}]", f"unsigned char status[{rows}]"]
@@ -134,6 +134,7 @@ def _bodies(module: SolverModule) -> dict[str, object]:
         "forward": straight_lines(module.forward, language, INDENT),
         "forward_rows": _assignments("T", forward, 4),
         "jacobian": straight_lines(module.jacobian, language, INDENT),
+        "arm_angle": arm_angle_values(module.arm_angle, language),
         "jacobian_rows": _assignments("J", jacobian, module.chain.dof),
     }
 

@@ -36,7 +36,7 @@ def _function(result: str, number: str, inputs: list[str], lines: list[str]) -> 
 def _finite(module: SolverModule) -> list[str]:
     """What has to be finite besides the rotation."""
     positions = [f"T[{4 * row + 3}]" for row in module.position_entries]
-    return positions + [f"free_joints[{place}]" for place in range(len(module.chain.free))]
+    return positions + [f"free_joints[{place}]" for place in range(module.chain.given)]
 
 
 def _plain(module: SolverModule, number: str, result: str) -> list[str]:

@@ -56,7 +56,7 @@ def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> dict[str, o
 
 def _inputs(module: SolverModule, number: str) -> list[str]:
     """The pose, and the values of free joints."""
-    count = len(module.chain.free)
+    count = module.chain.given
     free = [f"const {number} free_joints[{count}]"] if count else []
     return [f"const {number} T[16]", *free]
 
@@ -94,7 +94,7 @@ def _arctangent() -> dict[str, object]:
 
 
 def _prototype(module: SolverModule, head: str, form: str) -> str:
-    rows, dof, count = module.solver.rows, module.chain.dof, len(module.chain.free)
+    rows, dof, count = module.solver.rows, module.chain.dof, module.chain.given
     tables = {
         "wide": [f"wide q[{rows * dof}]", f"wide_mask kind[{rows}]"],
         "one": [f"double q[{rows}][{dof}]", f"unsigned char status[{rows}]"],
@@ -169,7 +169,7 @@ def _wide(module: SolverModule, flat: Flat) -> dict[str, object]:
         first = f"q[{dof * row}]"
         outside = text.mask(flat.outside[place]) if flat.outside else "0"
         lines += wrapped(f"{INDENT}kind[{row}] = kind_of({first} != {first}, {outside});", INDENT)
-    given = ", ".join(["T", *(["free_joints"] if module.chain.free else [])])
+    given = ", ".join(["T", *(["free_joints"] if module.chain.given else [])])
     limit = repr(module.precision.tolerances.orthonormal)
     lines.append(f"{INDENT}const wide_mask exact = irregularity_wide({given}) <= {limit};")
     doubt = "" if flat.doubt is None else f" | ({text.text(flat.doubt).text})"
@@ -200,7 +200,7 @@ def _one(module: SolverModule, flat: Flat) -> dict[str, object]:
         for axis, signs in zip(flat.program.axes, values.get(len(flat.lanes), []), strict=True)
     ]
     lines += [*entry_lines(flat.program), *_with_angles(flat, text), ""]
-    given = ", ".join(["T", *(["free_joints"] if module.chain.free else [])])
+    given = ", ".join(["T", *(["free_joints"] if module.chain.given else [])])
     limit = repr(module.precision.tolerances.orthonormal)
     doubts = [text.text(doubt) for doubt in flat.doubts]
     lane = [f"((irregularity_four({given}) <= {limit}) == 0)", *(d.text for d in doubts if d.lanes)]

@@ -47,6 +47,7 @@ class SolverModule:
         forward: From joint values to the pose.
         jacobian: From joint values to the geometric Jacobian.
         length_unit: How lengths are called.
+        arm_angle: From joint values to the arm angle, where the caller gives that.
         precision: The arithmetic that the programs are for; its suffix ends `name`.
     """
 
@@ -58,6 +59,7 @@ class SolverModule:
     forward: Program
     jacobian: Program
     length_unit: str
+    arm_angle: Program | None = None
     precision: Precision = DOUBLE
 
     @property
@@ -85,9 +87,10 @@ class SolverModule:
         return "".join("R" if joint.kind is turning else "P" for joint in self.chain.joints)
 
     @property
-    def programs(self) -> tuple[Program, Program, Program]:
-        """The three programs."""
-        return self.solver, self.forward, self.jacobian
+    def programs(self) -> tuple[Program, ...]:
+        """All programs."""
+        others = () if self.arm_angle is None else (self.arm_angle,)
+        return self.solver, self.forward, self.jacobian, *others
 
     @property
     def weights(self) -> tuple[float, ...]:
@@ -124,8 +127,11 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "joint_types": module.joint_types,
         "has_slides": "P" in module.joint_types,
         "has_turns": "R" in module.joint_types,
-        "free_count": len(chain.free),
-        "free_list": ", ".join(map(str, chain.free)),
+        "free_count": chain.given,
+        "given_text": _given_text(chain),
+        "given_sentence": _given_text(chain)[0].upper() + _given_text(chain)[1:],
+        "given_comment": _given_comment(chain),
+        "given_fault": "the arm angle" if chain.arm_angle else "a free joint's value",
         "method": module.method,
         "solves_whole": whole_arm(module.solver) is not None,
         "uses_circle": finds_roots(module.solver),
@@ -164,7 +170,7 @@ def plain(text: str) -> str:
 def constant_texts(
     module: SolverModule, others: tuple[Program, ...] = ()
 ) -> list[tuple[str, str, str]]:
-    """Name, value and comment of every constant, of the three programs and others."""
+    """Name, value and comment of every constant, of all programs and others."""
     own = [constant.name for constant in module.chain.constants]
     constants = merged_constants([*module.programs, *others], own)
     return [(c.name, repr(c.value), _comment(c, module.length_unit)) for c in constants]
@@ -173,6 +179,20 @@ def constant_texts(
 def _comment(constant: NamedConstant, length: str) -> str:
     units = {0: "", 1: f" [{length}]"}
     return plain(constant.meaning + units.get(constant.power, f" [{length}^{constant.power}]"))
+
+
+def _given_text(chain: Chain) -> str:
+    """What the caller gives besides the pose."""
+    if chain.arm_angle:
+        return "the arm angle [rad]"
+    return f"values of the joints {', '.join(map(str, chain.free))}"
+
+
+def _given_comment(chain: Chain) -> str:
+    """The same in the C header."""
+    if chain.arm_angle:
+        return "the arm angle, which the caller gives [rad]"
+    return f"free joints, whose values the caller gives: {', '.join(map(str, chain.free))}"
 
 
 def _task_text(module: SolverModule) -> str:

@@ -14,7 +14,13 @@ from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import constant_texts, made_text, module_values, regular_solver
 from dhgen.targets.python_flat import TILE, regular_values
 from dhgen.targets.python_language import Python
-from dhgen.targets.scalar import output_texts, pose_entries, solver_lines, straight_lines
+from dhgen.targets.scalar import (
+    arm_angle_values,
+    output_texts,
+    pose_entries,
+    solver_lines,
+    straight_lines,
+)
 from dhgen.targets.templates import render
 from dhgen.targets.walk import uses, whole_arm
 
@@ -45,7 +51,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         f"{module.length_unit}, angles in rad. {values['task']}"
     )
     finite = [f"math.isfinite(p{'xyz'[row]})" for row in module.position_entries]
-    count = len(module.chain.free)
+    count = module.chain.given
     given = [f"math.isfinite(q_free[{place}])" for place in range(count)]
     return {
         "about": paragraph(f"{module.name}: {str(values['title']).rstrip('.')}.", ""),
@@ -54,7 +60,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "limit_pairs": [(repr(pair[0]), repr(pair[1])) if pair else none for pair in limits],
         "branches": module.branches,
         "weights": python_array("_WEIGHT = np.array", map(repr, module.weights)),
-        "free_tuple": f"({', '.join(map(str, module.chain.free))},)",
+        "free_tuple": _free_tuple(module),
         "finite": " and ".join([*finite, *given]) or "True",
         "no_pose": _no_pose(module),
         "free_parameter": ", q_free" if count else "",
@@ -77,6 +83,7 @@ def _bodies(module: SolverModule) -> dict[str, object]:
         "forward": straight_lines(module.forward, language, INDENT),
         "forward_cells": _cells(forward, 4),
         "jacobian": straight_lines(module.jacobian, language, INDENT),
+        "arm_angle": arm_angle_values(module.arm_angle, language),
         "jacobian_cells": _cells(jacobian, module.chain.dof),
     }
 
@@ -125,10 +132,17 @@ def _cells(entries: list[str], columns: int) -> list[tuple[int, int, str]]:
     return [cell for cell in cells if cell[2] != "0.0"]
 
 
+def _free_tuple(module: SolverModule) -> str:
+    """The free joints; empty without any."""
+    free = module.chain.free
+    return f"({', '.join(map(str, free))},)" if free else ""
+
+
 def _no_pose(module: SolverModule) -> str:
     """What is wrong with a pose that is none."""
     kind = module.chain.task.kind
-    free = ", or the value of a free joint not finite" if module.chain.free else ""
+    what = "the arm angle" if module.chain.arm_angle else "the value of a free joint"
+    free = f", or {what} not finite" if module.chain.given else ""
     if kind in {TaskKind.POSE, TaskKind.ORIENTATION}:
         return f"not finite, or not a right-handed rotation{free}"
     if kind is TaskKind.POINTING:

@@ -32,7 +32,7 @@ TILE = 32  # poses: eight lanes of the widest vectors, four times
 
 def regular_values(module: SolverModule, flat: Flat) -> dict[str, object]:
     """What the templates name."""
-    tiled = tile(flat, len(module.chain.free))
+    tiled = tile(flat, module.chain.given)
     one = single(flat)
     return {
         "lines": one.lines,
@@ -246,7 +246,7 @@ def _exact(module: SolverModule) -> list[str]:
         lines.append(f"rest = abs({last[0]}) + abs({last[1]}) + abs({last[2]})")
         terms.append(f"rest + abs({last[3]} - 1.0)")
     given = [TILE * (4 * row + 3) for row in module.position_entries]
-    given += [TILE * (16 + place) for place in range(len(module.chain.free))]
+    given += [TILE * (16 + place) for place in range(module.chain.given)]
     finite = [f"work[{place} + k]" for place in given]
     terms += [f"0.0 * ({' + '.join(finite)})"] if finite else []  # NaN where one is not finite
     exact = f"exact = miss <= {module.precision.tolerances.orthonormal!r}"

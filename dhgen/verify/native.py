@@ -98,6 +98,12 @@ class CompiledSolver:
         self.library[f"{self.name}_jacobian"](_pointer(q), _pointer(J))
         return J
 
+    def arm_angle(self, q: Array) -> float:
+        """The arm angle of joint values (n,)."""
+        function = self.library[f"{self.name}_arm_angle"]
+        function.restype = ctypes.c_double
+        return float(function(_pointer(q)))
+
     def ik(
         self, T: Array, seed: Array, free: Array | None = None
     ) -> tuple[Array, NDArray[np.uint8]]:

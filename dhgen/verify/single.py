@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import VerificationError
+from dhgen.program.given import given_values
+from dhgen.program.tolerances import SINGLE
 from dhgen.robot.robot import TaskKind
 from dhgen.verify.measures import Measures
 from dhgen.verify.native import compile_solver
@@ -45,7 +47,7 @@ def verify_single(module: SolverModule, folder: Path) -> float | None:
     Raises:
         VerificationError: Something is not as promised; the text says what, and on which joints.
     """
-    shape = (module.chain.dof, module.solver.rows, len(module.chain.free))
+    shape = (module.chain.dof, module.solver.rows, module.chain.given)
     solver = compile_solver(folder / f"{module.name}.c", folder, module.name, *shape)
     if solver is None:
         return None
@@ -62,7 +64,6 @@ class _Checker:
         self._library = library
         self._chain = module.chain
         self._measures = Measures(module.chain)
-        self._free = [joint - 1 for joint in self._chain.free]
         self.residual = 0.0
 
     def sample(self, sample: Sample) -> None:
@@ -118,8 +119,9 @@ class _Checker:
         return np.asarray(q, np.float64)
 
     def _given(self, q: Array) -> list[Array]:
-        """The argument for free joints, where there are any."""
-        return [q[self._free]] if self._free else []
+        """The argument for free joints or the arm angle, where there are any."""
+        values = given_values(self._measures.arm, q, SINGLE.tolerances)
+        return [values] if self._chain.given else []
 
     def _call(self, function: str, *arrays: NDArray[Any]) -> None:
         """Numbers go over as floats; arrays that are floats or bytes already are filled."""

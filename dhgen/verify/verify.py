@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import VerificationError
+from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.walk import whole_arm
@@ -68,7 +69,7 @@ def verify(module: SolverModule, folder: Path) -> Report:
     """
     python = import_module(folder / f"{module.name}.py")
     source = folder / f"{module.name}.c"
-    shape = module.chain.dof, module.solver.rows, len(module.chain.free)
+    shape = module.chain.dof, module.solver.rows, module.chain.given
     made = (compile_solver(source, folder, module.name, *shape, b) for b in (PORTABLE, NATIVE))
     builds = tuple(solver for solver in made if solver is not None)
     checker = _Checker(module, python, builds)
@@ -87,7 +88,6 @@ class _Checker:
         self._builds = builds
         self._chain = module.chain
         self._measures = Measures(module.chain)
-        self._free = [joint - 1 for joint in self._chain.free]
         self._has_branches = whole_arm(module.solver) is None
         # which starts lead where hangs on rounding
         self._repeatable = module.method != "numerical"
@@ -100,7 +100,7 @@ class _Checker:
         random = sample.name == "random"
         meant = None
         if random and self._repeatable:
-            meant = interpret(self._module.solver, poses, sample.q, sample.q[:, self._free])
+            meant = interpret(self._module.solver, poses, sample.q, self._values(sample.q))
         for number, (q, T) in enumerate(zip(sample.q, poses, strict=True)):
             where = f"{self._module.name}, {sample.name}, q = {q.tolist()}"
             self._forward(q, T, where)
@@ -117,6 +117,7 @@ class _Checker:
             if random:
                 self._recover(rows[solved], q, FOUND, where)
                 self._nearest(q, T, where)
+                self._arm_angles(rows[held], q, where)
                 if self._has_branches:
                     self._whole(T, q, rows, status, where)
             if meant is not None:
@@ -127,7 +128,7 @@ class _Checker:
 
     def _batch(self, sample: Sample, poses: Array) -> None:
         """Batches hold the rows of single poses."""
-        given = [np.ascontiguousarray(sample.q[:, self._free])] if self._free else []
+        given = self._given(sample.q)
         zeros = np.zeros(self._chain.dof)
         languages = [("Python", self._python.ik_batch, self._python.ik_all)]
         languages += [
@@ -234,9 +235,23 @@ class _Checker:
             miss = float(np.abs(found - q).max()) / max(1.0, self._chain.size)
             self._demand(miss, FOUND, f"{where}: {what} is off")
 
+    def _arm_angles(self, rows: Array, q: Array, where: str) -> None:
+        """Every row has the arm angle of the generating joint values, and the files say so."""
+        if not self._chain.arm_angle:
+            return
+        asked = self._values(q)
+        told = [self._python.arm_angle(q), *(build.arm_angle(q) for build in self._builds)]
+        for angles in (self._values(rows), np.array(told)[:, None]):
+            miss = float(np.abs(np.remainder(angles - asked + np.pi, 2.0 * np.pi) - np.pi).max())
+            self._demand(miss, FOUND, f"{where}: an arm angle is off")
+
+    def _values(self, q: Array) -> Array:
+        """The values of free joints, or the arm angle, (..., k)."""
+        return given_values(self._measures.arm, q)
+
     def _given(self, q: Array) -> list[Array]:
-        """The argument for free joints, where there are any."""
-        return [q[self._free]] if self._free else []
+        """The argument for them, where there are any."""
+        return [self._values(q)] if self._chain.given else []
 
     def _demand(self, miss: float, enough: float, what: str) -> None:
         if not miss <= enough:

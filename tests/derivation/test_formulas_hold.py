@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from dhgen.program.interpret import interpret
+from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward, jacobian
 from dhgen.targets.derivation.blocks import Display, Paragraph
 from dhgen.targets.derivation.document import document_blocks
@@ -137,7 +138,7 @@ def test_steps_with_the_branch_signs_of_the_program(name: str) -> None:
     of = story(name)
     for seed in range(3):
         q = configuration(of, seed)
-        given = np.array([q[joint - 1] for joint in of.algebra.chain.free])
+        given = given_values(of.robot, np.array(q))
         rows = interpret(of.program, forward(of.robot, q)[None], None, given)
         # which root of a polynomial it is, no formula says
         counts = [axis.count for axis in of.program.axes]

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dhgen.kinematics.arm_angle import triangle
 from dhgen.kinematics.chain import Fixed, Slide, Turn
+from dhgen.kinematics.numeric import numeric_arm
 from dhgen.targets.derivation.expressions import expression_symbol
 from dhgen.targets.derivation.formula import (
     Call,
@@ -146,7 +148,30 @@ def _matrices(story: Story, inner: dict[int, float], values: dict[str, float]) -
     for number in range(chain.dof):
         found[indexed("U", number)] = target
         target = np.linalg.inv(moved[number]) @ target
+    found |= _shoulder(story, inner, links, base) if chain.arm_angle else {}
     return found | {f"moved {i}": link for i, link in enumerate(moved, start=1)}
+
+
+def _shoulder(
+    story: Story, inner: dict[int, float], links: list[NDArray[np.float64]], base: Value
+) -> Letters:
+    """B_m, the entries of B_0, and the vectors of the arm in the base and in frame 3."""
+    chain = story.algebra.chain
+    found: Letters = {}
+    rest = three = np.linalg.multi_dot(links[:3])
+    for row in range(3):
+        for column in range(3):
+            found[indexed("b", f"{row + 1}{column + 1}")] = three[row, column]
+    for number, link in enumerate(links[:3]):
+        found[indexed("B", number)] = rest
+        rest = np.linalg.inv(link) @ rest
+    q = np.array([joint.sign * (inner[joint.number] - joint.offset) for joint in chain.joints])
+    at = triangle(numeric_arm(chain), q)
+    v, e, z = at.wrist - at.shoulder, at.elbow - at.shoulder, at.first
+    to_base, to_three = base[:3, :3].T, (base @ three)[:3, :3].T
+    found |= {"v": to_base @ v, "z": to_base @ z}
+    found |= {"v′": to_three @ v, "e′": to_three @ e, "z′": to_three @ at.fourth}
+    return {name: value[:, None] if np.ndim(value) == 1 else value for name, value in found.items()}
 
 
 def _points(story: Story, target: NDArray[np.float64], values: dict[str, float]) -> Letters:

@@ -9,9 +9,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from dhgen.robot.load import load
+from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.verify.native import CompiledSolver, compile_solver
 
 if TYPE_CHECKING:
@@ -49,7 +48,7 @@ def module(name: str) -> Any:
 @cache
 def library(name: str) -> CompiledSolver:
     """The C, compiled with warnings as errors."""
-    python, count = module(name), len(robot(name).free)
+    python, count = module(name), len(robot(name).free) + robot(name).arm_angle
     source = GENERATED / f"{name}.c"
     compiled = compile_solver(source, folder(), name, python.DOF, python.MAX_SOLUTIONS, count)
     assert compiled is not None, "the tests need a C compiler"
@@ -57,6 +56,6 @@ def library(name: str) -> CompiledSolver:
 
 
 def given(name: str, q: FloatArray) -> list[FloatArray]:
-    """The argument for free joints, where there are any."""
-    free = [joint - 1 for joint in robot(name).free]
-    return [np.ascontiguousarray(q[..., free])] if free else []
+    """The argument for free joints or the arm angle, where there are any."""
+    values = given_values(robot(name), q)
+    return [values] if values.shape[-1] else []

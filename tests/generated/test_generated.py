@@ -129,6 +129,7 @@ import {name} as robot
 import numpy as np
 q = np.full(robot.DOF, 0.3)
 free = [q[[joint - 1 for joint in robot.FREE_JOINTS]]] if hasattr(robot, "FREE_JOINTS") else []
+free = [np.array([robot.arm_angle(q)])] if hasattr(robot, "arm_angle") else free
 rows, status = robot.ik_all(robot.fk(q), *free)
 held = rows[~np.isnan(rows).any(axis=1)]
 assert len(held) and len(robot.jacobian(q)) == 6, status

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.newton import solve
 from dhgen.survey.oracle.poses import NEAR, right_angles
 from dhgen.survey.singular import in_a_family, singular_sets
@@ -31,8 +32,16 @@ def flipped(asked: Trial, q: FloatArray, joint: int) -> FloatArray | None:
     if not 0 < joint < len(q) - 1 or beside & set(asked.robot.free):
         return None
     other[[joint - 1, joint + 1]] += np.pi
+    if asked.robot.arm_angle and not gives_the_same(asked, q, other):
+        return None
     reached = asked.residuals(other[None], asked.poses(q[None])[0])[0]
     return other if reached < 1e-12 else None
+
+
+def gives_the_same(asked: Trial, q: FloatArray, other: FloatArray) -> bool:
+    """Whether two postures have one arm angle, which a stretched arm has by agreement only."""
+    turn = given_values(asked.robot, q) - given_values(asked.robot, other)
+    return bool(np.abs(np.remainder(turn + np.pi, 2 * np.pi) - np.pi).max() < NEARLY)
 
 
 def found_again(asked: Trial, rows: FloatArray, q: FloatArray) -> bool:

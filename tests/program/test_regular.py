@@ -13,6 +13,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.problem import task_entries
 from dhgen.program.count import count_operations
 from dhgen.program.flatten import flatten
+from dhgen.program.given import given_values
 from dhgen.program.interpret import Rows, interpret, outputs
 from dhgen.program.ir import Let
 from dhgen.program.regular import regular
@@ -24,7 +25,8 @@ if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
 
 NAMES = [
-    *("puma560", "ur5", "kuka_kr6_r900", "rrprrr", "scara", "stanford", "kuka_iiwa14"),
+    *("puma560", "ur5", "kuka_kr6_r900", "rrprrr", "scara", "stanford"),
+    *("kuka_iiwa14", "kuka_iiwa14_arm_angle"),
     *("kuka_youbot", "staubli_tx2_90", "scorbot_pointing", "planar_rrr", "wrist_oblique"),
     *("prismatic_2_wrist", "spherical_offset", "cartesian"),
 ]
@@ -51,7 +53,7 @@ def cases(name: str) -> tuple[FloatArray, FloatArray, Rows]:
     q = configurations(name)
     T = numeric_arm(chain).pose(q)
     T[: COUNT // 2, :3, 3] *= np.random.default_rng(6).uniform(0.8, 1.5, (COUNT // 2, 1))
-    free = q[:, [joint - 1 for joint in chain.free]]
+    free = given_values(numeric_arm(chain), q)
     return T, free, interpret(of.program, T, np.zeros_like(q), free)
 
 

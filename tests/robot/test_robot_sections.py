@@ -56,7 +56,7 @@ SLIDE = "type: prismatic, direction: [0, 0, 1]"
         (f"{MINIMAL}free: [1.0]\n", "'1.0': expected the number of a joint"),
         (f"{MINIMAL}free: ['１']\n", "'１': expected the number of a joint"),
         (f"{MINIMAL}free: [~]\n", "expected the number of a joint"),
-        (f"{MINIMAL}free: 1\n", "expected a list, not '1'"),
+        (f"{MINIMAL}free: 1\n", "'1': expected a list of joints, or arm_angle"),
         (f"{MINIMAL}units: {{length: parsec}}\n", "expected 'm', 'dm', 'cm', 'mm', 'um', 'in' or"),
         (
             f"{MINIMAL}units: {{agnle: deg}}\n",
@@ -75,6 +75,14 @@ def test_the_file_around_the_joints() -> None:
     assert loaded.geometry.convention is Convention.MODIFIED
     assert (loaded.free, loaded.length_unit) == ((1, 3), "mm")
     assert robot(MINIMAL).geometry == DhTable(Convention.STANDARD, (row("theta: q"),))
+
+
+def test_the_arm_angle_in_place_of_joints() -> None:
+    text = table(*["theta: q"] * 7, free="arm_angle")
+    assert (robot(text).arm_angle, robot(text).free) == (True, ())
+    assert not robot(table("theta: q", free="[1]")).arm_angle
+    assert mistake(f"{MINIMAL}free: elbow\n").startswith("'elbow': expected a list of joints, or")
+    assert mistake(f"{MINIMAL}free: [arm_angle]\n").startswith("'arm_angle': expected the number")
 
 
 @pytest.mark.parametrize("kind", ["pose", "position", "orientation", "pointing"])

@@ -15,6 +15,7 @@ from dhgen.compiler import Compilation, compile_robot
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.survey.oracle.arm import arm_size
+from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
 from dhgen.verify.native import PORTABLE, Build, CompiledSolver, compile_solver
@@ -74,7 +75,7 @@ def in_c(name: str, build: Build = PORTABLE) -> CompiledSolver:
         name,
         module.chain.dof,
         module.solver.rows,
-        len(module.chain.free),
+        module.chain.given,
         build,
     )
     assert solver is not None, "the tests need a C compiler"
@@ -106,9 +107,9 @@ def poses_of(name: str, q: FloatArray) -> FloatArray:
 
 
 def given(name: str, q: FloatArray) -> list[FloatArray]:
-    """The argument for free joints, where there are any."""
-    free = [joint - 1 for joint in robot(name).free]
-    return [np.ascontiguousarray(q[..., free])] if free else []
+    """The argument for free joints or the arm angle, where there are any."""
+    values = given_values(robot(name), q)
+    return [values] if values.shape[-1] else []
 
 
 def entries(name: str) -> NDArray[np.bool_]:

@@ -69,6 +69,11 @@ def arm(robot: Robot) -> Arm:
     return Arm(before, twist, end @ _frame(robot.tool, values), revolute)
 
 
+def base_frame(robot: Robot) -> FloatArray:
+    """Z, pose of the arm's base in the caller's frame, (4, 4)."""
+    return _frame(robot.base, {parameter.name: parameter.value for parameter in robot.parameters})
+
+
 def arm_size(robot: Robot) -> float:
     """How large an arm is [the file's unit]: its lengths and strokes added up, 1 without any."""
     model = arm(robot)

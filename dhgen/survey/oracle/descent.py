@@ -6,7 +6,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.survey.oracle.follow import follow
+from dhgen.survey.oracle.follow import (
+    CONVERGED,
+    EASED,
+    FIRST_DAMPING,
+    LEAST_DAMPING,
+    MOST_DAMPING,
+    RAISED,
+    STEPS,
+    follow,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,6 +37,8 @@ REGULAR = 1e-7  # least singular value of the task's Jacobian at an isolated, si
 def descend(problem: Problem, q: FloatArray) -> FloatArray:
     """Follow every start (N, n) downhill; those (M, n) that reached the pose, or nearly."""
     ends = q.copy()
+    if problem.elbow is not None:
+        return _damped(problem, ends)
     squares = follow(
         *problem.tables,
         problem.model.revolute,
@@ -37,6 +48,32 @@ def descend(problem: Problem, q: FloatArray) -> FloatArray:
         ends,
     )
     return ends[squares < NEARLY]
+
+
+def _damped(problem: Problem, q: FloatArray) -> FloatArray:
+    """The same for all starts at once, for errors that are more than entries of a pose."""
+    damping = np.full(len(q), FIRST_DAMPING)
+    error, J = problem.residual(q)
+    cost = _squares(error)
+    still = np.eye(J.shape[2])
+    for _ in range(STEPS):
+        going = np.flatnonzero((cost > CONVERGED) & (damping < MOST_DAMPING))
+        if not len(going):
+            break
+        e, j = error[going], J[going]
+        gradient = np.einsum("kmi,km->ki", j, e)
+        normal = np.swapaxes(j, 1, 2) @ j + damping[going, None, None] * still
+        trial = q[going]
+        trial[:, problem.moving] -= np.linalg.solve(normal, gradient[..., None])[..., 0]
+        reached, rates = problem.residual(trial)
+        squares = _squares(reached)
+        gains = squares < cost[going]
+        better = going[gains]
+        q[better], cost[better] = trial[gains], squares[gains]
+        error[better], J[better] = reached[gains], rates[gains]
+        damping[going] *= np.where(gains, 1.0 / EASED, RAISED)
+        damping = np.maximum(damping, LEAST_DAMPING)
+    return q[cost < NEARLY]
 
 
 def polish(

@@ -66,7 +66,8 @@ def all_solutions(
     Args:
         robot: The robot; its task says which entries of T count, its `free` which joints are given.
         T: Pose of the tool in the base, shape (4, 4).
-        q_free: Values of the free joints [rad or length], in the order of `robot.free`.
+        q_free: Values of the free joints [rad or length], in the order of `robot.free`, or the arm
+            angle.
         seed: Of the random starts; the answer should not depend on it.
 
     Returns:

@@ -9,6 +9,7 @@ import numpy as np
 
 from dhgen.robot.robot import Robot, TaskKind
 from dhgen.survey.oracle.arm import Arm, arm, arm_size
+from dhgen.survey.oracle.arm_angle import elbow_in_link, elbow_of
 from dhgen.survey.oracle.forward import forward_with_derivatives
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ class Problem:
         moving: The joints to find; the others are free joints whose value is given.
         q: (n,), holds the values of the free joints.
         tables: The model as `follow` takes it.
+        elbow: Where an arm angle is given: the joints before the elbow, and its place (3,).
     """
 
     model: Arm
@@ -45,6 +47,7 @@ class Problem:
     moving: NDArray[np.intp]
     q: FloatArray
     tables: tuple[FloatArray, FloatArray]
+    elbow: tuple[Arm, FloatArray] | None = None
 
     @property
     def units(self) -> FloatArray:
@@ -63,17 +66,31 @@ class Problem:
         T, dT = forward_with_derivatives(self.model, q)
         error = T[:, :3].reshape(len(q), 12)[:, self.entries] - self.target
         rows = dT[:, self.moving, :3].reshape(len(q), len(self.moving), 12)
-        return error, np.swapaxes(rows[..., self.entries], 1, 2)
+        J = np.swapaxes(rows[..., self.entries], 1, 2)
+        if self.elbow is None:
+            return error, J
+        upper, place = self.elbow
+        count = len(upper.before)
+        E, dE = forward_with_derivatives(upper, q[:, :count])
+        rates = np.zeros((len(q), 3, q.shape[1]))
+        rates[..., :count] = np.swapaxes(dE[..., :3, 3], 1, 2)
+        missed = E[:, :3, 3] - place
+        return np.concatenate([error, missed], axis=1), np.concatenate([J, rates], axis=1)
 
 
 def state(robot: Robot, T: FloatArray, q_free: Sequence[float]) -> Problem:
-    """The problem of reaching a pose T (4, 4), the free joints' values given."""
+    """The problem of reaching a pose T (4, 4), the free joints' values or the arm angle given."""
     model = arm(robot)
     distance = float(np.linalg.norm(T[:3, 3] - model.before[0, :3, 3]))
     unit_length = max(arm_size(robot), distance if names_position(robot.task) else 0.0)
     free = [joint - 1 for joint in robot.free]
     q = np.zeros(len(robot.joints))
-    q[free] = np.asarray(q_free, dtype=float)
+    elbow = None
+    if robot.arm_angle:
+        place = elbow_of(robot, T, float(q_free[0])) / unit_length
+        elbow = elbow_in_link(robot).divided_by(unit_length), place
+    else:
+        q[free] = np.asarray(q_free, dtype=float)
     q /= np.where(model.revolute, 1.0, unit_length)
     target = T[:3].copy()
     target[:, 3] /= unit_length
@@ -88,6 +105,7 @@ def state(robot: Robot, T: FloatArray, q_free: Sequence[float]) -> Problem:
         moving=moving,
         q=q,
         tables=_link_tables(scaled),
+        elbow=elbow,
     )
 
 

@@ -100,7 +100,7 @@ def _operations(label: str, count: OperationCount) -> tuple[Prose, ...]:
 
 
 def _sines(story: Story) -> str:
-    if story.robot.free:
+    if story.robot.free or story.robot.arm_angle:
         return "sine and cosine are taken of values that the caller gives."
     if any(step.kind is Kind.CIRCLE for step in story.steps):
         return "sine and cosine are taken of the roots and, where a joint is free, of the seed."

@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
+from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.problem import task_entries
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.derivation.blocks import Given, Heading, display, joined, paragraph, say
 from dhgen.targets.derivation.formula import Element, Listing, Product, Symbol, equal, times
 from dhgen.targets.derivation.forward_section import BASE, TOOL
 from dhgen.targets.derivation.matrices import (
+    known_matrix,
     left_name,
     middle_name,
     sides,
@@ -18,6 +20,7 @@ from dhgen.targets.derivation.matrices import (
 from dhgen.targets.derivation.names import inverse as inverse_name
 from dhgen.targets.derivation.names import letter, link, target
 from dhgen.targets.derivation.polynomial import Writer
+from dhgen.targets.derivation.shoulder_section import shoulder_blocks
 from dhgen.targets.derivation.style import LATEX, PLAIN, show
 from dhgen.targets.derivation.words import many
 
@@ -43,7 +46,7 @@ def inverse_beginning(story: Story) -> list[Block]:
     for base_point in story.derivation.pool.base_points:
         if _is_used(story, base_point):
             blocks += _base_point(story, base_point)
-    return blocks + _matrices(story)
+    return blocks + shoulder_blocks(story) + _matrices(story)
 
 
 def _given(story: Story) -> list[Block]:
@@ -190,13 +193,14 @@ def _base_point(story: Story, point: BasePoint) -> list[Block]:
 
 def _matrices(story: Story) -> list[Block]:
     """Both sides of every element in the columns that the steps use, each once."""
-    used: dict[tuple[bool, int, int], list[Origin]] = {}
+    used: dict[tuple[bool, bool, int, int], list[Origin]] = {}
     for step in story.steps:
         for origin in step.origins:
-            used.setdefault((origin.inverse, origin.m, -origin.k), []).append(origin)
+            key = (origin.shoulder, origin.inverse, origin.m, -origin.k)
+            used.setdefault(key, []).append(origin)
     blocks: list[Block] = []
-    for (inverted, m, minus_k), origins in sorted(used.items()):
-        form = story.form(m, -minus_k, inverse=inverted)
+    for _, origins in sorted(used.items()):
+        form = story.form(origins[0].matrix)
         equations = [
             _element_equation(story, form, *place) for place in _wanted(story, form, origins)
         ]
@@ -211,20 +215,21 @@ def _matrices(story: Story) -> list[Block]:
 
 def _form_sentence(story: Story, form: Form) -> Prose:
     """U_m = A_m^-1 U_{m-1} = A_{m+1} ... A_k."""
-    m, k = form.m, form.k
-    name = left_name(m, k, story.dof, inverted=form.inverse)
-    middle = middle_name(m, k, inverted=form.inverse)
-    if form.inverse:
+    m, k, inverted, shoulder = form.place
+    name, middle = left_name(form.place, story.dof), middle_name(form.place)
+    last = SHOULDER if shoulder else story.dof
+    if inverted:
         seen = [Given(str(number)) for number in (m, k)]
         return say("{} (frame {} seen from frame {}):", equal(name, middle), *seen)
-    if k == story.dof:
+    if k == last:
         before: tuple[Formula, ...] = ()
         if m:
-            before = (Product((inverse_name(link(m)), target(m - 1))),)
+            earlier = left_name((m - 1, k, inverted, shoulder), story.dof)
+            before = (Product((inverse_name(link(m)), earlier)),)
         return say("{}:", equal(name, *before, middle))
-    moved = many("joint", [str(j) for j in range(k + 1, story.dof + 1)])
+    moved = many("joint", [str(j) for j in range(k + 1, last + 1)])
     text = f"{{}} ({moved} moved to the side of {{}}):"
-    return say(text, equal(name, middle), target(0))
+    return say(text, equal(name, middle), known_matrix(form.place))
 
 
 def _wanted(story: Story, form: Form, origins: list[Origin]) -> list[tuple[int, int]]:
@@ -249,5 +254,5 @@ def _wanted(story: Story, form: Form, origins: list[Origin]) -> list[tuple[int, 
 
 def _element_equation(story: Story, form: Form, row: int, column: int) -> Formula:
     left, right = sides(form, row, column)
-    name = Element(left_name(form.m, form.k, story.dof, inverted=form.inverse), row, column)
+    name = Element(left_name(form.place, story.dof), row, column)
     return equal(name, story.write(left), story.write_forward(right))

@@ -118,7 +118,7 @@ def _enclosed(symbol: Symbol) -> tuple[str, str]:
 def _check(story: Story) -> Block:
     """A pose with more numbers than the arm has joints."""
     chain = story.algebra.chain
-    asked, own = task_dimension(chain.task), chain.dof - len(chain.free)
+    asked, own = task_dimension(chain.task), chain.dof - chain.given
     return paragraph(
         f"The task has {numeral(asked)} independent numbers, the arm {counted(own, 'joint')}, so "
         "not every pose can be taken. Each solution is put into the forward model; where an entry "

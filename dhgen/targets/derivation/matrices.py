@@ -12,15 +12,16 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.product import product, reversed_elements
 from dhgen.kinematics.transform import Transform, compose, translation
+from dhgen.paul.arm_plane import SHOULDER, shoulder_side
 from dhgen.paul.inverse_forms import inverted_column
 from dhgen.paul.pool import right_inverse
 from dhgen.targets.derivation.formula import times
-from dhgen.targets.derivation.names import inverse, link, product_of, target
+from dhgen.targets.derivation.names import inverse, link, product_of, shoulder_target, target
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.pool import Pool
+    from dhgen.paul.pool import Matrix, Pool
     from dhgen.targets.derivation.formula import Formula
 
 
@@ -29,33 +30,33 @@ class Form:
     """One mixed form.
 
     Attributes:
-        m: Joints moved from the left.
-        k: Joints moved from the right begin at k + 1.
+        place: Which form. Of an inverted one only the translations are filled in, of the
+            shoulder's only the rotations.
         left: The side with U_0; its origin by name when it is a named point.
         right: A_{m+1} ... A_k.
-        inverse: Whether the form is inverted; then only the translations are filled in.
     """
 
-    m: int
-    k: int
+    place: Matrix
     left: Transform
     right: Transform
-    inverse: bool = False
 
 
-def form_of(pool: Pool, m: int, k: int, *, inverse: bool = False) -> Form:
+def form_of(pool: Pool, place: Matrix) -> Form:
     """Both sides of a mixed form."""
+    m, k, inverse, shoulder = place
     problem = pool.problem
     algebra = problem.algebra
     if inverse:
         left_column, right_column = inverted_column(pool, m, k)
         ring = algebra.ring
-        return Form(m, k, translation(ring, left_column), translation(ring, right_column), inverse)
+        return Form(place, translation(ring, left_column), translation(ring, right_column))
     before = [element for link in problem.links[:m] for element in link]
     middle = [element for link in problem.links[m:k] for element in link]
+    if shoulder:
+        return Form(place, shoulder_side(problem, m, k), product(middle, algebra))
     left = product(reversed_elements(before, algebra), algebra)
     moved = compose(left, _moved_right(pool, k), algebra.normal)
-    return Form(m, k, moved, product(middle, algebra))
+    return Form(place, moved, product(middle, algebra))
 
 
 def _moved_right(pool: Pool, k: int) -> Transform:
@@ -85,17 +86,25 @@ def forward_of(algebra: Algebra, number: int) -> Transform:
     return product(elements, algebra)
 
 
-def left_name(m: int, k: int, dof: int, *, inverted: bool = False) -> Formula:
-    """U_m, U_m A_n^-1 ... A_{k+1}^-1, or A_{k+1} ... A_n U_0^-1 A_1 ... A_m."""
+def left_name(place: Matrix, dof: int) -> Formula:
+    """U_m, U_m A_n^-1 ... A_{k+1}^-1, or A_{k+1} ... A_n U_0^-1 A_1 ... A_m; B_m for a shoulder."""
+    m, k, inverted, shoulder = place
     if inverted:
         after, before = (map(link, numbers) for numbers in (range(k + 1, dof + 1), range(1, m + 1)))
         return times(*after, inverse(target(0)), *before)
-    back = [inverse(link(number)) for number in range(dof, k, -1)]
-    return times(target(m), *back)
+    last = SHOULDER if shoulder else dof
+    back = [inverse(link(number)) for number in range(last, k, -1)]
+    return times(shoulder_target(m) if shoulder else target(m), *back)
 
 
-def middle_name(m: int, k: int, *, inverted: bool = False) -> Formula:
+def known_matrix(place: Matrix) -> Formula:
+    """U_0, or B_0 for a shoulder."""
+    return shoulder_target(0) if place[3] else target(0)
+
+
+def middle_name(place: Matrix) -> Formula:
     """A_{m+1} ... A_k, or its inverse."""
+    m, k, inverted, _ = place
     if inverted:
         return times(*(inverse(link(number)) for number in range(k, m, -1)))
     return product_of(range(m + 1, k + 1))

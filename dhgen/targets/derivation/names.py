@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES, AngleSum
+from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES, SHOULDER_NAMES, AngleSum
 from dhgen.targets.derivation.formula import Power, Symbol, times
 
 if TYPE_CHECKING:
@@ -108,6 +108,11 @@ def target(m: int) -> Symbol:
     return letter("U", "U", str(m))
 
 
+def shoulder_target(m: int) -> Symbol:
+    """B_m: the rotation of the shoulder's joints after m."""
+    return letter("B", "B", str(m))
+
+
 def forward_matrix(number: int) -> Symbol:
     """T_i^0."""
     index = str(number)
@@ -132,6 +137,8 @@ def symbols(algebra: Algebra) -> dict[str, Symbol]:
         table[name] = letter("t", "t", name[1:], name)
     for name in POINT_NAMES:
         table[name] = letter("w", "w", name[1:], name)
+    for names in SHOULDER_NAMES if algebra.chain.arm_angle else ():
+        table |= {name: letter("b", "b", name[-2:], name) for name in names}
     for angle in algebra.angles:
         table[angle.cosine] = cosine(angle)
         table[angle.sine] = sine(angle)

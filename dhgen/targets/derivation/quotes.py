@@ -46,7 +46,7 @@ def quotes_of(derivation: Derivation, step: Step) -> tuple[Quote, ...]:
 
 def _quote(derivation: Derivation, form: Form, origin: Origin) -> Quote:
     if origin.row:
-        matrices = form_of(derivation.pool, origin.m, origin.k, inverse=origin.inverse)
+        matrices = form_of(derivation.pool, origin.matrix)
         known, joints = sides(matrices, origin.row, origin.column)
     else:
         known, joints = form.equation.left, form.equation.right

@@ -68,6 +68,8 @@ def _task(story: Story) -> str:
     if story.robot.free:
         joints = [str(joint) for joint in story.robot.free]
         free = f" The caller gives the value of {many('joint', joints)}."
+    if story.robot.arm_angle:
+        free = " The caller gives the arm angle."
     if task.kind is TaskKind.COORDINATES:
         return f"Task: {many('the coordinate', list(task.coordinates))} of the tool.{free}"
     return f"Task: {_TASKS[task.kind]}.{free}"

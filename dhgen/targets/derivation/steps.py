@@ -8,7 +8,7 @@ from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind
 from dhgen.targets.derivation.blocks import Given, Paragraph, display, joined, paragraph, say
 from dhgen.targets.derivation.formula import Element, Formula, Listing, Symbol, equal
-from dhgen.targets.derivation.matrices import left_name
+from dhgen.targets.derivation.matrices import known_matrix, left_name
 from dhgen.targets.derivation.names import cosine, sine, unknown_symbol
 from dhgen.targets.derivation.step_context import StepContext
 from dhgen.targets.derivation.types import PRINTERS
@@ -30,7 +30,7 @@ def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singulari
     step = story.steps[number - 1]
     context = StepContext(story, number, step)
     text = PRINTERS[step.kind](context)
-    where = _where(story, step)
+    where = _where(step)
     blocks: list[Block] = [Paragraph(where, lead=_lead(context)), display(*quoted(story, number))]
     blocks += _rewriting(context)
     return [*blocks, *text.blocks], text.singularities
@@ -60,19 +60,19 @@ def document_002_number(context: StepContext) -> int | None:
             return None
 
 
-def _where(story: Story, step: Step) -> Prose:
+def _where(step: Step) -> Prose:
     """From which elements, and what was moved."""
     origins = step.origins
     names = [say("{}", element_of(origin)) for origin in origins]
     head = say("From {}", joined(names))
     first = origins[0]
-    if not all((o.m, o.k, o.inverse) == (first.m, first.k, first.inverse) for o in origins):
+    if not all(o.matrix == first.matrix for o in origins):
         return say("{}:", head)
     if first.inverse:
         return say("{}{}, seen from the tool:", head, _line_of(origins))
     if first.is_mixed:
-        joints = many("joint", [str(joint) for joint in range(first.k + 1, story.dof + 1)])
-        moved = say(f", {joints} moved to the side of {{}}", Symbol("U_0", "U₀"))
+        joints = many("joint", [str(joint) for joint in range(first.k + 1, first.dof + 1)])
+        moved = say(f", {joints} moved to the side of {{}}", known_matrix(first.matrix))
         return say("{}{}{}:", head, _line_of(origins), moved)
     return say("{}{}:", head, _line_of(origins))
 
@@ -88,7 +88,7 @@ def _line_of(origins: tuple[Origin, ...]) -> Prose:
 
 def element_of(origin: Origin) -> Formula:
     """U_1[2,4], or the squared length of a column 4."""
-    name = left_name(origin.m, origin.k, origin.dof, inverted=origin.inverse)
+    name = left_name(origin.matrix, origin.dof)
     if origin.row:
         return Element(name, origin.row, origin.column)
     from dhgen.targets.derivation.style import LATEX, PLAIN, show  # noqa: PLC0415

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.knowledge import Knowledge
-    from dhgen.paul.pool import Point
+    from dhgen.paul.pool import Matrix, Point
     from dhgen.paul.step import Step
     from dhgen.program.ir import Program
     from dhgen.robot.robot import Robot
@@ -174,15 +174,14 @@ class Story:
         """Whether the origin of a frame is the wrist centre."""
         return self.wrist is not None and frame >= self.wrist[0] - 1
 
-    def form(self, m: int, k: int, *, inverse: bool = False) -> Form:
+    def form(self, place: Matrix) -> Form:
         """Both sides of a mixed form."""
-        key = (m, k, inverse)
-        if key not in self._forms:
-            self._forms[key] = form_of(self.derivation.pool, m, k, inverse=inverse)
-        return self._forms[key]
+        if place not in self._forms:
+            self._forms[place] = form_of(self.derivation.pool, place)
+        return self._forms[place]
 
     @cached_property
-    def _forms(self) -> dict[tuple[int, int, bool], Form]:
+    def _forms(self) -> dict[Matrix, Form]:
         return {}
 
     @cached_property

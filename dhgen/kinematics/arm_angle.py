@@ -1,0 +1,183 @@
+"""The arm angle: where the elbow of an arm of seven joints stands on its circle.
+
+Axes 1, 2, 3 meet in the shoulder S, axes 5, 6, 7 in the wrist W. With the hand held, the elbow E,
+the point of axis 4 nearest to S, can still move on a circle about the line from S to W. Its angle
+is counted from the plane of that line and axis 1: zero where the elbow leans towards z of axis 1
+(M. Shimizu, H. Kakuya, W.-K. Yoon, K. Kitagaki, K. Kosuge, Analytical inverse kinematic computation
+for 7-DOF redundant manipulators with joint limits, IEEE Transactions on Robotics 24, 2008).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.errors import UnsolvedError
+from dhgen.kinematics.neighbours import EXACT, axis_triples
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.robot.robot import JointKind, TaskKind
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.numeric import NumericArm
+
+    Array = NDArray[np.float64]
+
+JOINTS = 7
+TRIPLES = {(1, 2, 3): "shoulder", (5, 6, 7): "wrist"}
+
+
+@dataclass(frozen=True, slots=True)
+class Triangle:
+    """Shoulder, elbow and wrist in the caller's frame.
+
+    Attributes:
+        shoulder: Where axes 1, 2 and 3 meet, (..., 3).
+        elbow: The point of axis 4 nearest to it, (..., 3).
+        wrist: Where axes 5, 6 and 7 meet, (..., 3).
+        first: Direction of axis 1, (..., 3).
+        fourth: Direction of axis 4, (..., 3).
+    """
+
+    shoulder: Array
+    elbow: Array
+    wrist: Array
+    first: Array
+    fourth: Array
+
+    @property
+    def side(self) -> Array:
+        """On which side of the arm the elbow is, as axis 4 sees it: zero for a stretched arm."""
+        across = np.cross(self.wrist - self.shoulder, self.elbow - self.shoulder)
+        return np.asarray(np.sum(across * self.fourth, axis=-1))
+
+    @property
+    def lean(self) -> Array:
+        """Wrist from elbow along axis 4: zero where a stretched arm is straight."""
+        return np.asarray(np.sum((self.wrist - self.elbow) * self.fourth, axis=-1))
+
+
+def triangle(arm: NumericArm, q: Array) -> Triangle:
+    """Shoulder, elbow and wrist at joint values (..., 7)."""
+    z, p = arm.axes(q)
+    shoulder = _meeting(z, p, 0, 1)
+    along = np.sum((shoulder - p[..., 3, :]) * z[..., 3, :], axis=-1, keepdims=True)
+    elbow = p[..., 3, :] + along * z[..., 3, :]
+    return Triangle(shoulder, elbow, _meeting(z, p, 4, 5), z[..., 0, :], z[..., 3, :])
+
+
+def _meeting(z: Array, p: Array, one: int, other: int) -> Array:
+    """The point of an axis nearest to another that is not parallel to it."""
+    normal = np.cross(z[..., one, :], z[..., other, :])
+    reach = np.cross(p[..., other, :] - p[..., one, :], z[..., other, :])
+    along = np.sum(reach * normal, axis=-1) / np.sum(normal * normal, axis=-1)
+    return np.asarray(p[..., one, :] + along[..., None] * z[..., one, :])
+
+
+def arm_angles(arm: NumericArm, q: Array, *, aside: float, merge: float) -> Array:
+    """The arm angle of joint values (..., 7), in (-pi, pi].
+
+    Args:
+        arm: The arm.
+        q: Joint values.
+        aside: Sine of the angle between the arm's line and axis 1 up to which the plane that
+            angles count from is the one of axis 1 and x of the base frame.
+        merge: What merges the two angles of an elbow: an arm that is as good as stretched.
+    """
+    found = triangle(arm, np.asarray(q, np.float64))
+    w, e = found.wrist - found.shoulder, found.elbow - found.shoulder
+    reference = np.cross(w, found.first)
+    length, reach = _norm(reference), _norm(w)
+    y = np.cross(found.first, arm.base[:3, reference_axis(arm)])
+    unit = reference / np.where(length > 0.0, length, 1.0)
+    b = np.where(length <= aside * reach, y, unit)
+    normal = np.cross(w, e)
+    if is_planar(arm):
+        area = _norm(e) * _norm(found.wrist - found.elbow)
+        straight = np.sqrt(merge * arm.chain.size**2 * area[..., 0])
+        behind = found.side < -straight
+        normal = np.where(behind[..., None], -found.fourth, found.fourth)
+    a, u = np.cross(b, w), np.cross(normal, w)
+    sine, cosine = reach[..., 0] * np.sum(u * b, axis=-1), np.sum(u * a, axis=-1)
+    return np.asarray(np.arctan2(sine, cosine))
+
+
+def reference_axis(arm: NumericArm) -> int:
+    """The axis of the base frame that stands for the arm's line where that is on axis 1.
+
+    It is x (0), or y (1) where axis 1 points along x.
+    """
+    found = triangle(arm, np.zeros(arm.chain.dof))
+    return int(_norm(np.cross(found.first, arm.base[:3, 0]))[0] <= EXACT)
+
+
+def is_planar(arm: NumericArm) -> bool:
+    """Whether shoulder, elbow and wrist lie in a plane across axis 4, so that they can align."""
+    lean = triangle(arm, np.zeros(arm.chain.dof)).lean
+    return bool(abs(lean) <= EXACT * arm.chain.size)
+
+
+def _norm(vector: Array) -> Array:
+    return np.asarray(np.linalg.norm(vector, axis=-1, keepdims=True))
+
+
+def demand_arm_angle(chain: Chain) -> None:
+    """Refuses arms without an arm angle.
+
+    Raises:
+        UnsolvedError: The arm has none; the text says what it lacks.
+    """
+    reasons = why_no_arm_angle(chain)
+    if reasons:
+        head = "free: arm_angle is for arms of seven joints with a shoulder, a wrist and an elbow:"
+        raise UnsolvedError("\n".join([head, *(f"  {reason}" for reason in reasons)]))
+
+
+def why_no_arm_angle(chain: Chain) -> list[str]:
+    """What an arm lacks for an arm angle; nothing if it has one."""
+    return _whole(chain) or _geometry(chain)
+
+
+def _whole(chain: Chain) -> list[str]:
+    """What the arm lacks before its geometry is looked at."""
+    kinds = {joint.kind for joint in chain.joints}
+    if chain.dof != JOINTS:
+        return [f"this one has {chain.dof} joint{'s' if chain.dof > 1 else ''}"]
+    if kinds != {JointKind.REVOLUTE}:
+        return ["not all of its joints are revolute"]
+    if chain.task.kind is not TaskKind.POSE:
+        return ["the task has to be a whole pose"]
+    return []
+
+
+def _geometry(chain: Chain) -> list[str]:
+    misses = {triple.joints: triple.miss for triple in axis_triples(chain)}
+    reasons = []
+    for joints, name in TRIPLES.items():
+        axes = ", ".join(map(str, joints))
+        if np.isinf(misses[joints]):
+            reasons.append(f"of axes {axes} two are parallel: there is no {name}")
+        elif misses[joints] > EXACT * chain.size:
+            miss = f"axes {axes} miss one point by {misses[joints]:.4g}"
+            reasons.append(f"{miss}: there is no {name}")
+    return reasons or _elbow(chain)
+
+
+def _elbow(chain: Chain) -> list[str]:
+    """What is wrong with axis 4 between a shoulder and a wrist."""
+    found = triangle(numeric_arm(chain), np.zeros(chain.dof))
+    least = EXACT * chain.size
+    across = np.cross(found.wrist - found.elbow, found.fourth)
+    ends = {
+        "shoulder": np.linalg.norm(found.elbow - found.shoulder),
+        "wrist": np.linalg.norm(across),
+    }
+    return [
+        f"axis 4 passes through the {name}: there is no elbow"
+        for name, length in ends.items()
+        if length <= least
+    ]

@@ -1,0 +1,173 @@
+"""The shoulder's rotation from the pose, the arm angle and the elbow's angle; and the arm angle.
+
+Along the line from shoulder to wrist, in the direction of the elbow, and across both stand three
+unit vectors: in the base they are known from the pose and the arm angle, in frame 3 from the
+elbow's angle. One triple in terms of the other is the rotation of A_1 A_2 A_3. The elbow's own
+distance from the line does not occur: a stretched arm, too, has its plane.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import SHOULDER_NAMES
+from dhgen.program.forward import Walk
+from dhgen.program.tolerances import TOLERANCES
+from dhgen.program.vectors import chosen, cross, inner, length, minus, plus, scaled
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.arm_plane import ArmPlane
+    from dhgen.paul.derivation import Derivation
+    from dhgen.program.builder import Builder
+    from dhgen.program.graph import Node
+    from dhgen.program.ir import Program
+    from dhgen.program.lower import Lowering
+    from dhgen.program.tolerances import Tolerances
+
+    Vector = list[Node]
+
+
+def lower_shoulder(context: Lowering, plane: ArmPlane, wrist: Vector) -> dict[str, Node]:
+    """The entries of the shoulder's rotation by their names.
+
+    Args:
+        context: The program in the making; the elbow's angle is known.
+        plane: Shoulder, elbow and wrist.
+        wrist: The wrist in the base frame.
+    """
+    builder = context.builder
+    in_base = _base_vectors(context, plane, wrist)
+    in_three = _link_vectors(context, plane)
+    found: dict[str, Node] = {}
+    for row, names in enumerate(SHOULDER_NAMES):
+        for column, name in enumerate(names):
+            entry = inner(builder, [v[row] for v in in_base], [v[column] for v in in_three])
+            found[name] = builder.name(entry, name.replace("__", ""))
+    return found
+
+
+def _base_vectors(context: Lowering, plane: ArmPlane, wrist: Vector) -> tuple[Vector, ...]:
+    """Along the arm, towards the elbow, and across, in the base frame."""
+    builder = context.builder
+    first = _lowered(context, plane.first)
+    axis = [builder.integer(int(place == plane.reference)) for place in range(3)]
+    across = cross(builder, first, axis)
+    if context.normal(plane.first[plane.reference]):  # not at right angles
+        across = scaled(builder, builder.div(builder.integer(1), length(builder, across)), across)
+    w = minus(builder, wrist, _lowered(context, plane.shoulder))
+    along = _unit(context, w, first if plane.folds else None, "reach")
+    reference = cross(builder, along, first)
+    size = builder.name(length(builder, reference), "lean")
+    limit = context.scales.tolerance(context.scales.tolerances.free, 0, "free")
+    aside = builder.name(builder.apply("at_most", size, limit), "upright")
+    safe = builder.select(aside, builder.integer(1), size)
+    b = scaled(builder, builder.div(builder.integer(1), safe), reference)
+    b = chosen(builder, aside, across, b)
+    a = cross(builder, b, along)
+    psi = builder.given(1)
+    cosine = builder.name(builder.apply("cos", psi), "cos_psi")
+    sine = builder.name(builder.apply("sin", psi), "sin_psi")
+    towards = plus(builder, scaled(builder, cosine, a), scaled(builder, sine, b))
+    normal = minus(builder, scaled(builder, cosine, b), scaled(builder, sine, a))
+    for letter, vector in zip("gun", (along, towards, normal), strict=True):
+        for component, entry in zip("xyz", vector, strict=True):
+            builder.hint(entry, f"{letter}{component}")
+    return along, towards, normal
+
+
+def _link_vectors(context: Lowering, plane: ArmPlane) -> tuple[Vector, ...]:
+    """The same three in frame 3."""
+    builder = context.builder
+    fourth = _lowered(context, plane.fourth)
+    elbow = cross(builder, fourth, _lowered(context, plane.elbow))
+    along = _unit(context, _lowered(context, plane.wrist), elbow if plane.folds else None, "arm")
+    if plane.planar:
+        normal = scaled(builder, _side(context, plane), fourth)
+    else:
+        normal = _unit(context, _lowered(context, plane.normal), None, "normal")
+    return along, cross(builder, normal, along), normal
+
+
+def _side(context: Lowering, plane: ArmPlane) -> Node:
+    """+1 where the arm is bent to the positive side of axis 4, or straight; else -1."""
+    builder = context.builder
+    parts = [f * n for f, n in zip(plane.fourth, plane.normal, strict=True)]
+    bent = builder.name(context.lower(context.normal(sum(parts[1:], parts[0]))), "bent")
+    limit = _straight(builder, context.chain, plane, context.scales.tolerances)
+    behind = builder.apply("less", bent, builder.neg(limit))
+    side = builder.select(behind, builder.integer(-1), builder.integer(1))
+    return builder.name(side, "side")
+
+
+def _unit(context: Lowering, vector: Vector, instead: Vector | None, name: str) -> Vector:
+    """A vector of length one; another, of any length, where there is no length to speak of."""
+    builder = context.builder
+    size = builder.name(length(builder, vector), name)
+    one = builder.integer(1)
+    if instead is None:
+        return scaled(builder, builder.div(one, size), vector)
+    limit = context.scales.tolerance(context.scales.tolerances.free, 1, "free")
+    none = builder.name(builder.apply("at_most", size, limit), f"no_{name}")
+    vector = scaled(builder, builder.div(one, builder.select(none, one, size)), vector)
+    other = scaled(builder, builder.div(one, length(builder, instead)), instead)
+    return chosen(builder, none, other, vector)
+
+
+def _lowered(context: Lowering, vector: tuple[Polynomial, ...]) -> Vector:
+    return [context.lower(entry) for entry in vector]
+
+
+def arm_angle_program(
+    derivation: Derivation, tolerances: Tolerances = TOLERANCES
+) -> Program | None:
+    """The arm angle of joint values, in (-pi, pi]; None for arms to which none is given.
+
+    Where the solver takes a fixed direction instead of one that is lost, this does, too: the arm
+    angle of a solution is the one that was asked for. Zero where the wrist is in the shoulder.
+    """
+    plane, chain = derivation.pool.plane, derivation.problem.algebra.chain
+    if plane is None:
+        return None
+    walk = Walk(chain, "n")
+    builder = walk.builder
+    walk.along_arm()
+    shoulder = walk.frames[plane.shoulder_frame][3]
+    w = minus(builder, walk.frames[plane.wrist_frame][3], shoulder)
+    fourth = walk.joints[3]
+    start = minus(builder, fourth[3], shoulder)
+    along = inner(builder, fourth[2], start)
+    e = minus(builder, start, scaled(builder, along, fourth[2]))
+    normal = cross(builder, w, e)
+    if plane.planar:
+        bent = inner(builder, normal, fourth[2])
+        limit = _straight(builder, chain, plane, tolerances)
+        behind = builder.apply("less", bent, builder.neg(limit))
+        side = builder.select(behind, builder.integer(-1), builder.integer(1))
+        normal = scaled(builder, side, fourth[2])
+    first = walk.joints[0][2]
+    across = cross(builder, first, walk.frames[0][plane.reference])
+    reach = length(builder, w)
+    reference = cross(builder, w, first)
+    size = length(builder, reference)
+    least = builder.constant("free_limit", tolerances.free, "a length that fixes no angle", 0)
+    aside = builder.apply("at_most", size, builder.mul(least, reach))
+    b = chosen(builder, aside, across, reference)
+    a = cross(builder, b, w)
+    u = cross(builder, normal, w)
+    sine, cosine = builder.mul(reach, inner(builder, u, b)), inner(builder, u, a)
+    results = {"psi": builder.apply("atan2", sine, cosine)}
+    return builder.finish(chain.name, results, [])
+
+
+def _straight(builder: Builder, chain: Chain, plane: ArmPlane, tolerances: Tolerances) -> Node:
+    """The elbow's side where the arm is as good as stretched: where its two angles are merged.
+
+    They are for (2 A)^2 - Z^2 < 2 d |Z|, with A the plane's area and d what merges squared lengths;
+    the side s of the elbow is half of the root of the left-hand side.
+    """
+    value = math.sqrt(tolerances.merge * chain.size**2 * plane.area)
+    meaning = "a stretched arm: its elbow is on either side"
+    return builder.constant("straight_limit", value, meaning, 2)

@@ -1,0 +1,35 @@
+"""What the caller gives besides the pose: values of free joints, or the arm angle."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.kinematics.arm_angle import arm_angles
+from dhgen.program.tolerances import TOLERANCES
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.numeric import NumericArm
+    from dhgen.program.tolerances import Tolerances
+
+    Array = NDArray[np.float64]
+
+
+def given_values(arm: NumericArm, q: Array, tolerances: Tolerances = TOLERANCES) -> Array:
+    """What a caller gives to be told joint values again.
+
+    Args:
+        arm: The arm.
+        q: Joint values, shape (..., n).
+        tolerances: Of the arithmetic that solves.
+
+    Returns:
+        Shape (..., k), with k of none where nothing is to be given.
+    """
+    q = np.asarray(q, np.float64)
+    if arm.chain.arm_angle:
+        return arm_angles(arm, q, aside=tolerances.free, merge=tolerances.merge)[..., None]
+    return np.ascontiguousarray(q[..., [joint - 1 for joint in arm.chain.free]])

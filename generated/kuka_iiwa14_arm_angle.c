@@ -1,0 +1,1406 @@
+/* kuka_iiwa14_arm_angle: KUKA LBR iiwa 14 R820, arm angle given
+ *
+ * Inverse kinematics, generated from robots/kuka_iiwa14_arm_angle.yaml and
+ * templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/kuka_iiwa14_arm_angle.yaml. The formulas and where they come from:
+ * kuka_iiwa14_arm_angle.md.
+ */
+#include "kuka_iiwa14_arm_angle.h"
+
+#include <math.h>
+
+static const double turn = 6.283185307179586;
+
+/* The angle moved by whole turns to (-pi, pi]. */
+static double wrap(double angle)
+{
+    return angle - turn * ceil(angle / turn - 0.5);
+}
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
+#ifndef KUKA_IIWA14_ARM_ANGLE_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DKUKA_IIWA14_ARM_ANGLE_SCALAR. With -DKUKA_IIWA14_ARM_ANGLE_LIBM the arctangents are those of
+ * <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(KUKA_IIWA14_ARM_ANGLE_SCALAR) && !defined(KUKA_IIWA14_ARM_ANGLE_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef double four_at
+    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+HELPER four cos_four(four x)
+{
+    for (int k = 0; k < 4; k++)
+        x[k] = cos(x[k]);
+    return x;
+}
+
+HELPER four sin_four(four x)
+{
+    for (int k = 0; k < 4; k++)
+        x[k] = sin(x[k]);
+    return x;
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef double wide_at
+    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+HELPER wide cos_wide(wide x)
+{
+    for (int k = 0; k < LANES; k++)
+        x[k] = cos(x[k]);
+    return x;
+}
+
+HELPER wide sin_wide(wide x)
+{
+    for (int k = 0; k < LANES; k++)
+        x[k] = sin(x[k]);
+    return x;
+}
+
+ARCTANGENT(four)
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
+#define cos_wide cos
+#define sin_wide sin
+#endif
+#ifdef KUKA_IIWA14_ARM_ANGLE_LIBM
+#define atan2_wide atan2
+#else
+ARCTANGENT(wide)
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16], const double free_joints[1])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last + 0.0 * (free_joints[0]);
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & KUKA_IIWA14_ARM_ANGLE_UNREACHABLE) \
+        | (~(none) & (outside) & KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)KUKA_IIWA14_ARM_ANGLE_UNREACHABLE \
+        : (outside) ? (int)KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS : 0)
+#endif
+static const double d1 = 0.36; /* joint offset 1 [m] */
+static const double d3 = 0.42; /* joint offset 3 [m] */
+static const double d5 = 0.4; /* joint offset 5 [m] */
+static const double d7 = 0.126; /* joint offset 7 [m] */
+/* rounding at the boundary of the workspace [m^2] */
+static const double reach_slack2 = 1.7056360000000002e-13;
+/* nearer to that boundary two branches are one [m^2] */
+static const double merge_slack2 = 1.705636e-14;
+static const double free_limit = 1e-12; /* a length that fixes no angle */
+/* a stretched arm: its elbow is on either side [m^2] */
+static const double straight_limit = 5.353007080137295e-08;
+static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
+static const double offset2 = 3.141592653589793; /* offset of joint 2 [rad] */
+static const double offset4 = 3.141592653589793; /* offset of joint 4 [rad] */
+static const double offset6 = 3.141592653589793; /* offset of joint 6 [rad] */
+static const double k1 = 0.336; /* 2 * d5 * d3 [m^2] */
+static const double k2 = 0.72; /* 2 * d1 [m] */
+static const double k3 = -0.2068; /* d1^2 - (d3^2 + d5^2) [m^2] */
+static const double k4 = 0.11289600000000001; /* (2 * d5 * d3)^2 [m^4] */
+static const double k5 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double low1 = -2.9670597293903604; /* lowest value of joint 1 */
+static const double high1 = 2.9670597293903604; /* highest value of joint 1 */
+static const double low2 = -2.0943951033931953; /* lowest value of joint 2 */
+static const double high2 = 2.0943951033931953; /* highest value of joint 2 */
+static const double low3 = -2.9670597293903604; /* lowest value of joint 3 */
+static const double high3 = 2.9670597293903604; /* highest value of joint 3 */
+static const double low4 = -2.0943951033931953; /* lowest value of joint 4 */
+static const double high4 = 2.0943951033931953; /* highest value of joint 4 */
+static const double low5 = -2.9670597293903604; /* lowest value of joint 5 */
+static const double high5 = 2.9670597293903604; /* highest value of joint 5 */
+static const double low6 = -2.0943951033931953; /* lowest value of joint 6 */
+static const double high6 = 2.0943951033931953; /* highest value of joint 6 */
+static const double low7 = -3.054326191990077; /* lowest value of joint 7 */
+static const double high7 = 3.054326191990077; /* highest value of joint 7 */
+static const double m1 = 1e-24; /* free_limit^2 */
+static const double m3 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
+
+const char *const kuka_iiwa14_arm_angle_branches[8] = {
+    "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
+    "flip4-left-noflip5", "flip4-left-flip5", "flip4-right-noflip5", "flip4-right-flip5",
+};
+
+static const double lowest[7] = {
+    -2.9670597283903604, -2.0943951023931953, -2.9670597283903604, -2.0943951023931953,
+    -2.9670597283903604, -2.0943951023931953, -3.0543261909900767,
+};
+static const double highest[7] = {
+    2.9670597283903604, 2.0943951023931953, 2.9670597283903604, 2.0943951023931953,
+    2.9670597283903604, 2.0943951023931953, 3.0543261909900767,
+};
+
+void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
+{
+    const double v1 = q[0] + offset1;
+    const double c1 = cos(v1);
+    const double s1 = sin(v1);
+    const double v2 = q[1] + offset2;
+    const double c2 = cos(v2);
+    const double s2 = sin(v2);
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double z2_x = c1 * s2;
+    const double z2_y = s1 * s2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + s1 * s3;
+    const double x3_y = x2_y * c3 - c1 * s3;
+    const double x3_z = s2 * c3;
+    const double z3_y = c1 * c3 + x2_y * s3;
+    const double z3_z = s2 * s3;
+    const double z3_x = x2_x * s3 - s1 * c3;
+    const double v3 = q[3] + offset4;
+    const double c4 = cos(v3);
+    const double s4 = sin(v3);
+    const double x4_x = x3_x * c4 + z2_x * s4;
+    const double x4_y = x3_y * c4 + z2_y * s4;
+    const double x4_z = x3_z * c4 - c2 * s4;
+    const double z4_z = c2 * c4 + x3_z * s4;
+    const double z4_x = x3_x * s4 - z2_x * c4;
+    const double z4_y = x3_y * s4 - z2_y * c4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + z3_x * s5;
+    const double x5_y = x4_y * c5 + z3_y * s5;
+    const double x5_z = x4_z * c5 + z3_z * s5;
+    const double z5_x = x4_x * s5 - z3_x * c5;
+    const double z5_y = x4_y * s5 - z3_y * c5;
+    const double z5_z = x4_z * s5 - z3_z * c5;
+    const double v4 = q[5] + offset6;
+    const double c6 = cos(v4);
+    const double s6 = sin(v4);
+    const double x6_x = x5_x * c6 + z4_x * s6;
+    const double x6_y = x5_y * c6 + z4_y * s6;
+    const double x6_z = x5_z * c6 + z4_z * s6;
+    const double T13_ = x5_x * s6 - z4_x * c6;
+    const double T23_ = x5_y * s6 - z4_y * c6;
+    const double T33_ = x5_z * s6 - z4_z * c6;
+    const double c7 = cos(q[6]);
+    const double s7 = sin(q[6]);
+    const double T11_ = x6_x * c7 + z5_x * s7;
+    const double T21_ = x6_y * c7 + z5_y * s7;
+    const double T31_ = x6_z * c7 + z5_z * s7;
+    const double T12_ = z5_x * c7 - x6_x * s7;
+    const double T22_ = z5_y * c7 - x6_y * s7;
+    const double T32_ = z5_z * c7 - x6_z * s7;
+    const double T14_ = z2_x * d3 + z4_x * d5 + T13_ * d7;
+    const double T24_ = z2_y * d3 + z4_y * d5 + T23_ * d7;
+    const double T34_ = d1 - c2 * d3 + z4_z * d5 + T33_ * d7;
+    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
+    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42])
+{
+    const double v1 = q[0] + offset1;
+    const double c1 = cos(v1);
+    const double s1 = sin(v1);
+    const double v2 = q[1] + offset2;
+    const double c2 = cos(v2);
+    const double s2 = sin(v2);
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double J43 = c1 * s2;
+    const double J53 = s1 * s2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + s1 * s3;
+    const double x3_y = x2_y * c3 - c1 * s3;
+    const double x3_z = s2 * c3;
+    const double J54 = c1 * c3 + x2_y * s3;
+    const double J64 = s2 * s3;
+    const double p3_x = J43 * d3;
+    const double p3_y = J53 * d3;
+    const double p3_z = d1 - c2 * d3;
+    const double J44 = x2_x * s3 - s1 * c3;
+    const double v3 = q[3] + offset4;
+    const double c4 = cos(v3);
+    const double s4 = sin(v3);
+    const double x4_x = x3_x * c4 + J43 * s4;
+    const double x4_y = x3_y * c4 + J53 * s4;
+    const double x4_z = x3_z * c4 - c2 * s4;
+    const double J65 = c2 * c4 + x3_z * s4;
+    const double J45 = x3_x * s4 - J43 * c4;
+    const double J55 = x3_y * s4 - J53 * c4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double p5_x = p3_x + J45 * d5;
+    const double p5_y = p3_y + J55 * d5;
+    const double p5_z = p3_z + J65 * d5;
+    const double J46 = x4_x * s5 - J44 * c5;
+    const double J56 = x4_y * s5 - J54 * c5;
+    const double J66 = x4_z * s5 - J64 * c5;
+    const double v4 = q[5] + offset6;
+    const double c6 = cos(v4);
+    const double s6 = sin(v4);
+    const double J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6;
+    const double J57 = (x4_y * c5 + J54 * s5) * s6 - J55 * c6;
+    const double J67 = (x4_z * c5 + J64 * s5) * s6 - J65 * c6;
+    const double J21 = p5_x + J47 * d7;
+    const double p7_y = p5_y + J57 * d7;
+    const double p7_z = p5_z + J67 * d7;
+    const double v5 = p7_z - d1;
+    const double J32 = s1 * p7_y + c1 * J21;
+    const double J13 = J53 * v5 + c2 * p7_y;
+    const double J33 = J43 * p7_y - J53 * J21;
+    const double v6 = J21 - p3_x;
+    const double v7 = p7_y - p3_y;
+    const double v8 = p7_z - p3_z;
+    const double J14 = J54 * v8 - J64 * v7;
+    const double J24 = J64 * v6 - J44 * v8;
+    const double J34 = J44 * v7 - J54 * v6;
+    const double J15 = J55 * v8 - J65 * v7;
+    const double J25 = J65 * v6 - J45 * v8;
+    const double J35 = J45 * v7 - J55 * v6;
+    const double v9 = J21 - p5_x;
+    const double v10 = p7_y - p5_y;
+    const double v11 = p7_z - p5_z;
+    const double J16 = J56 * v11 - J66 * v10;
+    const double J26 = J66 * v9 - J46 * v11;
+    const double J36 = J46 * v10 - J56 * v9;
+    const double J17 = J57 * v11 - J67 * v10;
+    const double J27 = J67 * v9 - J47 * v11;
+    const double J37 = J47 * v10 - J57 * v9;
+    J[0] = -p7_y; J[1] = -(c1 * v5); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
+    J[7] = J21; J[8] = -(s1 * v5); J[9] = -(c2 * J21 + J43 * v5); J[10] = J24; J[11] = J25;
+    J[12] = J26; J[13] = J27;
+    J[14] = 0.0; J[15] = J32; J[16] = J33; J[17] = J34; J[18] = J35; J[19] = J36; J[20] = J37;
+    J[21] = 0.0; J[22] = s1; J[23] = J43; J[24] = J44; J[25] = J45; J[26] = J46; J[27] = J47;
+    J[28] = 0.0; J[29] = -c1; J[30] = J53; J[31] = J54; J[32] = J55; J[33] = J56; J[34] = J57;
+    J[35] = 1.0; J[36] = 0.0; J[37] = -c2; J[38] = J64; J[39] = J65; J[40] = J66; J[41] = J67;
+}
+
+double kuka_iiwa14_arm_angle_arm_angle(const double q[7])
+{
+    const double v1 = q[0] + offset1;
+    const double c1 = cos(v1);
+    const double s1 = sin(v1);
+    const double v2 = q[1] + offset2;
+    const double c2 = cos(v2);
+    const double s2 = sin(v2);
+    const double x2_x = c1 * c2;
+    const double x2_y = s1 * c2;
+    const double z2_x = c1 * s2;
+    const double z2_y = s1 * s2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double z3_y = c1 * c3 + x2_y * s3;
+    const double z3_z = s2 * s3;
+    const double p3_x = z2_x * d3;
+    const double p3_y = z2_y * d3;
+    const double p3_z = d1 - c2 * d3;
+    const double z3_x = x2_x * s3 - s1 * c3;
+    const double v3 = q[3] + offset4;
+    const double c4 = cos(v3);
+    const double s4 = sin(v3);
+    const double p5_x = p3_x + ((x2_x * c3 + s1 * s3) * s4 - z2_x * c4) * d5;
+    const double p5_y = p3_y + ((x2_y * c3 - c1 * s3) * s4 - z2_y * c4) * d5;
+    const double v4 = p3_z + (c2 * c4 + s2 * c3 * s4) * d5 - d1;
+    const double v5 = p3_z - d1;
+    const double v6 = p3_x * z3_x + z3_y * p3_y + z3_z * v5;
+    const double v7 = p3_x - z3_x * v6;
+    const double v8 = p3_y - z3_y * v6;
+    const double v9 = v5 - z3_z * v6;
+    const double v10 = z3_x * (p5_y * v9 - v4 * v8) + z3_y * (v4 * v7 - p5_x * v9) + z3_z * (p5_x *
+        v8 - p5_y * v7) < -straight_limit ? -1.0 : 1.0;
+    const double v11 = z3_x * v10;
+    const double v12 = z3_y * v10;
+    const double v13 = z3_z * v10;
+    const double v14 = p5_x * p5_x + p5_y * p5_y;
+    const double v15 = sqrt(v14 + v4 * v4);
+    const int v16 = sqrt(v14) <= v15 * free_limit;
+    const double v17 = v16 ? 0.0 : p5_y;
+    const double v18 = v16 ? 1.0 : -p5_x;
+    const double v19 = v4 * v12 - p5_y * v13;
+    const double v20 = p5_x * v13 - v4 * v11;
+    const double psi = atan2(v15 * (v17 * v19 + v18 * v20), v4 * v18 * v19 - v4 * v17 * v20 + (p5_y
+        * v17 - p5_x * v18) * (p5_y * v11 - p5_x * v12));
+    return psi;
+}
+
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+static double misfit(const double T[16])
+{
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+}
+
+/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
+static void straighten(double T[16])
+{
+    double R[9], G[9];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            G[3 * i + j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
+        return 0;
+    const double miss = misfit(T);
+    if (!(miss <= 1e-09))
+        return 0;
+    if (miss > 1e-24) {
+        straighten(T);
+        straighten(T);
+    }
+    return 1;
+}
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(
+    const wide T[16], const wide free_joints[1], wide q[56], wide_mask kind[8])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta4 */
+    const wide wx = T14 - d7 * T13;
+    const wide wy = T24 - d7 * T23;
+    const wide wz = T34 - d7 * T33;
+    const wide v1 = wx * wx;
+    const wide v2 = wy * wy;
+    const wide Z4 = v1 + (v2 + (k3 + wz * (wz - k2)));
+    const wide D4 = k4 - Z4 * Z4;
+    const wide v3 = 2.0 * abs_wide(Z4);
+    const wide v4 = k1 * Z4;
+    const wide v5 = k5 * v4;
+    const wide v6 = k1 * sqrt_wide(D4);
+    const wide v7 = k5 * v6;
+
+    /* shoulder */
+    const wide v8 = wz - d1;
+    const wide v9 = v1 + v2 + v8 * v8;
+    const wide v10 = sqrt_wide(v9) * (1.0 / v9);
+    const wide gx = wx * v10;
+    const wide gy = wy * v10;
+    const wide gz = v8 * v10;
+    const wide v11 = gy * gy + gx * gx;
+    const wide_mask upright = v11 <= m1;
+    const wide v12 = 1.0 / pick_wide(upright, all_wide(1.0), sqrt_wide(v11));
+    const wide v13 = pick_wide(upright, all_wide(0.0), gy * v12);
+    const wide v14 = pick_wide(upright, all_wide(1.0), -(gx * v12));
+    const wide v15 = gz * v14;
+    const wide v16 = gz * v13;
+    const wide cos_psi = cos_wide(free_joints[0]);
+    const wide sin_psi = sin_wide(free_joints[0]);
+    const wide uz = cos_psi * (gy * v13 - gx * v14);
+    const wide ux = v15 * cos_psi + v13 * sin_psi;
+    const wide uy = v14 * sin_psi - v16 * cos_psi;
+    const wide nx = v13 * cos_psi - v15 * sin_psi;
+    const wide ny = v14 * cos_psi + v16 * sin_psi;
+    const wide v17 = d5 * v7;
+    const wide v18 = d3 + d5 * v5;
+    const wide v19 = v18 * v18 + v17 * v17;
+    const wide v20 = sqrt_wide(v19) * (1.0 / v19);
+    const wide v21 = d5 * (d3 * v7);
+    const wide side_p = pick_wide(-v21 < -straight_limit, all_wide(-1.0), all_wide(1.0));
+    const wide side_m = pick_wide(v21 < -straight_limit, all_wide(-1.0), all_wide(1.0));
+    const wide v22 = v18 * side_p;
+    const wide v23 = v18 * side_m;
+    const wide v24 = v17 * side_p;
+    const wide v25 = v17 * side_m;
+    const wide v26 = gx * v17;
+    const wide v27 = gy * v17;
+    const wide v28 = gy * v18;
+    const wide b22_p = v28 - uy * v24;
+    const wide b22_m = v28 + uy * v25;
+
+    /* theta1 */
+    const wide v29 = gx * v18;
+    const wide X1_p = ux * v24 - v29;
+    const wide v30 = v29 + ux * v25;
+    const wide v31 = v20 * (X1_p * (v20 * X1_p) + b22_p * (v20 * b22_p));
+    const wide v32 = v20 * (v30 * (v20 * v30) + b22_m * (v20 * b22_m));
+    const wide w1_p = sqrt_wide(v31);
+    const wide w1_m = sqrt_wide(v32);
+    const wide v33 = 1.0 / v31;
+    const wide v34 = 1.0 / v32;
+    const wide factor1_p = w1_p * v33;
+    const wide factor1_m = w1_m * v34;
+
+    /* theta2 */
+    const wide v35 = gz * v18;
+    const wide c2_p = uz * v24 - v35;
+    const wide v36 = v35 + uz * v25;
+
+    /* theta3 */
+    const wide s3_p = -X1_p * (v20 * (v27 + uy * v22)) - b22_p * (v20 * (v26 + ux * v22));
+    const wide s3_m = v30 * (v20 * (uy * v23 - v27)) - b22_m * (v20 * (ux * v23 - v26));
+    const wide c3_p = -X1_p * (ny * side_p) - b22_p * (nx * side_p);
+    const wide c3_m = v30 * (ny * side_m) - b22_m * (nx * side_m);
+    const wide angle1 = atan2_wide(s3_p, c3_p);
+    const wide angle2 = atan2_wide(s3_m, c3_m);
+    const wide q3_pmp = angle1 - copysign_wide(all_wide(half_turn), s3_p) * h1;
+    const wide q3_mmp = angle2 - copysign_wide(all_wide(half_turn), s3_m) * h1;
+
+    /* theta5 */
+    const wide v37 = T13 * -X1_p + T23 * b22_p;
+    const wide v38 = T13 * v30 + T23 * b22_m;
+    const wide v39 = v20 * c2_p;
+    const wide v40 = v20 * v36;
+    const wide v41 = v20 * (v37 * v39);
+    const wide v42 = v20 * (v38 * v40);
+    const wide v43 = T33 * w1_p + factor1_p * v41;
+    const wide v44 = T33 * w1_m - factor1_m * v42;
+    const wide v45 = T13 * b22_p - T23 * -X1_p;
+    const wide v46 = T13 * b22_m - T23 * v30;
+    const wide v47 = factor1_p * (w1_p * v37) - T33 * c2_p;
+    const wide v48 = factor1_m * (w1_m * v38) + T33 * v36;
+    const wide v49 = factor1_p * (v20 * s3_p);
+    const wide v50 = factor1_m * (v20 * s3_m);
+    const wide X5_p = factor1_p * (c3_p * (v5 * v43) + v49 * (v5 * v45)) + v7 * v47;
+    const wide X5_m = factor1_m * (c3_m * (v5 * v44) + v50 * (v5 * v46)) - v7 * v48;
+    const wide v51 = v20 * c3_p;
+    const wide v52 = v20 * c3_m;
+    const wide Y5_p = w1_p * (v33 * (s3_p * v41 + v51 * -v45) + T33 * s3_p);
+    const wide Y5_m = w1_m * (v34 * (v52 * -v46 - s3_m * v42) + T33 * s3_m);
+    const wide v53 = v20 * X5_p;
+    const wide v54 = v20 * X5_m;
+    const wide v55 = v20 * Y5_p;
+    const wide v56 = v20 * Y5_m;
+    const wide v57 = v20 * (X5_p * v53 + factor1_p * (Y5_p * (factor1_p * v55)));
+    const wide v58 = v20 * (X5_m * v54 + factor1_m * (Y5_m * (factor1_m * v56)));
+    const wide v59 = factor1_p * Y5_p;
+    const wide v60 = factor1_m * Y5_m;
+    const wide angle3 = atan2_wide(v59, -X5_p);
+    const wide angle4 = atan2_wide(v60, -X5_m);
+    const wide q5_ppm = angle3 - h1 * copysign_wide(all_wide(half_turn), v59);
+    const wide q5_mpm = angle4 - h1 * copysign_wide(all_wide(half_turn), v60);
+
+    /* theta7 */
+    const wide v61 = b22_p * T12 - -X1_p * T22;
+    const wide v62 = b22_m * T12 - v30 * T22;
+    const wide v63 = -X1_p * T12 + b22_p * T22;
+    const wide v64 = v30 * T12 + b22_m * T22;
+    const wide v65 = v20 * (v39 * v63);
+    const wide v66 = v20 * (v40 * v64);
+    const wide v67 = b22_p * T11 - -X1_p * T21;
+    const wide v68 = b22_m * T11 - v30 * T21;
+    const wide v69 = -X1_p * T11 + b22_p * T21;
+    const wide v70 = v30 * T11 + b22_m * T21;
+    const wide v71 = v20 * (v39 * v69);
+    const wide v72 = v20 * (v40 * v70);
+    const wide v73 = v53 * (w1_p * (v33 * (s3_p * v71 + v51 * -v67) + s3_p * T31)) - v55 *
+        (factor1_p * (c3_p * (v5 * (w1_p * T31 + factor1_p * v71)) + v49 * (v5 * v67)) + v7 *
+        (factor1_p * (w1_p * v69) - c2_p * T31));
+    const wide v74 = v54 * (w1_m * (v34 * (v52 * -v68 - s3_m * v72) + s3_m * T31)) - v56 *
+        (factor1_m * (c3_m * (v5 * (w1_m * T31 - factor1_m * v72)) + v50 * (v5 * v68)) - v7 *
+        (factor1_m * (w1_m * v70) + v36 * T31));
+    const wide angle5 = atan2_wide(v73, v53 * (w1_p * (v33 * (s3_p * v65 + v51 * -v61) + s3_p *
+        T32)) - v55 * (factor1_p * (c3_p * (v5 * (w1_p * T32 + factor1_p * v65)) + v49 * (v5 * v61))
+        + v7 * (factor1_p * (w1_p * v63) - c2_p * T32)));
+    const wide angle6 = atan2_wide(v74, v54 * (w1_m * (v34 * (v52 * -v62 - s3_m * v66) + s3_m *
+        T32)) - v56 * (factor1_m * (c3_m * (v5 * (w1_m * T32 - factor1_m * v66)) + v50 * (v5 * v62))
+        - v7 * (factor1_m * (w1_m * v64) + v36 * T32)));
+    const wide q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v73);
+    const wide q7_mpm = angle6 - h1 * copysign_wide(all_wide(half_turn), v74);
+
+    /* joint values */
+    const wide angle7 = atan2_wide(b22_p, -X1_p);
+    const wide angle8 = atan2_wide(b22_m, v30);
+    const wide v75 = angle7 - offset1;
+    const wide v76 = angle7 - h1 * copysign_wide(all_wide(half_turn), b22_p) - offset1;
+    const wide v77 = angle8 - offset1;
+    const wide v78 = angle8 - h1 * copysign_wide(all_wide(half_turn), b22_m) - offset1;
+    const wide q1_ppp = v75 + only_wide(v75 <= -half_turn, m3);
+    const wide q1_pmp = v76 + only_wide(v76 <= -half_turn, m3);
+    const wide q1_mpp = v77 + only_wide(v77 <= -half_turn, m3);
+    const wide q1_mmp = v78 + only_wide(v78 <= -half_turn, m3);
+    const wide angle9 = atan2_wide(w1_p, v39);
+    const wide angle10 = atan2_wide(w1_m, -v40);
+    const wide v79 = angle9 - offset2;
+    const wide v80 = offset2 + angle9;
+    const wide v81 = angle10 - offset2;
+    const wide v82 = offset2 + angle10;
+    const wide q2_ppp = v79 + only_wide(v79 <= -half_turn, m3);
+    const wide q2_pmp = only_wide(-v80 <= -half_turn, m3) - v80;
+    const wide q2_mpp = v81 + only_wide(v81 <= -half_turn, m3);
+    const wide q2_mmp = only_wide(-v82 <= -half_turn, m3) - v82;
+    const wide angle11 = atan2_wide(-v6, -v4);
+    const wide v83 = angle11 - offset4;
+    const wide v84 = offset4 + angle11;
+    const wide q4_ppp = v83 + only_wide(v83 <= -half_turn, m3);
+    const wide q4_mpp = only_wide(-v84 <= -half_turn, m3) - v84;
+    const wide angle12 = atan2_wide(sqrt_wide(v57), v20 * (factor1_p * (c3_p * (v7 * v43) + v49 *
+        (v7 * v45)) - v5 * v47));
+    const wide angle13 = atan2_wide(sqrt_wide(v58), -(v20 * (factor1_m * (c3_m * (v7 * v44) + v50 *
+        (v7 * v46)) + v5 * v48)));
+    const wide v85 = angle12 - offset6;
+    const wide v86 = offset6 + angle12;
+    const wide v87 = angle13 - offset6;
+    const wide v88 = offset6 + angle13;
+    const wide q6_ppp = v85 + only_wide(v85 <= -half_turn, m3);
+    const wide q6_ppm = only_wide(-v86 <= -half_turn, m3) - v86;
+    const wide q6_mpp = v87 + only_wide(v87 <= -half_turn, m3);
+    const wide q6_mpm = only_wide(-v88 <= -half_turn, m3) - v88;
+    const wide_mask v89 = (q4_ppp < low4) | (high4 < q4_ppp);
+    const wide_mask v90 = (q4_mpp < low4) | (high4 < q4_mpp);
+    const wide_mask v91 = (angle3 < low5) | (high5 < angle3);
+    const wide_mask v92 = (q5_ppm < low5) | (high5 < q5_ppm);
+    const wide_mask v93 = (angle4 < low5) | (high5 < angle4);
+    const wide_mask v94 = (q5_mpm < low5) | (high5 < q5_mpm);
+    const wide_mask v95 = (q6_ppp < low6) | (high6 < q6_ppp);
+    const wide_mask v96 = (q6_ppm < low6) | (high6 < q6_ppm);
+    const wide_mask v97 = (q6_mpp < low6) | (high6 < q6_mpp);
+    const wide_mask v98 = (q6_mpm < low6) | (high6 < q6_mpm);
+    const wide_mask v99 = (angle5 < low7) | (high7 < angle5);
+    const wide_mask v100 = (q7_ppm < low7) | (high7 < q7_ppm);
+    const wide_mask v101 = (angle6 < low7) | (high7 < angle6);
+    const wide_mask v102 = (q7_mpm < low7) | (high7 < q7_mpm);
+    const wide_mask v103 = v89 | (((angle1 < low3) | (high3 < angle1)) | (((q1_ppp < low1) | (high1
+        < q1_ppp)) | ((q2_ppp < low2) | (high2 < q2_ppp))));
+    const wide_mask v104 = v89 | (((q3_pmp < low3) | (high3 < q3_pmp)) | (((q1_pmp < low1) | (high1
+        < q1_pmp)) | ((q2_pmp < low2) | (high2 < q2_pmp))));
+    const wide_mask v105 = v90 | (((angle2 < low3) | (high3 < angle2)) | (((q1_mpp < low1) | (high1
+        < q1_mpp)) | ((q2_mpp < low2) | (high2 < q2_mpp))));
+    const wide_mask v106 = v90 | (((q3_mmp < low3) | (high3 < q3_mmp)) | (((q1_mmp < low1) | (high1
+        < q1_mmp)) | ((q2_mmp < low2) | (high2 < q2_mmp))));
+    const wide_mask outside_ppp = v99 | (v95 | (v91 | v103));
+    const wide_mask outside_ppm = v100 | (v96 | (v92 | v103));
+    const wide_mask outside_pmp = v99 | (v95 | (v91 | v104));
+    const wide_mask outside_pmm = v100 | (v96 | (v92 | v104));
+    const wide_mask outside_mpp = v101 | (v97 | (v93 | v105));
+    const wide_mask outside_mpm = v102 | (v98 | (v94 | v105));
+    const wide_mask outside_mmp = v101 | (v97 | (v93 | v106));
+    const wide_mask outside_mmm = v102 | (v98 | (v94 | v106));
+    const wide_mask doubt1 = (v58 <= m1) | ((v32 <= m1) | ((v57 <= m1) | (((-(reach_slack2 *
+        (reach_slack2 + v3)) <= D4) & ((merge_slack2 * (merge_slack2 + v3) < D4) == 0)) | (v31 <=
+        m1))));
+
+    q[0] = q1_ppp;
+    q[1] = q2_ppp;
+    q[2] = angle1;
+    q[3] = q4_ppp;
+    q[4] = angle3;
+    q[5] = q6_ppp;
+    q[6] = angle5;
+    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    q[7] = q1_ppp;
+    q[8] = q2_ppp;
+    q[9] = angle1;
+    q[10] = q4_ppp;
+    q[11] = q5_ppm;
+    q[12] = q6_ppm;
+    q[13] = q7_ppm;
+    kind[1] = kind_of(q[7] != q[7], outside_ppm);
+    q[14] = q1_pmp;
+    q[15] = q2_pmp;
+    q[16] = q3_pmp;
+    q[17] = q4_ppp;
+    q[18] = angle3;
+    q[19] = q6_ppp;
+    q[20] = angle5;
+    kind[2] = kind_of(q[14] != q[14], outside_pmp);
+    q[21] = q1_pmp;
+    q[22] = q2_pmp;
+    q[23] = q3_pmp;
+    q[24] = q4_ppp;
+    q[25] = q5_ppm;
+    q[26] = q6_ppm;
+    q[27] = q7_ppm;
+    kind[3] = kind_of(q[21] != q[21], outside_pmm);
+    q[28] = q1_mpp;
+    q[29] = q2_mpp;
+    q[30] = angle2;
+    q[31] = q4_mpp;
+    q[32] = angle4;
+    q[33] = q6_mpp;
+    q[34] = angle6;
+    kind[4] = kind_of(q[28] != q[28], outside_mpp);
+    q[35] = q1_mpp;
+    q[36] = q2_mpp;
+    q[37] = angle2;
+    q[38] = q4_mpp;
+    q[39] = q5_mpm;
+    q[40] = q6_mpm;
+    q[41] = q7_mpm;
+    kind[5] = kind_of(q[35] != q[35], outside_mpm);
+    q[42] = q1_mmp;
+    q[43] = q2_mmp;
+    q[44] = q3_mmp;
+    q[45] = q4_mpp;
+    q[46] = angle4;
+    q[47] = q6_mpp;
+    q[48] = angle6;
+    kind[6] = kind_of(q[42] != q[42], outside_mmp);
+    q[49] = q1_mmp;
+    q[50] = q2_mmp;
+    q[51] = q3_mmp;
+    q[52] = q4_mpp;
+    q[53] = q5_mpm;
+    q[54] = q6_mpm;
+    q[55] = q7_mpm;
+    kind[7] = kind_of(q[49] != q[49], outside_mmm);
+    const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
+    return (exact == 0) | (doubt1);
+}
+
+#if LANES > 1
+static const double m2 = 0.5; /* 1 / 2 */
+/* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(
+    const double T[16], const double free_joints[1], double q[8][7], unsigned char status[8])
+{
+    const four e1 = { 1.0, 1.0, -1.0, -1.0 };
+    const four e2 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta4 */
+    const double wx = T14 - d7 * T13;
+    const double wy = T24 - d7 * T23;
+    const double wz = T34 - d7 * T33;
+    const double v1 = wx * wx;
+    const double v2 = wy * wy;
+    const double Z4 = v1 + (v2 + (k3 + wz * (wz - k2)));
+    const double D4 = k4 - Z4 * Z4;
+    const double v3 = 2.0 * fabs(Z4);
+    const int doubt1 = (-(reach_slack2 * (reach_slack2 + v3)) <= D4) & ((merge_slack2 *
+        (merge_slack2 + v3) < D4) == 0);
+    const double v4 = k1 * Z4;
+    const double v5 = k5 * v4;
+    const double v6 = k1 * sqrt(D4);
+    const double v7 = k5 * v6;
+
+    /* shoulder */
+    const double v8 = wz - d1;
+    const double v9 = v1 + v2 + v8 * v8;
+    const double v10 = sqrt(v9) * (1.0 / v9);
+    const double gx = wx * v10;
+    const double gy = wy * v10;
+    const double gz = v8 * v10;
+    const double v11 = gy * gy + gx * gx;
+    const int upright = v11 <= m1;
+    const double v12 = 1.0 / (upright ? 1.0 : sqrt(v11));
+    const double v13 = upright ? 0.0 : (gy * v12);
+    const double v14 = upright ? 1.0 : (-(gx * v12));
+    const double v15 = gz * v14;
+    const double v16 = gz * v13;
+    const double cos_psi = cos(free_joints[0]);
+    const double sin_psi = sin(free_joints[0]);
+    const double uz = cos_psi * (gy * v13 - gx * v14);
+    const double ux = v15 * cos_psi + v13 * sin_psi;
+    const double uy = v14 * sin_psi - v16 * cos_psi;
+    const double nx = v13 * cos_psi - v15 * sin_psi;
+    const double ny = v14 * cos_psi + v16 * sin_psi;
+    const double v17 = d5 * v7;
+    const double v18 = d3 + d5 * v5;
+    const double v19 = v18 * v18 + v17 * v17;
+    const double v20 = sqrt(v19) * (1.0 / v19);
+    const double v21 = d5 * (d3 * v7);
+    const four side = pick_four(-(e1 * v21) < -straight_limit, all_four(-1.0), all_four(1.0));
+    const four v22 = v18 * side;
+    const four v23 = v17 * side;
+    const double v24 = gx * v17;
+    const double v25 = gy * v17;
+    const double v26 = gy * v18;
+    const four b22 = v26 - e1 * (uy * v23);
+
+    /* theta1 */
+    const double v27 = gx * v18;
+    const four X1 = e1 * (ux * v23) - v27;
+    const four v28 = v20 * (X1 * (v20 * X1) + b22 * (v20 * b22));
+    const four w1 = sqrt_four(v28);
+    const four v29 = 1.0 / v28;
+    const four factor1 = w1 * v29;
+
+    /* theta2 */
+    const double v30 = gz * v18;
+    const four c2 = e1 * (uz * v23) - v30;
+
+    /* theta3 */
+    const four s3 = -X1 * (v20 * (uy * v22 + e1 * v25)) - b22 * (v20 * (ux * v22 + e1 * v24));
+    const four c3 = -X1 * (ny * side) - b22 * (nx * side);
+    const four v31 = copysign_four(all_four(half_turn), s3);
+    const four v32 = m2 * (e2 - 1.0);
+
+    /* theta5 */
+    const four v33 = T13 * -X1 + T23 * b22;
+    const four v34 = v20 * c2;
+    const four v35 = v20 * (v33 * v34);
+    const four v36 = T33 * w1 + factor1 * v35;
+    const four v37 = T13 * b22 - T23 * -X1;
+    const four v38 = factor1 * (w1 * v33) - T33 * c2;
+    const four v39 = factor1 * (v20 * s3);
+    const four X5 = factor1 * (c3 * (v5 * v36) + v39 * (v5 * v37)) + e1 * (v7 * v38);
+    const four v40 = v20 * c3;
+    const four Y5 = w1 * (v29 * (s3 * v35 + v40 * -v37) + T33 * s3);
+    const four v41 = v20 * X5;
+    const four v42 = v20 * Y5;
+    const four v43 = v20 * (X5 * v41 + factor1 * (Y5 * (factor1 * v42)));
+    const four v44 = factor1 * Y5;
+
+    /* theta7 */
+    const four v45 = b22 * T12 - -X1 * T22;
+    const four v46 = -X1 * T12 + b22 * T22;
+    const four v47 = v20 * (v34 * v46);
+    const four v48 = b22 * T11 - -X1 * T21;
+    const four v49 = -X1 * T11 + b22 * T21;
+    const four v50 = v20 * (v34 * v49);
+    const four v51 = v41 * (w1 * (v29 * (s3 * v50 + v40 * -v48) + s3 * T31)) - v42 * (factor1 * (c3
+        * (v5 * (w1 * T31 + factor1 * v50)) + v39 * (v5 * v48)) + e1 * (v7 * (factor1 * (w1 * v49) -
+        c2 * T31)));
+
+    /* joint values */
+    const four v52 = copysign_four(all_four(half_turn), b22);
+    const four_mask doubt2 = (v28 <= m1) | (v43 <= m1);
+
+    const four packed1 = atan2_four(__builtin_shufflevector(s3, v44, 0, 5, 2, 7),
+        __builtin_shufflevector(c3, -X5, 0, 5, 2, 7));
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
+    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3);
+    const four packed2 = atan2_four(__builtin_shufflevector(v51, b22, 0, 5, 2, 7),
+        __builtin_shufflevector(v41 * (w1 * (v29 * (s3 * v47 + v40 * -v45) + s3 * T32)) - v42 *
+        (factor1 * (c3 * (v5 * (w1 * T32 + factor1 * v47)) + v39 * (v5 * v45)) + e1 * (v7 * (factor1
+        * (w1 * v46) - c2 * T32))), -X1, 0, 5, 2, 7));
+    const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
+    const four angle4 = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3);
+    const four packed3 = atan2_four(__builtin_shufflevector(w1, sqrt_four(v43), 0, 5, 2, 7),
+        __builtin_shufflevector(v34, v20 * (e1 * (factor1 * (c3 * (v7 * v36) + v39 * (v7 * v37))) -
+        v5 * v38), 0, 5, 2, 7));
+    const four angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 2, 2);
+    const four angle7 = __builtin_shufflevector(packed3, packed3, 1, 1, 3, 3);
+    const four packed4 = atan2_four((four){ -v6, -v6, -v6, -v6 }, (four){ -v4, -v4, -v4, -v4 });
+    const four angle6 = __builtin_shufflevector(packed4, packed4, 0, 0, 0, 0);
+    const four q3_p = angle1 + v31 * v32;
+    const four q5_m = angle2 - copysign_four(all_four(half_turn), v44) * h1;
+    const four q7_m = angle3 - h1 * copysign_four(all_four(half_turn), v51);
+    const four v53 = angle4 + v32 * v52 - offset1;
+    const four q1_p = v53 + only_four(v53 <= -half_turn, m3);
+    const four v54 = e2 * angle5 - offset2;
+    const four q2_p = v54 + only_four(v54 <= -half_turn, m3);
+    const four v55 = e1 * angle6 - offset4;
+    const four q4_p = v55 + only_four(v55 <= -half_turn, m3);
+    const four v56 = angle7 - offset6;
+    const four v57 = offset6 + angle7;
+    const four q6_p = v56 + only_four(v56 <= -half_turn, m3);
+    const four q6_m = only_four(-v57 <= -half_turn, m3) - v57;
+    const four_mask v58 = (q4_p < low4) | (high4 < q4_p);
+    const four_mask v59 = (angle2 < low5) | (high5 < angle2);
+    const four_mask v60 = (q5_m < low5) | (high5 < q5_m);
+    const four_mask v61 = (q6_p < low6) | (high6 < q6_p);
+    const four_mask v62 = (q6_m < low6) | (high6 < q6_m);
+    const four_mask v63 = (angle3 < low7) | (high7 < angle3);
+    const four_mask v64 = (q7_m < low7) | (high7 < q7_m);
+    const four_mask v65 = v58 | (((q3_p < low3) | (high3 < q3_p)) | (((q1_p < low1) | (high1 <
+        q1_p)) | ((q2_p < low2) | (high2 < q2_p))));
+    const four_mask outside_p = v63 | (v61 | (v59 | v65));
+    const four_mask outside_m = v64 | (v62 | (v60 | v65));
+
+    if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
+        (unsigned)(doubt1))
+        return -1;
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
+    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle2, q6_p);
+    store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], angle3);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_p);
+    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
+    store_1(&q[1][6], &q[3][6], &q[5][6], &q[7][6], q7_m);
+    const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
+        0x101010101010101ull);
+    const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
+        0x1000100010001ull) | (bits_four(outside_m) * 0x20004000800100ull & 0x100010001000100ull);
+    const unsigned long long kind1 = none1 * KUKA_IIWA14_ARM_ANGLE_UNREACHABLE + (outside1 & ~none1)
+        * KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
+    __builtin_memcpy(status + 0, &kind1, 8);
+    return 8 - __builtin_popcountll(none1 | outside1);
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    wide pose[16], found[56], x[LANES];
+    wide_mask kind[8];
+    wide given[1];
+    for (int i = 0; i < 1; i++)
+        for (int k = 0; k < LANES; k++)
+            given[i][k] = free_joints[1 * k + i];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, given, found, kind);
+    if (56 >= LANES) {
+        for (int i = 0; i < 56; i += LANES) {
+            const int from = i + LANES <= 56 ? i : 56 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 56 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 56; i++)
+            for (int k = 0; k < LANES; k++)
+                q[56 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 8; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 8 - row < 8 ? 8 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(
+    const double T[16], const double free_joints[1], double q[8][7], unsigned char status[8])
+{
+    wide_mask kind[8];
+    int count = 0;
+    if (solve_wide(T, free_joints, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 8; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
+/* Fills the rows of the branches that have a solution, and no others. */
+static void solve(
+    const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
+    unsigned char status[8])
+{
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta4, type 2: the squared length of column 4 of U1 A7^-1 */
+    const double wx = T14 - T13 * d7;
+    const double wy = T24 - d7 * T23;
+    const double wz = T34 - d7 * T33;
+    const double v1 = wx * wx;
+    const double v2 = wy * wy;
+    const double Z4 = v1 + (v2 + (wz * (wz - k2) + k3));
+    const double D4 = k4 - Z4 * Z4;
+    const double v3 = 2.0 * fabs(Z4);
+    const int apart4 = merge_slack2 * (v3 + merge_slack2) < D4;
+    if (!(-(reach_slack2 * (v3 + reach_slack2)) <= D4)) return; /* out of reach */
+    const double w4 = sqrt(apart4 ? D4 : 0.0);
+    const double v4 = k5 * (k1 * Z4);
+
+    /* shoulder, its rotation, from the arm angle and theta4 */
+    const double v6 = wz - d1;
+    const double reach = sqrt(v1 + v2 + v6 * v6);
+    const double v7 = 1.0 / reach;
+    const double gx = wx * v7;
+    const double gy = wy * v7;
+    const double gz = v6 * v7;
+    const double lean = sqrt(gy * gy + gx * gx);
+    const int upright = lean <= free_limit;
+    const double v8 = 1.0 / (upright ? 1.0 : lean);
+    const double v9 = upright ? 0.0 : gy * v8;
+    const double v10 = upright ? 1.0 : -(gx * v8);
+    const double v11 = gz * v10;
+    const double v12 = gz * v9;
+    const double cos_psi = cos(free_joints[0]);
+    const double sin_psi = sin(free_joints[0]);
+    const double uz = (gy * v9 - gx * v10) * cos_psi;
+    const double ux = v11 * cos_psi + v9 * sin_psi;
+    const double uy = v10 * sin_psi - v12 * cos_psi;
+    const double nx = v9 * cos_psi - v11 * sin_psi;
+    const double ny = v10 * cos_psi + v12 * sin_psi;
+    const double v14 = d3 + d5 * v4;
+    const double v15 = v14 * v14;
+
+    /* theta1, type 2: B1[3, 2] */
+    const double v23 = seed[0] + offset1;
+
+    for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
+        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        /* theta4 */
+        if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
+        const double v5 = k5 * (k1 * (w4 * e1));
+
+        /* shoulder */
+        const double v13 = d5 * v5;
+        const double arm = sqrt(v13 * v13 + v15);
+        const double v16 = 1.0 / arm;
+        const double v17 = v13 * v16;
+        const double v18 = v14 * v16;
+        const double side = -(d5 * (d3 * v5)) < -straight_limit ? -1.0 : 1.0;
+        const double v19 = v18 * side;
+        const double v20 = v17 * side;
+        const double v21 = gx * v17 + ux * v19;
+        const double b13 = nx * side;
+        const double v22 = gy * v17 + uy * v19;
+        const double b22 = gy * v18 - uy * v20;
+        const double b23 = ny * side;
+
+        /* theta1 */
+        const double X1 = ux * v20 - gx * v18;
+        const double w1 = sqrt(X1 * X1 + b22 * b22);
+        const int free1 = w1 <= free_limit;
+        const double divisor1 = free1 ? 1.0 : w1;
+
+        /* theta2, type 3: B1[2, 2] and B1[1, 2] */
+        const double c2 = uz * v20 - gz * v18;
+
+        /* theta5, type 2: U5[3, 3] */
+        const double v27 = T33 * c2;
+
+        /* theta7, type 3: U5[3, 2] and U5[3, 1] */
+        const double v33 = T32 * c2;
+        const double v39 = T31 * c2;
+
+        /* joint values */
+        const double q4 = wrap(atan2(-v5, -v4) - offset4);
+
+        for (int i2 = 0; i2 < 2; i2++) { /* left, right */
+            const double e2 = i2 == 0 ? 1.0 : -1.0;
+            /* theta1 */
+            if (e2 < 0.0 && free1) continue; /* both signs give the same */
+            const double factor1 = e2 / divisor1;
+            const double c1 = free1 ? cos(v23) : -(X1 * factor1);
+            const double s1 = free1 ? sin(v23) : b22 * factor1;
+            const double s2 = w1 * e2;
+
+            /* theta3, type 3: B1[3, 1] and B1[3, 3] */
+            const double s3 = v22 * c1 - v21 * s1;
+            const double c3 = b23 * c1 - b13 * s1;
+            const double q3 = atan2(s3, c3);
+
+            /* theta5 */
+            const double v24 = T13 * c1 + T23 * s1;
+            const double v25 = c2 * v24 + T33 * s2;
+            const double v26 = T13 * s1 - T23 * c1;
+            const double v28 = s2 * v24 - v27;
+            const double X5 = c3 * (v4 * v25) + s3 * (v4 * v26) + v5 * v28;
+            const double Y5 = c3 * -v26 + s3 * v25;
+            const double w5 = sqrt(X5 * X5 + Y5 * Y5);
+            const int free5 = w5 <= free_limit;
+            const double divisor5 = free5 ? 1.0 : w5;
+
+            /* theta6, type 3: U5[2, 3] and U5[1, 3] */
+            const double c6 = c3 * (v5 * v25) + s3 * (v5 * v26) - v4 * v28;
+
+            /* theta7 */
+            const double v29 = T12 * s1 - T22 * c1;
+            const double v30 = T12 * c1 + T22 * s1;
+            const double v31 = c2 * v30 + T32 * s2;
+            const double v32 = c3 * -v29 + s3 * v31;
+            const double v34 = c3 * (v4 * v31) + s3 * (v4 * v29) + v5 * (s2 * v30 - v33);
+            const double v35 = T11 * s1 - T21 * c1;
+            const double v36 = T11 * c1 + T21 * s1;
+            const double v37 = c2 * v36 + T31 * s2;
+            const double v38 = c3 * -v35 + s3 * v37;
+            const double v40 = c3 * (v4 * v37) + s3 * (v4 * v35) + v5 * (s2 * v36 - v39);
+
+            /* joint values */
+            const double q1 = wrap(atan2(s1, c1) - offset1);
+            const double q2 = wrap(atan2(s2, c2) - offset2);
+
+            for (int i3 = 0; i3 < 2; i3++) { /* noflip5, flip5 */
+                const double e3 = i3 == 0 ? 1.0 : -1.0;
+                /* theta5 */
+                if (e3 < 0.0 && free5) continue; /* both signs give the same */
+                const double factor5 = e3 / divisor5;
+                const double c5 = free5 ? cos(seed[4]) : -(X5 * factor5);
+                const double s5 = free5 ? sin(seed[4]) : Y5 * factor5;
+                const double q5 = atan2(s5, c5);
+                const double s6 = w5 * e3;
+
+                /* theta7 */
+                const double q7 = atan2(-(c5 * v38 + s5 * v40), -(c5 * v32 + s5 * v34));
+
+                /* joint values */
+                const double q6 = wrap(atan2(s6, c6) - offset6);
+                const int row = 4 * i1 + 2 * i2 + i3;
+                q[row][0] = q1;
+                q[row][1] = q2;
+                q[row][2] = q3;
+                q[row][3] = q4;
+                q[row][4] = q5;
+                q[row][5] = q6;
+                q[row][6] = q7;
+                status[row] = (free1 || free5) ? KUKA_IIWA14_ARM_ANGLE_FREE_JOINT :
+                    KUKA_IIWA14_ARM_ANGLE_OK;
+            }
+        }
+    }
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static double turned(int joint, double given, double towards)
+{
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
+    double value = given;
+    value += turn * floor((towards - value) / turn + 0.5);
+    if (value > high)
+        value -= turn * ceil((value - high) / turn);
+    if (value < low)
+        value += turn * ceil((low - value) / turn);
+    return value <= high ? value : given;
+}
+
+static int inside(int joint, double value)
+{
+    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
+}
+
+int kuka_iiwa14_arm_angle_ik(
+    const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
+    unsigned char status[8])
+{
+    static const double zeros[7] = { 0.0 };
+    const double *seed = q_seed ? q_seed : zeros;
+    double pose[16];
+    int count = 0;
+    if ((count = solve_regular(T, free_joints, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
+    if (valid && (count = solve_regular(pose, free_joints, q, status)) >= 0)
+        return count;
+    count = 0;
+    for (int row = 0; row < 8; row++) {
+        status[row] = valid ? KUKA_IIWA14_ARM_ANGLE_UNREACHABLE :
+            KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
+        for (int i = 0; i < 7; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
+    solve(pose, free_joints, seed, q, status);
+    for (int row = 0; row < 8; row++) {
+        if (status[row] == KUKA_IIWA14_ARM_ANGLE_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 7; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
+        }
+        count += status[row] != KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int kuka_iiwa14_arm_angle_ik_nearest(
+    const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
+{
+    double all[8][7], least = HUGE_VAL;
+    unsigned char status[8];
+    int result = -KUKA_IIWA14_ARM_ANGLE_UNREACHABLE;
+    for (int i = 0; i < 7; i++)
+        q[i] = NAN;
+    for (int i = 0; i < 7; i++)
+        if (!isfinite(q_seed[i]))
+            return -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
+    if (kuka_iiwa14_arm_angle_ik(T, free_joints, q_seed, all, status) < 0)
+        return -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
+    for (int row = 0; row < 8; row++) {
+        double distance = 0.0;
+        if (status[row] == KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS && result < 0)
+            result = -KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
+        if (status[row] != KUKA_IIWA14_ARM_ANGLE_OK && status[row] !=
+            KUKA_IIWA14_ARM_ANGLE_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 7; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 7; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void kuka_iiwa14_arm_angle_ik_batch(
+    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, free_joints + 1 * k, q + 56 * k, status + 8 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)kuka_iiwa14_arm_angle_ik(
+                    T + 16 * i, free_joints + 1 * i, NULL, (double (*)[7])(q + 56 * i),
+                    status + 8 * i);
+    }
+#endif
+    for (; k < n; k++)
+        (void)kuka_iiwa14_arm_angle_ik(
+            T + 16 * k, free_joints + 1 * k, NULL, (double (*)[7])(q + 56 * k), status + 8 * k);
+}

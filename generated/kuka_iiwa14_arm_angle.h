@@ -1,0 +1,80 @@
+/* kuka_iiwa14_arm_angle: KUKA LBR iiwa 14 R820, arm angle given
+ *
+ * Inverse kinematics, generated from robots/kuka_iiwa14_arm_angle.yaml and
+ * templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/kuka_iiwa14_arm_angle.yaml. The formulas and where they come from:
+ * kuka_iiwa14_arm_angle.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef KUKA_IIWA14_ARM_ANGLE_H
+#define KUKA_IIWA14_ARM_ANGLE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define KUKA_IIWA14_ARM_ANGLE_METHOD "closed form"
+
+enum {
+    KUKA_IIWA14_ARM_ANGLE_DOF = 7, /* joints */
+    KUKA_IIWA14_ARM_ANGLE_FREE = 1, /* the arm angle, which the caller gives [rad] */
+    KUKA_IIWA14_ARM_ANGLE_ROWS = 8 /* branches */
+};
+
+/* What a row of kuka_iiwa14_arm_angle_ik holds. */
+enum {
+    /* joint values */
+    KUKA_IIWA14_ARM_ANGLE_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    KUKA_IIWA14_ARM_ANGLE_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    KUKA_IIWA14_ARM_ANGLE_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose, or the arm angle is not finite */
+    KUKA_IIWA14_ARM_ANGLE_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const kuka_iiwa14_arm_angle_branches[8];
+
+/* The pose T of the joint values q. */
+void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16]);
+
+/* The geometric Jacobian, 6 x 7 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42]);
+
+/* The arm angle of the joint values q, in (-pi, pi]: it turns the elbow about the line from the
+ * shoulder to the wrist; zero is where the elbow leans towards the direction of axis 1. */
+double kuka_iiwa14_arm_angle_arm_angle(const double q[7]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE. */
+int kuka_iiwa14_arm_angle_ik(
+    const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
+    unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns KUKA_IIWA14_ARM_ANGLE_OK or KUKA_IIWA14_ARM_ANGLE_FREE_JOINT, or, with NaN in q,
+ * minus KUKA_IIWA14_ARM_ANGLE_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
+ * seed
+ * that is not finite. */
+int kuka_iiwa14_arm_angle_ik_nearest(
+    const double T[16], const double free_joints[1], const double q_seed[7], double q[7]);
+
+/* kuka_iiwa14_arm_angle_ik without a seed for n poses: T holds n x 16 numbers, free_joints n x 1,
+ * q n x 8 x 7, status n x 8. */
+void kuka_iiwa14_arm_angle_ik_batch(
+    size_t n, const double *T, const double *free_joints, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,1687 @@
+"""kuka_iiwa14_arm_angle: KUKA LBR iiwa 14 R820, arm angle given.
+
+Inverse kinematics, generated from robots/kuka_iiwa14_arm_angle.yaml and
+templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/kuka_iiwa14_arm_angle.yaml. The formulas and where they come from:
+kuka_iiwa14_arm_angle.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+try:
+    from numba import carray, njit, types
+    from numba.core.cgutils import alloca_once
+    from numba.extending import intrinsic
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+    def intrinsic(**_):
+        return lambda function: np.zeros
+
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
+_jit = njit(**_OPTIONS)
+# Only compiled code calls these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
+
+NAME = "kuka_iiwa14_arm_angle"
+METHOD = "closed form"
+DOF = 7
+JOINT_TYPES = "RRRRRRR"
+JOINT_LIMITS = (
+    (-2.9670597283903604, 2.9670597283903604),
+    (-2.0943951023931953, 2.0943951023931953),
+    (-2.9670597283903604, 2.9670597283903604),
+    (-2.0943951023931953, 2.0943951023931953),
+    (-2.9670597283903604, 2.9670597283903604),
+    (-2.0943951023931953, 2.0943951023931953),
+    (-3.0543261909900767, 3.0543261909900767),
+)
+BRANCHES = (
+    "noflip4-left-noflip5",
+    "noflip4-left-flip5",
+    "noflip4-right-noflip5",
+    "noflip4-right-flip5",
+    "flip4-left-noflip5",
+    "flip4-left-flip5",
+    "flip4-right-noflip5",
+    "flip4-right-flip5",
+)
+MAX_SOLUTIONS = 8
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose, or the arm angle is not finite
+
+d1 = 0.36  # joint offset 1 [m]
+d3 = 0.42  # joint offset 3 [m]
+d5 = 0.4  # joint offset 5 [m]
+d7 = 0.126  # joint offset 7 [m]
+reach_slack2 = 1.7056360000000002e-13  # rounding at the boundary of the workspace [m^2]
+merge_slack2 = 1.705636e-14  # nearer to that boundary two branches are one [m^2]
+free_limit = 1e-12  # a length that fixes no angle
+straight_limit = 5.353007080137295e-08  # a stretched arm: its elbow is on either side [m^2]
+offset1 = 3.141592653589793  # offset of joint 1 [rad]
+offset2 = 3.141592653589793  # offset of joint 2 [rad]
+offset4 = 3.141592653589793  # offset of joint 4 [rad]
+offset6 = 3.141592653589793  # offset of joint 6 [rad]
+k1 = 0.336  # 2 * d5 * d3 [m^2]
+k2 = 0.72  # 2 * d1 [m]
+k3 = -0.2068  # d1^2 - (d3^2 + d5^2) [m^2]
+k4 = 0.11289600000000001  # (2 * d5 * d3)^2 [m^4]
+k5 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
+half_turn = 3.141592653589793  # pi [rad]
+low1 = -2.9670597293903604  # lowest value of joint 1
+high1 = 2.9670597293903604  # highest value of joint 1
+low2 = -2.0943951033931953  # lowest value of joint 2
+high2 = 2.0943951033931953  # highest value of joint 2
+low3 = -2.9670597293903604  # lowest value of joint 3
+high3 = 2.9670597293903604  # highest value of joint 3
+low4 = -2.0943951033931953  # lowest value of joint 4
+high4 = 2.0943951033931953  # highest value of joint 4
+low5 = -2.9670597293903604  # lowest value of joint 5
+high5 = 2.9670597293903604  # highest value of joint 5
+low6 = -2.0943951033931953  # lowest value of joint 6
+high6 = 2.0943951033931953  # highest value of joint 6
+low7 = -3.054326191990077  # lowest value of joint 7
+high7 = 3.054326191990077  # highest value of joint 7
+m1 = 1e-24  # free_limit^2
+m3 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@njit(fastmath={"contract"}, **_OPTIONS)
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_inner
+def _wrap(angle):
+    """The angle moved by whole turns to (-pi, pi]."""
+    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+
+
+@_jit
+def fk(q):
+    """The pose (4, 4) of the joint values q (7,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 7 joint values")
+    T = np.zeros((4, 4))
+    v1 = q[0] + offset1
+    c1 = math.cos(v1)
+    s1 = math.sin(v1)
+    v2 = q[1] + offset2
+    c2 = math.cos(v2)
+    s2 = math.sin(v2)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    z2_x = c1 * s2
+    z2_y = s1 * s2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 + s1 * s3
+    x3_y = x2_y * c3 - c1 * s3
+    x3_z = s2 * c3
+    z3_y = c1 * c3 + x2_y * s3
+    z3_z = s2 * s3
+    z3_x = x2_x * s3 - s1 * c3
+    v3 = q[3] + offset4
+    c4 = math.cos(v3)
+    s4 = math.sin(v3)
+    x4_x = x3_x * c4 + z2_x * s4
+    x4_y = x3_y * c4 + z2_y * s4
+    x4_z = x3_z * c4 - c2 * s4
+    z4_z = c2 * c4 + x3_z * s4
+    z4_x = x3_x * s4 - z2_x * c4
+    z4_y = x3_y * s4 - z2_y * c4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + z3_x * s5
+    x5_y = x4_y * c5 + z3_y * s5
+    x5_z = x4_z * c5 + z3_z * s5
+    z5_x = x4_x * s5 - z3_x * c5
+    z5_y = x4_y * s5 - z3_y * c5
+    z5_z = x4_z * s5 - z3_z * c5
+    v4 = q[5] + offset6
+    c6 = math.cos(v4)
+    s6 = math.sin(v4)
+    x6_x = x5_x * c6 + z4_x * s6
+    x6_y = x5_y * c6 + z4_y * s6
+    x6_z = x5_z * c6 + z4_z * s6
+    T13_ = x5_x * s6 - z4_x * c6
+    T23_ = x5_y * s6 - z4_y * c6
+    T33_ = x5_z * s6 - z4_z * c6
+    c7 = math.cos(q[6])
+    s7 = math.sin(q[6])
+    T11_ = x6_x * c7 + z5_x * s7
+    T21_ = x6_y * c7 + z5_y * s7
+    T31_ = x6_z * c7 + z5_z * s7
+    T12_ = z5_x * c7 - x6_x * s7
+    T22_ = z5_y * c7 - x6_y * s7
+    T32_ = z5_z * c7 - x6_z * s7
+    T14_ = z2_x * d3 + z4_x * d5 + T13_ * d7
+    T24_ = z2_y * d3 + z4_y * d5 + T23_ * d7
+    T34_ = d1 - c2 * d3 + z4_z * d5 + T33_ * d7
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
+
+
+@_jit
+def jacobian(q):
+    """The geometric Jacobian (6, 7): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 7 joint values")
+    J = np.zeros((6, 7))
+    v1 = q[0] + offset1
+    c1 = math.cos(v1)
+    s1 = math.sin(v1)
+    v2 = q[1] + offset2
+    c2 = math.cos(v2)
+    s2 = math.sin(v2)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    J43 = c1 * s2
+    J53 = s1 * s2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 + s1 * s3
+    x3_y = x2_y * c3 - c1 * s3
+    x3_z = s2 * c3
+    J54 = c1 * c3 + x2_y * s3
+    J64 = s2 * s3
+    p3_x = J43 * d3
+    p3_y = J53 * d3
+    p3_z = d1 - c2 * d3
+    J44 = x2_x * s3 - s1 * c3
+    v3 = q[3] + offset4
+    c4 = math.cos(v3)
+    s4 = math.sin(v3)
+    x4_x = x3_x * c4 + J43 * s4
+    x4_y = x3_y * c4 + J53 * s4
+    x4_z = x3_z * c4 - c2 * s4
+    J65 = c2 * c4 + x3_z * s4
+    J45 = x3_x * s4 - J43 * c4
+    J55 = x3_y * s4 - J53 * c4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    p5_x = p3_x + J45 * d5
+    p5_y = p3_y + J55 * d5
+    p5_z = p3_z + J65 * d5
+    J46 = x4_x * s5 - J44 * c5
+    J56 = x4_y * s5 - J54 * c5
+    J66 = x4_z * s5 - J64 * c5
+    v4 = q[5] + offset6
+    c6 = math.cos(v4)
+    s6 = math.sin(v4)
+    J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6
+    J57 = (x4_y * c5 + J54 * s5) * s6 - J55 * c6
+    J67 = (x4_z * c5 + J64 * s5) * s6 - J65 * c6
+    J21 = p5_x + J47 * d7
+    p7_y = p5_y + J57 * d7
+    p7_z = p5_z + J67 * d7
+    v5 = p7_z - d1
+    J32 = s1 * p7_y + c1 * J21
+    J13 = J53 * v5 + c2 * p7_y
+    J33 = J43 * p7_y - J53 * J21
+    v6 = J21 - p3_x
+    v7 = p7_y - p3_y
+    v8 = p7_z - p3_z
+    J14 = J54 * v8 - J64 * v7
+    J24 = J64 * v6 - J44 * v8
+    J34 = J44 * v7 - J54 * v6
+    J15 = J55 * v8 - J65 * v7
+    J25 = J65 * v6 - J45 * v8
+    J35 = J45 * v7 - J55 * v6
+    v9 = J21 - p5_x
+    v10 = p7_y - p5_y
+    v11 = p7_z - p5_z
+    J16 = J56 * v11 - J66 * v10
+    J26 = J66 * v9 - J46 * v11
+    J36 = J46 * v10 - J56 * v9
+    J17 = J57 * v11 - J67 * v10
+    J27 = J67 * v9 - J47 * v11
+    J37 = J47 * v10 - J57 * v9
+    J[0, 0] = -p7_y
+    J[0, 1] = -(c1 * v5)
+    J[0, 2] = J13
+    J[0, 3] = J14
+    J[0, 4] = J15
+    J[0, 5] = J16
+    J[0, 6] = J17
+    J[1, 0] = J21
+    J[1, 1] = -(s1 * v5)
+    J[1, 2] = -(c2 * J21 + J43 * v5)
+    J[1, 3] = J24
+    J[1, 4] = J25
+    J[1, 5] = J26
+    J[1, 6] = J27
+    J[2, 1] = J32
+    J[2, 2] = J33
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[2, 5] = J36
+    J[2, 6] = J37
+    J[3, 1] = s1
+    J[3, 2] = J43
+    J[3, 3] = J44
+    J[3, 4] = J45
+    J[3, 5] = J46
+    J[3, 6] = J47
+    J[4, 1] = -c1
+    J[4, 2] = J53
+    J[4, 3] = J54
+    J[4, 4] = J55
+    J[4, 5] = J56
+    J[4, 6] = J57
+    J[5, 0] = 1.0
+    J[5, 2] = -c2
+    J[5, 3] = J64
+    J[5, 4] = J65
+    J[5, 5] = J66
+    J[5, 6] = J67
+    return J
+
+
+@_jit
+def arm_angle(q):
+    """The arm angle of the joint values q (7,), in (-pi, pi].
+
+    It turns the elbow about the line from shoulder to wrist; zero is where the elbow leans
+    towards the direction of axis 1.
+    """
+    if len(q) != DOF:
+        raise ValueError("q must hold 7 joint values")
+    v1 = q[0] + offset1
+    c1 = math.cos(v1)
+    s1 = math.sin(v1)
+    v2 = q[1] + offset2
+    c2 = math.cos(v2)
+    s2 = math.sin(v2)
+    x2_x = c1 * c2
+    x2_y = s1 * c2
+    z2_x = c1 * s2
+    z2_y = s1 * s2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    z3_y = c1 * c3 + x2_y * s3
+    z3_z = s2 * s3
+    p3_x = z2_x * d3
+    p3_y = z2_y * d3
+    p3_z = d1 - c2 * d3
+    z3_x = x2_x * s3 - s1 * c3
+    v3 = q[3] + offset4
+    c4 = math.cos(v3)
+    s4 = math.sin(v3)
+    p5_x = p3_x + ((x2_x * c3 + s1 * s3) * s4 - z2_x * c4) * d5
+    p5_y = p3_y + ((x2_y * c3 - c1 * s3) * s4 - z2_y * c4) * d5
+    v4 = p3_z + (c2 * c4 + s2 * c3 * s4) * d5 - d1
+    v5 = p3_z - d1
+    v6 = p3_x * z3_x + z3_y * p3_y + z3_z * v5
+    v7 = p3_x - z3_x * v6
+    v8 = p3_y - z3_y * v6
+    v9 = v5 - z3_z * v6
+    v10 = (
+        -1.0 if z3_x * (p5_y * v9 - v4 * v8) + z3_y * (v4 * v7 - p5_x * v9) + z3_z * (p5_x * v8 -
+        p5_y * v7) < -straight_limit else 1.0
+    )
+    v11 = z3_x * v10
+    v12 = z3_y * v10
+    v13 = z3_z * v10
+    v14 = p5_x * p5_x + p5_y * p5_y
+    v15 = math.sqrt(v14 + v4 * v4)
+    v16 = math.sqrt(v14) <= v15 * free_limit
+    v17 = 0.0 if v16 else p5_y
+    v18 = 1.0 if v16 else -p5_x
+    v19 = v4 * v12 - p5_y * v13
+    v20 = p5_x * v13 - v4 * v11
+    psi = (
+        _atan2(v15 * (v17 * v19 + v18 * v20), v4 * v18 * v19 - v4 * v17 * v20 + (p5_y * v17 - p5_x *
+        v18) * (p5_y * v11 - p5_x * v12))
+    )
+    return psi
+
+
+@_inner
+def _solve(pose, q_free, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta4, type 2: the squared length of column 4 of U1 A7^-1
+    wx = T14 - T13 * d7
+    wy = T24 - d7 * T23
+    wz = T34 - d7 * T33
+    v1 = wx * wx
+    v2 = wy * wy
+    Z4 = v1 + (v2 + (wz * (wz - k2) + k3))
+    D4 = k4 - Z4 * Z4
+    v3 = 2.0 * abs(Z4)
+    apart4 = merge_slack2 * (v3 + merge_slack2) < D4
+    if not (-(reach_slack2 * (v3 + reach_slack2)) <= D4):
+        return  # out of reach
+    w4 = math.sqrt(D4 if apart4 else 0.0)
+    v4 = k5 * (k1 * Z4)
+
+    # shoulder, its rotation, from the arm angle and theta4
+    v6 = wz - d1
+    reach = math.sqrt(v1 + v2 + v6 * v6)
+    v7 = 1.0 / reach
+    gx = wx * v7
+    gy = wy * v7
+    gz = v6 * v7
+    lean = math.sqrt(gy * gy + gx * gx)
+    upright = lean <= free_limit
+    v8 = 1.0 / (1.0 if upright else lean)
+    v9 = 0.0 if upright else gy * v8
+    v10 = 1.0 if upright else -(gx * v8)
+    v11 = gz * v10
+    v12 = gz * v9
+    cos_psi = math.cos(q_free[0])
+    sin_psi = math.sin(q_free[0])
+    uz = (gy * v9 - gx * v10) * cos_psi
+    ux = v11 * cos_psi + v9 * sin_psi
+    uy = v10 * sin_psi - v12 * cos_psi
+    nx = v9 * cos_psi - v11 * sin_psi
+    ny = v10 * cos_psi + v12 * sin_psi
+    v14 = d3 + d5 * v4
+    v15 = v14 * v14
+
+    # theta1, type 2: B1[3, 2]
+    v23 = seed[0] + offset1
+
+    for i1 in range(2):  # noflip4, flip4
+        e1 = 1.0 - 2.0 * i1
+        # theta4
+        if e1 < 0.0 and not apart4:
+            continue  # both signs give the same
+        v5 = k5 * (k1 * (w4 * e1))
+
+        # shoulder
+        v13 = d5 * v5
+        arm = math.sqrt(v13 * v13 + v15)
+        v16 = 1.0 / arm
+        v17 = v13 * v16
+        v18 = v14 * v16
+        side = -1.0 if -(d5 * (d3 * v5)) < -straight_limit else 1.0
+        v19 = v18 * side
+        v20 = v17 * side
+        v21 = gx * v17 + ux * v19
+        b13 = nx * side
+        v22 = gy * v17 + uy * v19
+        b22 = gy * v18 - uy * v20
+        b23 = ny * side
+
+        # theta1
+        X1 = ux * v20 - gx * v18
+        w1 = math.sqrt(X1 * X1 + b22 * b22)
+        free1 = w1 <= free_limit
+        divisor1 = 1.0 if free1 else w1
+
+        # theta2, type 3: B1[2, 2] and B1[1, 2]
+        c2 = uz * v20 - gz * v18
+
+        # theta5, type 2: U5[3, 3]
+        v27 = T33 * c2
+
+        # theta7, type 3: U5[3, 2] and U5[3, 1]
+        v33 = T32 * c2
+        v39 = T31 * c2
+
+        # joint values
+        q4 = _wrap(_atan2(-v5, -v4) - offset4)
+
+        for i2 in range(2):  # left, right
+            e2 = 1.0 - 2.0 * i2
+            # theta1
+            if e2 < 0.0 and free1:
+                continue  # both signs give the same
+            factor1 = e2 / divisor1
+            c1 = math.cos(v23) if free1 else -(X1 * factor1)
+            s1 = math.sin(v23) if free1 else b22 * factor1
+            s2 = w1 * e2
+
+            # theta3, type 3: B1[3, 1] and B1[3, 3]
+            s3 = v22 * c1 - v21 * s1
+            c3 = b23 * c1 - b13 * s1
+            q3 = _atan2(s3, c3)
+
+            # theta5
+            v24 = T13 * c1 + T23 * s1
+            v25 = c2 * v24 + T33 * s2
+            v26 = T13 * s1 - T23 * c1
+            v28 = s2 * v24 - v27
+            X5 = c3 * (v4 * v25) + s3 * (v4 * v26) + v5 * v28
+            Y5 = c3 * -v26 + s3 * v25
+            w5 = math.sqrt(X5 * X5 + Y5 * Y5)
+            free5 = w5 <= free_limit
+            divisor5 = 1.0 if free5 else w5
+
+            # theta6, type 3: U5[2, 3] and U5[1, 3]
+            c6 = c3 * (v5 * v25) + s3 * (v5 * v26) - v4 * v28
+
+            # theta7
+            v29 = T12 * s1 - T22 * c1
+            v30 = T12 * c1 + T22 * s1
+            v31 = c2 * v30 + T32 * s2
+            v32 = c3 * -v29 + s3 * v31
+            v34 = c3 * (v4 * v31) + s3 * (v4 * v29) + v5 * (s2 * v30 - v33)
+            v35 = T11 * s1 - T21 * c1
+            v36 = T11 * c1 + T21 * s1
+            v37 = c2 * v36 + T31 * s2
+            v38 = c3 * -v35 + s3 * v37
+            v40 = c3 * (v4 * v37) + s3 * (v4 * v35) + v5 * (s2 * v36 - v39)
+
+            # joint values
+            q1 = _wrap(_atan2(s1, c1) - offset1)
+            q2 = _wrap(_atan2(s2, c2) - offset2)
+
+            for i3 in range(2):  # noflip5, flip5
+                e3 = 1.0 - 2.0 * i3
+                # theta5
+                if e3 < 0.0 and free5:
+                    continue  # both signs give the same
+                factor5 = e3 / divisor5
+                c5 = math.cos(seed[4]) if free5 else -(X5 * factor5)
+                s5 = math.sin(seed[4]) if free5 else Y5 * factor5
+                q5 = _atan2(s5, c5)
+                s6 = w5 * e3
+
+                # theta7
+                q7 = _atan2(-(c5 * v38 + s5 * v40), -(c5 * v32 + s5 * v34))
+
+                # joint values
+                q6 = _wrap(_atan2(s6, c6) - offset6)
+                row = 4 * i1 + 2 * i2 + i3
+                q[row, 0] = q1
+                q[row, 1] = q2
+                q[row, 2] = q3
+                q[row, 3] = q4
+                q[row, 4] = q5
+                q[row, 5] = q6
+                q[row, 6] = q7
+                status[row] = FREE_JOINT if free1 or free5 else OK
+
+
+@_merged
+def _read(T, q_free):
+    """Whether T is a pose, and its upper three rows.
+
+    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
+    (Higham 1986).
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz) and math.isfinite(q_free[0])
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    valid = valid and rest <= 1e-09
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
+    valid = valid and miss <= 1e-09
+    if valid and miss > 1e-24:
+        for _ in range(2):
+            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+            x0, y0, z0 = (
+                xx * x0 + xy * y0 + xz * z0,
+                xy * x0 + yy * y0 + yz * z0,
+                xz * x0 + yz * y0 + zz * z0,
+            )
+            x1, y1, z1 = (
+                xx * x1 + xy * y1 + xz * z1,
+                xy * x1 + yy * y1 + yz * z1,
+                xz * x1 + yz * y1 + zz * z1,
+            )
+            x2, y2, z2 = (
+                xx * x2 + xy * y2 + xz * z2,
+                xy * x2 + yy * y2 + yz * z2,
+                xz * x2 + yz * y2 + zz * z2,
+            )
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_inner
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_inner
+def _whole(pose, q_free, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
+    for row in range(8):
+        status[row] = UNREACHABLE
+        for i in range(7):
+            q[row, i] = math.nan
+    _solve(pose, q_free, seed, q, status)
+    count = 0
+    for row in range(8):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(7):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_merged
+def _regular(pose, q_free, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(32), 32)
+
+    # theta4, type 2: the squared length of column 4 of U1 A7^-1
+    wx = T14 - d7 * T13
+    wy = T24 - d7 * T23
+    wz = T34 - d7 * T33
+    v1 = wx * wx
+    v2 = wy * wy
+    Z4 = v1 + (v2 + (k3 + wz * (wz - k2)))
+    D4 = k4 - Z4 * Z4
+    v3 = 2.0 * abs(Z4)
+    v4 = k1 * Z4
+    v5 = k5 * v4
+    v6 = k1 * math.sqrt(D4)
+    v7 = k5 * v6
+
+    # shoulder, its rotation, from the arm angle and theta4
+    v8 = wz - d1
+    v9 = v1 + v2 + v8 * v8
+    v10 = math.sqrt(v9) * (1.0 / v9)
+    gx = wx * v10
+    gy = wy * v10
+    gz = v8 * v10
+    v11 = gy * gy + gx * gx
+    upright = v11 <= m1
+    v12 = 1.0 / (1.0 if upright else math.sqrt(v11))
+    v13 = 0.0 if upright else gy * v12
+    v14 = 1.0 if upright else -(gx * v12)
+    v15 = gz * v14
+    v16 = gz * v13
+    v17 = d5 * v7
+    v18 = d3 + d5 * v5
+    v19 = v18 * v18 + v17 * v17
+    v20 = math.sqrt(v19) * (1.0 / v19)
+    v21 = d5 * (d3 * v7)
+    side_p = -1.0 if -v21 < -straight_limit else 1.0
+    side_m = -1.0 if v21 < -straight_limit else 1.0
+    v22 = v18 * side_p
+    v23 = v18 * side_m
+    v24 = v17 * side_p
+    v25 = v17 * side_m
+    v26 = gx * v17
+    v27 = gy * v17
+    v28 = gy * v18
+
+    # theta1, type 2: B1[3, 2]
+    v29 = gx * v18
+
+    # theta2, type 3: B1[2, 2] and B1[1, 2]
+    v35 = gz * v18
+    sin_psi = math.sin(q_free[0])
+    cos_psi = math.cos(q_free[0])
+    angle11 = _atan2(-v6, -v4)
+
+    # shoulder, its rotation, from the arm angle and theta4
+    uz = cos_psi * (gy * v13 - gx * v14)
+    ux = v15 * cos_psi + v13 * sin_psi
+    uy = v14 * sin_psi - v16 * cos_psi
+    nx = v13 * cos_psi - v15 * sin_psi
+    ny = v14 * cos_psi + v16 * sin_psi
+    b22_p = v28 - uy * v24
+    b22_m = v28 + uy * v25
+
+    # theta1, type 2: B1[3, 2]
+    X1_p = ux * v24 - v29
+    v30 = v29 + ux * v25
+    v31 = v20 * (X1_p * (v20 * X1_p) + b22_p * (v20 * b22_p))
+    v32 = v20 * (v30 * (v20 * v30) + b22_m * (v20 * b22_m))
+    w1_p = math.sqrt(v31)
+    w1_m = math.sqrt(v32)
+    v33 = 1.0 / v31
+    v34 = 1.0 / v32
+    factor1_p = w1_p * v33
+    factor1_m = w1_m * v34
+
+    # theta2, type 3: B1[2, 2] and B1[1, 2]
+    c2_p = uz * v24 - v35
+    v36 = v35 + uz * v25
+
+    # theta3, type 3: B1[3, 1] and B1[3, 3]
+    s3_p = -X1_p * (v20 * (v27 + uy * v22)) - b22_p * (v20 * (v26 + ux * v22))
+    s3_m = v30 * (v20 * (uy * v23 - v27)) - b22_m * (v20 * (ux * v23 - v26))
+    c3_p = -X1_p * (ny * side_p) - b22_p * (nx * side_p)
+    c3_m = v30 * (ny * side_m) - b22_m * (nx * side_m)
+
+    # theta5, type 2: U5[3, 3]
+    v37 = T13 * -X1_p + T23 * b22_p
+    v38 = T13 * v30 + T23 * b22_m
+    v39 = v20 * c2_p
+    v40 = v20 * v36
+    v41 = v20 * (v37 * v39)
+    v42 = v20 * (v38 * v40)
+    v43 = T33 * w1_p + factor1_p * v41
+    v44 = T33 * w1_m - factor1_m * v42
+    v45 = T13 * b22_p - T23 * -X1_p
+    v46 = T13 * b22_m - T23 * v30
+    v47 = factor1_p * (w1_p * v37) - T33 * c2_p
+    v48 = factor1_m * (w1_m * v38) + T33 * v36
+    v49 = factor1_p * (v20 * s3_p)
+    v50 = factor1_m * (v20 * s3_m)
+    X5_p = factor1_p * (c3_p * (v5 * v43) + v49 * (v5 * v45)) + v7 * v47
+    X5_m = factor1_m * (c3_m * (v5 * v44) + v50 * (v5 * v46)) - v7 * v48
+    v51 = v20 * c3_p
+    v52 = v20 * c3_m
+    Y5_p = w1_p * (v33 * (s3_p * v41 + v51 * -v45) + T33 * s3_p)
+    Y5_m = w1_m * (v34 * (v52 * -v46 - s3_m * v42) + T33 * s3_m)
+    v53 = v20 * X5_p
+    v54 = v20 * X5_m
+    v55 = v20 * Y5_p
+    v56 = v20 * Y5_m
+    v57 = v20 * (X5_p * v53 + factor1_p * (Y5_p * (factor1_p * v55)))
+    v58 = v20 * (X5_m * v54 + factor1_m * (Y5_m * (factor1_m * v56)))
+    v59 = factor1_p * Y5_p
+    v60 = factor1_m * Y5_m
+
+    # theta7, type 3: U5[3, 2] and U5[3, 1]
+    v61 = b22_p * T12 - -X1_p * T22
+    v62 = b22_m * T12 - v30 * T22
+    v63 = -X1_p * T12 + b22_p * T22
+    v64 = v30 * T12 + b22_m * T22
+    v65 = v20 * (v39 * v63)
+    v66 = v20 * (v40 * v64)
+    v67 = b22_p * T11 - -X1_p * T21
+    v68 = b22_m * T11 - v30 * T21
+    v69 = -X1_p * T11 + b22_p * T21
+    v70 = v30 * T11 + b22_m * T21
+    v71 = v20 * (v39 * v69)
+    v72 = v20 * (v40 * v70)
+    v73 = (
+        v53 * (w1_p * (v33 * (s3_p * v71 + v51 * -v67) + s3_p * T31)) - v55 * (factor1_p * (c3_p *
+        (v5 * (w1_p * T31 + factor1_p * v71)) + v49 * (v5 * v67)) + v7 * (factor1_p * (w1_p * v69) -
+        c2_p * T31))
+    )
+    v74 = (
+        v54 * (w1_m * (v34 * (v52 * -v68 - s3_m * v72) + s3_m * T31)) - v56 * (factor1_m * (c3_m *
+        (v5 * (w1_m * T31 - factor1_m * v72)) + v50 * (v5 * v68)) - v7 * (factor1_m * (w1_m * v70) +
+        v36 * T31))
+    )
+
+    # joint values
+    v83 = angle11 - offset4
+    v84 = offset4 + angle11
+    q4_ppp = v83 + (m3 if v83 <= -half_turn else 0.0)
+    q4_mpp = (m3 if -v84 <= -half_turn else 0.0) - v84
+    v89 = q4_ppp < low4 or high4 < q4_ppp
+    v90 = q4_mpp < low4 or high4 < q4_mpp
+    doubt1 = (
+        v58 <= m1 or (v32 <= m1 or (v57 <= m1 or (-(reach_slack2 * (reach_slack2 + v3)) <= D4 and
+        not (merge_slack2 * (merge_slack2 + v3) < D4) or v31 <= m1)))
+    )
+
+    # angles, side by side
+    room[0] = s3_p
+    room[1] = s3_m
+    room[2] = v59
+    room[3] = v60
+    room[4] = v73
+    room[5] = v74
+    room[6] = b22_p
+    room[7] = b22_m
+    room[8] = w1_p
+    room[9] = w1_m
+    room[10] = math.sqrt(v57)
+    room[11] = math.sqrt(v58)
+    room[16] = c3_p
+    room[17] = c3_m
+    room[18] = -X5_p
+    room[19] = -X5_m
+    room[20] = (
+        v53 * (w1_p * (v33 * (s3_p * v65 + v51 * -v61) + s3_p * T32)) - v55 * (factor1_p * (c3_p *
+        (v5 * (w1_p * T32 + factor1_p * v65)) + v49 * (v5 * v61)) + v7 * (factor1_p * (w1_p * v63) -
+        c2_p * T32))
+    )
+    room[21] = (
+        v54 * (w1_m * (v34 * (v52 * -v62 - s3_m * v66) + s3_m * T32)) - v56 * (factor1_m * (c3_m *
+        (v5 * (w1_m * T32 - factor1_m * v66)) + v50 * (v5 * v62)) - v7 * (factor1_m * (w1_m * v64) +
+        v36 * T32))
+    )
+    room[22] = -X1_p
+    room[23] = v30
+    room[24] = v39
+    room[25] = -v40
+    room[26] = v20 * (factor1_p * (c3_p * (v7 * v43) + v49 * (v7 * v45)) - v5 * v47)
+    room[27] = -(v20 * (factor1_m * (c3_m * (v7 * v44) + v50 * (v7 * v46)) + v5 * v48))
+    for k in range(12, 16):
+        room[k] = room[k + 16] = 1.0
+    for k in range(16):
+        room[k] = _atan2(room[k], room[k + 16])
+    angle1 = room[0]
+    angle2 = room[1]
+    angle3 = room[2]
+    angle4 = room[3]
+    angle5 = room[4]
+    angle6 = room[5]
+    angle7 = room[6]
+    angle8 = room[7]
+    angle9 = room[8]
+    angle10 = room[9]
+    angle12 = room[10]
+    angle13 = room[11]
+
+    # theta3, type 3: B1[3, 1] and B1[3, 3]
+    q3_pmp = angle1 - math.copysign(half_turn, s3_p) * h1
+    q3_mmp = angle2 - math.copysign(half_turn, s3_m) * h1
+
+    # theta5, type 2: U5[3, 3]
+    q5_ppm = angle3 - h1 * math.copysign(half_turn, v59)
+    q5_mpm = angle4 - h1 * math.copysign(half_turn, v60)
+
+    # theta7, type 3: U5[3, 2] and U5[3, 1]
+    q7_ppm = angle5 - h1 * math.copysign(half_turn, v73)
+    q7_mpm = angle6 - h1 * math.copysign(half_turn, v74)
+
+    # joint values
+    v75 = angle7 - offset1
+    v76 = angle7 - h1 * math.copysign(half_turn, b22_p) - offset1
+    v77 = angle8 - offset1
+    v78 = angle8 - h1 * math.copysign(half_turn, b22_m) - offset1
+    q1_ppp = v75 + (m3 if v75 <= -half_turn else 0.0)
+    q1_pmp = v76 + (m3 if v76 <= -half_turn else 0.0)
+    q1_mpp = v77 + (m3 if v77 <= -half_turn else 0.0)
+    q1_mmp = v78 + (m3 if v78 <= -half_turn else 0.0)
+    v79 = angle9 - offset2
+    v80 = offset2 + angle9
+    v81 = angle10 - offset2
+    v82 = offset2 + angle10
+    q2_ppp = v79 + (m3 if v79 <= -half_turn else 0.0)
+    q2_pmp = (m3 if -v80 <= -half_turn else 0.0) - v80
+    q2_mpp = v81 + (m3 if v81 <= -half_turn else 0.0)
+    q2_mmp = (m3 if -v82 <= -half_turn else 0.0) - v82
+    v85 = angle12 - offset6
+    v86 = offset6 + angle12
+    v87 = angle13 - offset6
+    v88 = offset6 + angle13
+    q6_ppp = v85 + (m3 if v85 <= -half_turn else 0.0)
+    q6_ppm = (m3 if -v86 <= -half_turn else 0.0) - v86
+    q6_mpp = v87 + (m3 if v87 <= -half_turn else 0.0)
+    q6_mpm = (m3 if -v88 <= -half_turn else 0.0) - v88
+    v91 = angle3 < low5 or high5 < angle3
+    v92 = q5_ppm < low5 or high5 < q5_ppm
+    v93 = angle4 < low5 or high5 < angle4
+    v94 = q5_mpm < low5 or high5 < q5_mpm
+    v95 = q6_ppp < low6 or high6 < q6_ppp
+    v96 = q6_ppm < low6 or high6 < q6_ppm
+    v97 = q6_mpp < low6 or high6 < q6_mpp
+    v98 = q6_mpm < low6 or high6 < q6_mpm
+    v99 = angle5 < low7 or high7 < angle5
+    v100 = q7_ppm < low7 or high7 < q7_ppm
+    v101 = angle6 < low7 or high7 < angle6
+    v102 = q7_mpm < low7 or high7 < q7_mpm
+    v103 = (
+        v89 or (angle1 < low3 or high3 < angle1 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp <
+        low2 or high2 < q2_ppp)))
+    )
+    v104 = (
+        v89 or (q3_pmp < low3 or high3 < q3_pmp or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp <
+        low2 or high2 < q2_pmp)))
+    )
+    v105 = (
+        v90 or (angle2 < low3 or high3 < angle2 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp <
+        low2 or high2 < q2_mpp)))
+    )
+    v106 = (
+        v90 or (q3_mmp < low3 or high3 < q3_mmp or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp <
+        low2 or high2 < q2_mmp)))
+    )
+    outside_ppp = v99 or (v95 or (v91 or v103))
+    outside_ppm = v100 or (v96 or (v92 or v103))
+    outside_pmp = v99 or (v95 or (v91 or v104))
+    outside_pmm = v100 or (v96 or (v92 or v104))
+    outside_mpp = v101 or (v97 or (v93 or v105))
+    outside_mpm = v102 or (v98 or (v94 or v105))
+    outside_mmp = v101 or (v97 or (v93 or v106))
+    outside_mmm = v102 or (v98 or (v94 or v106))
+
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+    q[0, 0] = q1_ppp
+    q[0, 1] = q2_ppp
+    q[0, 2] = angle1
+    q[0, 3] = q4_ppp
+    q[0, 4] = angle3
+    q[0, 5] = q6_ppp
+    q[0, 6] = angle5
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_ppp else OK)
+    q[1, 0] = q1_ppp
+    q[1, 1] = q2_ppp
+    q[1, 2] = angle1
+    q[1, 3] = q4_ppp
+    q[1, 4] = q5_ppm
+    q[1, 5] = q6_ppm
+    q[1, 6] = q7_ppm
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
+    q[2, 0] = q1_pmp
+    q[2, 1] = q2_pmp
+    q[2, 2] = q3_pmp
+    q[2, 3] = q4_ppp
+    q[2, 4] = angle3
+    q[2, 5] = q6_ppp
+    q[2, 6] = angle5
+    status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
+    q[3, 0] = q1_pmp
+    q[3, 1] = q2_pmp
+    q[3, 2] = q3_pmp
+    q[3, 3] = q4_ppp
+    q[3, 4] = q5_ppm
+    q[3, 5] = q6_ppm
+    q[3, 6] = q7_ppm
+    status[3] = UNREACHABLE if q[3, 0] != q[3, 0] else (OUT_OF_LIMITS if outside_pmm else OK)
+    q[4, 0] = q1_mpp
+    q[4, 1] = q2_mpp
+    q[4, 2] = angle2
+    q[4, 3] = q4_mpp
+    q[4, 4] = angle4
+    q[4, 5] = q6_mpp
+    q[4, 6] = angle6
+    status[4] = UNREACHABLE if q[4, 0] != q[4, 0] else (OUT_OF_LIMITS if outside_mpp else OK)
+    q[5, 0] = q1_mpp
+    q[5, 1] = q2_mpp
+    q[5, 2] = angle2
+    q[5, 3] = q4_mpp
+    q[5, 4] = q5_mpm
+    q[5, 5] = q6_mpm
+    q[5, 6] = q7_mpm
+    status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
+    q[6, 0] = q1_mmp
+    q[6, 1] = q2_mmp
+    q[6, 2] = q3_mmp
+    q[6, 3] = q4_mpp
+    q[6, 4] = angle4
+    q[6, 5] = q6_mpp
+    q[6, 6] = angle6
+    status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
+    q[7, 0] = q1_mmp
+    q[7, 1] = q2_mmp
+    q[7, 2] = q3_mmp
+    q[7, 3] = q4_mpp
+    q[7, 4] = q5_mpm
+    q[7, 5] = q6_mpm
+    q[7, 6] = q7_mpm
+    status[7] = UNREACHABLE if q[7, 0] != q[7, 0] else (OUT_OF_LIMITS if outside_mmm else OK)
+    return True
+
+
+@_merged
+def _into(T, q_free, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (8, 7) or status.shape != (8,):
+        raise ValueError("T, q and status must be (4, 4), (8, 7) and (8,)")
+    if q_free.shape != (1,):
+        raise ValueError("q_free must be (1,)")
+    valid, pose = _read(T, q_free)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q_free, q, status):
+        count = 0
+        for row in range(8):
+            count += status[row] == OK
+        return count
+    return _whole(pose, q_free, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(7):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q_free, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(7), 7))
+    return _into(T, q_free, seed, q, status)
+
+
+@_jit
+def ik_into(T, q_free, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated nowhere. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q_free: The arm angle [rad] (1,), float64.
+        q: Filled with joint values (8, 7), NaN where there is no solution; float64.
+        status: Filled with what each row holds (8,); uint8.
+        q_seed: Values for joints that are indeterminate (7,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, or the seed is not finite.
+    """
+    seed = _zeros(carray(_room(7), 7)) if q_seed is None else q_seed
+    if seed.shape != (7,):
+        raise ValueError("q_seed must be (7,)")
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    return _into(T, q_free, seed, q, status)
+
+
+def ik_all(T, q_free, q_seed=None):
+    """All solutions: q (8, 7) and status (8,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_free: The arm angle [rad] (1,).
+        q_seed: Values for joints that are indeterminate at this pose (7,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((8, 7)), np.empty(8, _BYTE)
+    T = np.ascontiguousarray(T, _FLOAT)
+    q_free = np.ascontiguousarray(q_free, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q_free, q, status)
+        else:
+            seed = _array(q_seed, (7,), "q_seed")
+            ik_into(T, q_free, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        _array(q_free, (1,), "q_free")
+        raise
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(7):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(7):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
+    """One solution (7,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_free: The arm angle [rad] (1,).
+        q_seed: Where the arm is (7,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 8) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_free, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation, or the arm angle not finite")
+    rows, status, q = rows[first:last], status[first:last], np.empty(7)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q_free, q, status):
+    for k in range(len(T)):
+        _unseeded(T[k], q_free[k], q[k], status[k])
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [2592, 2624, 2656, 2688, 2720, 2752, 2784],
+    [2592, 2624, 2656, 2688, 2816, 2848, 2880],
+    [2912, 2944, 2976, 2688, 2720, 2752, 2784],
+    [2912, 2944, 2976, 2688, 2816, 2848, 2880],
+    [3008, 3040, 3072, 3104, 3136, 3168, 3200],
+    [3008, 3040, 3072, 3104, 3232, 3264, 3296],
+    [3328, 3360, 3392, 3104, 3136, 3168, 3200],
+    [3328, 3360, 3392, 3104, 3232, 3264, 3296],
+])
+_KINDS = np.array([3424, 3456, 3488, 3520, 3552, 3584, 3616, 3648])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q_free, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(3680)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+            for i in range(1):
+                work[(16 + i) * 32 + k] = q_free[first + k, i]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k] + work[512 + k])
+            )
+            exact = miss <= 1e-24
+            work[544 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            given1 = work[512 + k]
+            wx = T14 - d7 * T13
+            wy = T24 - d7 * T23
+            wz = T34 - d7 * T33
+            v1 = wx * wx
+            v2 = wy * wy
+            Z4 = v1 + (v2 + (k3 + wz * (wz - k2)))
+            D4 = k4 - Z4 * Z4
+            v3 = 2.0 * abs(Z4)
+            v4 = k1 * Z4
+            v5 = k5 * v4
+            v6 = k1 * math.sqrt(D4)
+            v7 = k5 * v6
+            v8 = wz - d1
+            v9 = v1 + v2 + v8 * v8
+            v10 = math.sqrt(v9) * (1.0 / v9)
+            gx = wx * v10
+            gy = wy * v10
+            gz = v8 * v10
+            v11 = gy * gy + gx * gx
+            upright = v11 <= m1
+            v12 = 1.0 / (1.0 if upright else math.sqrt(v11))
+            v13 = 0.0 if upright else gy * v12
+            v14 = 1.0 if upright else -(gx * v12)
+            v15 = gz * v14
+            v16 = gz * v13
+            v17 = d5 * v7
+            v18 = d3 + d5 * v5
+            v19 = v18 * v18 + v17 * v17
+            v20 = math.sqrt(v19) * (1.0 / v19)
+            v21 = d5 * (d3 * v7)
+            side_p = -1.0 if -v21 < -straight_limit else 1.0
+            side_m = -1.0 if v21 < -straight_limit else 1.0
+            v22 = v18 * side_p
+            v23 = v18 * side_m
+            v24 = v17 * side_p
+            v25 = v17 * side_m
+            v26 = gx * v17
+            v27 = gy * v17
+            v28 = gy * v18
+            v29 = gx * v18
+            v35 = gz * v18
+            work[576 + k] = D4
+            work[608 + k] = v3
+            work[640 + k] = v5
+            work[672 + k] = v7
+            work[704 + k] = gx
+            work[736 + k] = gy
+            work[768 + k] = v13
+            work[800 + k] = v14
+            work[832 + k] = v15
+            work[864 + k] = v16
+            work[896 + k] = v20
+            work[928 + k] = side_p
+            work[960 + k] = side_m
+            work[992 + k] = v22
+            work[1024 + k] = v23
+            work[1056 + k] = v24
+            work[1088 + k] = v25
+            work[1120 + k] = v26
+            work[1152 + k] = v27
+            work[1184 + k] = v28
+            work[1216 + k] = v29
+            work[1248 + k] = v35
+            work[1280 + k] = given1
+            work[1312 + k] = given1
+            work[1344 + k] = -v6
+            work[1376 + k] = -v4
+        for k in range(1280, 1312):
+            work[k] = math.sin(work[k])
+        for k in range(1312, 1344):
+            work[k] = math.cos(work[k])
+        for k in range(1344, 1376):
+            work[k] = _atan2(work[k], work[k + 32])
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            D4 = work[576 + k]
+            v3 = work[608 + k]
+            v5 = work[640 + k]
+            v7 = work[672 + k]
+            gx = work[704 + k]
+            gy = work[736 + k]
+            v13 = work[768 + k]
+            v14 = work[800 + k]
+            v15 = work[832 + k]
+            v16 = work[864 + k]
+            v20 = work[896 + k]
+            side_p = work[928 + k]
+            side_m = work[960 + k]
+            v22 = work[992 + k]
+            v23 = work[1024 + k]
+            v24 = work[1056 + k]
+            v25 = work[1088 + k]
+            v26 = work[1120 + k]
+            v27 = work[1152 + k]
+            v28 = work[1184 + k]
+            v29 = work[1216 + k]
+            v35 = work[1248 + k]
+            sin_psi = work[1280 + k]
+            cos_psi = work[1312 + k]
+            angle11 = work[1344 + k]
+            uz = cos_psi * (gy * v13 - gx * v14)
+            ux = v15 * cos_psi + v13 * sin_psi
+            uy = v14 * sin_psi - v16 * cos_psi
+            nx = v13 * cos_psi - v15 * sin_psi
+            ny = v14 * cos_psi + v16 * sin_psi
+            b22_p = v28 - uy * v24
+            b22_m = v28 + uy * v25
+            X1_p = ux * v24 - v29
+            v30 = v29 + ux * v25
+            v31 = v20 * (X1_p * (v20 * X1_p) + b22_p * (v20 * b22_p))
+            v32 = v20 * (v30 * (v20 * v30) + b22_m * (v20 * b22_m))
+            w1_p = math.sqrt(v31)
+            w1_m = math.sqrt(v32)
+            v33 = 1.0 / v31
+            v34 = 1.0 / v32
+            factor1_p = w1_p * v33
+            factor1_m = w1_m * v34
+            c2_p = uz * v24 - v35
+            v36 = v35 + uz * v25
+            s3_p = -X1_p * (v20 * (v27 + uy * v22)) - b22_p * (v20 * (v26 + ux * v22))
+            s3_m = v30 * (v20 * (uy * v23 - v27)) - b22_m * (v20 * (ux * v23 - v26))
+            c3_p = -X1_p * (ny * side_p) - b22_p * (nx * side_p)
+            c3_m = v30 * (ny * side_m) - b22_m * (nx * side_m)
+            v37 = T13 * -X1_p + T23 * b22_p
+            v38 = T13 * v30 + T23 * b22_m
+            v39 = v20 * c2_p
+            v40 = v20 * v36
+            v41 = v20 * (v37 * v39)
+            v42 = v20 * (v38 * v40)
+            v43 = T33 * w1_p + factor1_p * v41
+            v44 = T33 * w1_m - factor1_m * v42
+            v45 = T13 * b22_p - T23 * -X1_p
+            v46 = T13 * b22_m - T23 * v30
+            v47 = factor1_p * (w1_p * v37) - T33 * c2_p
+            v48 = factor1_m * (w1_m * v38) + T33 * v36
+            v49 = factor1_p * (v20 * s3_p)
+            v50 = factor1_m * (v20 * s3_m)
+            X5_p = factor1_p * (c3_p * (v5 * v43) + v49 * (v5 * v45)) + v7 * v47
+            X5_m = factor1_m * (c3_m * (v5 * v44) + v50 * (v5 * v46)) - v7 * v48
+            v51 = v20 * c3_p
+            v52 = v20 * c3_m
+            Y5_p = w1_p * (v33 * (s3_p * v41 + v51 * -v45) + T33 * s3_p)
+            Y5_m = w1_m * (v34 * (v52 * -v46 - s3_m * v42) + T33 * s3_m)
+            v53 = v20 * X5_p
+            v54 = v20 * X5_m
+            v55 = v20 * Y5_p
+            v56 = v20 * Y5_m
+            v57 = v20 * (X5_p * v53 + factor1_p * (Y5_p * (factor1_p * v55)))
+            v58 = v20 * (X5_m * v54 + factor1_m * (Y5_m * (factor1_m * v56)))
+            v59 = factor1_p * Y5_p
+            v60 = factor1_m * Y5_m
+            v61 = b22_p * T12 - -X1_p * T22
+            v62 = b22_m * T12 - v30 * T22
+            v63 = -X1_p * T12 + b22_p * T22
+            v64 = v30 * T12 + b22_m * T22
+            v65 = v20 * (v39 * v63)
+            v66 = v20 * (v40 * v64)
+            v67 = b22_p * T11 - -X1_p * T21
+            v68 = b22_m * T11 - v30 * T21
+            v69 = -X1_p * T11 + b22_p * T21
+            v70 = v30 * T11 + b22_m * T21
+            v71 = v20 * (v39 * v69)
+            v72 = v20 * (v40 * v70)
+            v73 = (
+                v53 * (w1_p * (v33 * (s3_p * v71 + v51 * -v67) + s3_p * T31)) - v55 * (factor1_p *
+                (c3_p * (v5 * (w1_p * T31 + factor1_p * v71)) + v49 * (v5 * v67)) + v7 * (factor1_p
+                * (w1_p * v69) - c2_p * T31))
+            )
+            v74 = (
+                v54 * (w1_m * (v34 * (v52 * -v68 - s3_m * v72) + s3_m * T31)) - v56 * (factor1_m *
+                (c3_m * (v5 * (w1_m * T31 - factor1_m * v72)) + v50 * (v5 * v68)) - v7 * (factor1_m
+                * (w1_m * v70) + v36 * T31))
+            )
+            v83 = angle11 - offset4
+            v84 = offset4 + angle11
+            q4_ppp = v83 + (m3 if v83 <= -half_turn else 0.0)
+            q4_mpp = (m3 if -v84 <= -half_turn else 0.0) - v84
+            v89 = q4_ppp < low4 or high4 < q4_ppp
+            v90 = q4_mpp < low4 or high4 < q4_mpp
+            doubt1 = (
+                v58 <= m1 or (v32 <= m1 or (v57 <= m1 or (-(reach_slack2 * (reach_slack2 + v3)) <=
+                D4 and not (merge_slack2 * (merge_slack2 + v3) < D4) or v31 <= m1)))
+            )
+            work[1408 + k] = b22_p
+            work[1440 + k] = b22_m
+            work[1472 + k] = s3_p
+            work[1504 + k] = s3_m
+            work[1536 + k] = v59
+            work[1568 + k] = v60
+            work[1600 + k] = v73
+            work[1632 + k] = v74
+            work[1664 + k] = q4_ppp
+            work[1696 + k] = q4_mpp
+            work[1728 + k] = v89
+            work[1760 + k] = v90
+            work[1792 + k] = doubt1
+            work[1824 + k] = s3_p
+            work[1856 + k] = s3_m
+            work[1888 + k] = v59
+            work[1920 + k] = v60
+            work[1952 + k] = v73
+            work[1984 + k] = v74
+            work[2016 + k] = b22_p
+            work[2048 + k] = b22_m
+            work[2080 + k] = w1_p
+            work[2112 + k] = w1_m
+            work[2144 + k] = math.sqrt(v57)
+            work[2176 + k] = math.sqrt(v58)
+            work[2208 + k] = c3_p
+            work[2240 + k] = c3_m
+            work[2272 + k] = -X5_p
+            work[2304 + k] = -X5_m
+            work[2336 + k] = (
+                v53 * (w1_p * (v33 * (s3_p * v65 + v51 * -v61) + s3_p * T32)) - v55 * (factor1_p *
+                (c3_p * (v5 * (w1_p * T32 + factor1_p * v65)) + v49 * (v5 * v61)) + v7 * (factor1_p
+                * (w1_p * v63) - c2_p * T32))
+            )
+            work[2368 + k] = (
+                v54 * (w1_m * (v34 * (v52 * -v62 - s3_m * v66) + s3_m * T32)) - v56 * (factor1_m *
+                (c3_m * (v5 * (w1_m * T32 - factor1_m * v66)) + v50 * (v5 * v62)) - v7 * (factor1_m
+                * (w1_m * v64) + v36 * T32))
+            )
+            work[2400 + k] = -X1_p
+            work[2432 + k] = v30
+            work[2464 + k] = v39
+            work[2496 + k] = -v40
+            work[2528 + k] = v20 * (factor1_p * (c3_p * (v7 * v43) + v49 * (v7 * v45)) - v5 * v47)
+            work[2560 + k] = (
+                -(v20 * (factor1_m * (c3_m * (v7 * v44) + v50 * (v7 * v46)) + v5 * v48))
+            )
+        for k in range(1824, 2208):
+            work[k] = _atan2(work[k], work[k + 384])
+        for k in range(0, 32):
+            b22_p = work[1408 + k]
+            b22_m = work[1440 + k]
+            s3_p = work[1472 + k]
+            s3_m = work[1504 + k]
+            v59 = work[1536 + k]
+            v60 = work[1568 + k]
+            v73 = work[1600 + k]
+            v74 = work[1632 + k]
+            q4_ppp = work[1664 + k]
+            q4_mpp = work[1696 + k]
+            v89 = work[1728 + k] != 0.0
+            v90 = work[1760 + k] != 0.0
+            doubt1 = work[1792 + k] != 0.0
+            angle1 = work[1824 + k]
+            angle2 = work[1856 + k]
+            angle3 = work[1888 + k]
+            angle4 = work[1920 + k]
+            angle5 = work[1952 + k]
+            angle6 = work[1984 + k]
+            angle7 = work[2016 + k]
+            angle8 = work[2048 + k]
+            angle9 = work[2080 + k]
+            angle10 = work[2112 + k]
+            angle12 = work[2144 + k]
+            angle13 = work[2176 + k]
+            q3_pmp = angle1 - math.copysign(half_turn, s3_p) * h1
+            q3_mmp = angle2 - math.copysign(half_turn, s3_m) * h1
+            q5_ppm = angle3 - h1 * math.copysign(half_turn, v59)
+            q5_mpm = angle4 - h1 * math.copysign(half_turn, v60)
+            q7_ppm = angle5 - h1 * math.copysign(half_turn, v73)
+            q7_mpm = angle6 - h1 * math.copysign(half_turn, v74)
+            v75 = angle7 - offset1
+            v76 = angle7 - h1 * math.copysign(half_turn, b22_p) - offset1
+            v77 = angle8 - offset1
+            v78 = angle8 - h1 * math.copysign(half_turn, b22_m) - offset1
+            q1_ppp = v75 + (m3 if v75 <= -half_turn else 0.0)
+            q1_pmp = v76 + (m3 if v76 <= -half_turn else 0.0)
+            q1_mpp = v77 + (m3 if v77 <= -half_turn else 0.0)
+            q1_mmp = v78 + (m3 if v78 <= -half_turn else 0.0)
+            v79 = angle9 - offset2
+            v80 = offset2 + angle9
+            v81 = angle10 - offset2
+            v82 = offset2 + angle10
+            q2_ppp = v79 + (m3 if v79 <= -half_turn else 0.0)
+            q2_pmp = (m3 if -v80 <= -half_turn else 0.0) - v80
+            q2_mpp = v81 + (m3 if v81 <= -half_turn else 0.0)
+            q2_mmp = (m3 if -v82 <= -half_turn else 0.0) - v82
+            v85 = angle12 - offset6
+            v86 = offset6 + angle12
+            v87 = angle13 - offset6
+            v88 = offset6 + angle13
+            q6_ppp = v85 + (m3 if v85 <= -half_turn else 0.0)
+            q6_ppm = (m3 if -v86 <= -half_turn else 0.0) - v86
+            q6_mpp = v87 + (m3 if v87 <= -half_turn else 0.0)
+            q6_mpm = (m3 if -v88 <= -half_turn else 0.0) - v88
+            v91 = angle3 < low5 or high5 < angle3
+            v92 = q5_ppm < low5 or high5 < q5_ppm
+            v93 = angle4 < low5 or high5 < angle4
+            v94 = q5_mpm < low5 or high5 < q5_mpm
+            v95 = q6_ppp < low6 or high6 < q6_ppp
+            v96 = q6_ppm < low6 or high6 < q6_ppm
+            v97 = q6_mpp < low6 or high6 < q6_mpp
+            v98 = q6_mpm < low6 or high6 < q6_mpm
+            v99 = angle5 < low7 or high7 < angle5
+            v100 = q7_ppm < low7 or high7 < q7_ppm
+            v101 = angle6 < low7 or high7 < angle6
+            v102 = q7_mpm < low7 or high7 < q7_mpm
+            v103 = (
+                v89 or (angle1 < low3 or high3 < angle1 or (q1_ppp < low1 or high1 < q1_ppp or
+                (q2_ppp < low2 or high2 < q2_ppp)))
+            )
+            v104 = (
+                v89 or (q3_pmp < low3 or high3 < q3_pmp or (q1_pmp < low1 or high1 < q1_pmp or
+                (q2_pmp < low2 or high2 < q2_pmp)))
+            )
+            v105 = (
+                v90 or (angle2 < low3 or high3 < angle2 or (q1_mpp < low1 or high1 < q1_mpp or
+                (q2_mpp < low2 or high2 < q2_mpp)))
+            )
+            v106 = (
+                v90 or (q3_mmp < low3 or high3 < q3_mmp or (q1_mmp < low1 or high1 < q1_mmp or
+                (q2_mmp < low2 or high2 < q2_mmp)))
+            )
+            outside_ppp = v99 or (v95 or (v91 or v103))
+            outside_ppm = v100 or (v96 or (v92 or v103))
+            outside_pmp = v99 or (v95 or (v91 or v104))
+            outside_pmm = v100 or (v96 or (v92 or v104))
+            outside_mpp = v101 or (v97 or (v93 or v105))
+            outside_mpm = v102 or (v98 or (v94 or v105))
+            outside_mmp = v101 or (v97 or (v93 or v106))
+            outside_mmm = v102 or (v98 or (v94 or v106))
+            _2592 = q1_ppp
+            work[2592 + k] = _2592
+            _2624 = q2_ppp
+            work[2624 + k] = _2624
+            _2656 = angle1
+            work[2656 + k] = _2656
+            _2688 = q4_ppp
+            work[2688 + k] = _2688
+            _2720 = angle3
+            work[2720 + k] = _2720
+            _2752 = q6_ppp
+            work[2752 + k] = _2752
+            _2784 = angle5
+            work[2784 + k] = _2784
+            _2816 = q5_ppm
+            work[2816 + k] = _2816
+            _2848 = q6_ppm
+            work[2848 + k] = _2848
+            _2880 = q7_ppm
+            work[2880 + k] = _2880
+            _2912 = q1_pmp
+            work[2912 + k] = _2912
+            _2944 = q2_pmp
+            work[2944 + k] = _2944
+            _2976 = q3_pmp
+            work[2976 + k] = _2976
+            _3008 = q1_mpp
+            work[3008 + k] = _3008
+            _3040 = q2_mpp
+            work[3040 + k] = _3040
+            _3072 = angle2
+            work[3072 + k] = _3072
+            _3104 = q4_mpp
+            work[3104 + k] = _3104
+            _3136 = angle4
+            work[3136 + k] = _3136
+            _3168 = q6_mpp
+            work[3168 + k] = _3168
+            _3200 = angle6
+            work[3200 + k] = _3200
+            _3232 = q5_mpm
+            work[3232 + k] = _3232
+            _3264 = q6_mpm
+            work[3264 + k] = _3264
+            _3296 = q7_mpm
+            work[3296 + k] = _3296
+            _3328 = q1_mmp
+            work[3328 + k] = _3328
+            _3360 = q2_mmp
+            work[3360 + k] = _3360
+            _3392 = q3_mmp
+            work[3392 + k] = _3392
+            work[3424 + k] = (
+                UNREACHABLE if _2592 != _2592 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
+            work[3456 + k] = (
+                UNREACHABLE if _2592 != _2592 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[3488 + k] = (
+                UNREACHABLE if _2912 != _2912 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[3520 + k] = (
+                UNREACHABLE if _2912 != _2912 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[3552 + k] = (
+                UNREACHABLE if _3008 != _3008 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[3584 + k] = (
+                UNREACHABLE if _3008 != _3008 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[3616 + k] = (
+                UNREACHABLE if _3328 != _3328 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[3648 + k] = (
+                UNREACHABLE if _3328 != _3328 else (OUT_OF_LIMITS if outside_mmm else OK)
+            )
+            work[544 + k] = 1.0 if doubt1 else work[544 + k]
+        for k in range(count):
+            if work[544 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(8):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(7):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
+
+
+def ik_batch(T, q_free, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 8, 7) and status (N, 8).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q, status = np.empty((len(T), 8, 7)), np.empty((len(T), 8), _BYTE)
+    q_free = _array(q_free, (len(T), 1), "q_free")
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q_free, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            _unseeded(T[k], q_free[k], q[k], status[k])
+        return q, status
+    _share(_one_by_one, cores, T, q_free, q, status)
+    return q, status
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, _FLOAT)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
+    return values
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
