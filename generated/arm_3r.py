@@ -14,9 +14,12 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 try:
-    from numba import carray, njit, types
+    from numba import carray, config, njit, types
     from numba.core.cgutils import alloca_once
     from numba.extending import intrinsic
+
+    if config.DISABLE_JIT:  # for debuggers
+        raise ImportError
 except ImportError:  # plain Python, only slower
 
     def njit(*_, **__):

@@ -76,14 +76,14 @@ class Tile:
         doubt: Where it says that a pose is none of its.
         loops: The loops over all of its poses.
         places: Where the joints' values of each row begin.
-        kinds: Where the rows' statuses begin.
+        kinds: Where the rows' statuses begin, as a list in Python.
     """
 
     size: int
     doubt: int
     loops: tuple[Loop, ...]
     places: tuple[tuple[int, ...], ...]
-    kinds: tuple[int, ...]
+    kinds: str
 
 
 def tile(flat: Flat, free: int) -> Tile:
@@ -124,7 +124,7 @@ class _Tiling:
         last = loops.pop()
         loops.append(Loop(0, TILE, (*last.lines, *lines, *more)))
         table = tuple(tuple(places[row * dof : (row + 1) * dof]) for row in range(rows))
-        return Tile(TILE * len(self._places), doubt, tuple(loops), table, tuple(kinds))
+        return Tile(TILE * len(self._places), doubt, tuple(loops), table, str(kinds))
 
     def _place(self, name: str) -> int:
         """Where the values of a name begin."""
