@@ -37,7 +37,7 @@ except ImportError:  # plain Python, only slower
 # What is not said to be inlined by force would be, in those that are.
 _OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
-# Only compiled code calls these: what Python would need is not made, which is much of the work.
+# Only compiled code may call these: what Python would need is not made, which is much of the work.
 _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
 _inner = njit(**_INNER)
 _merged = njit(**{**_INNER, "forceinline": True})
@@ -307,7 +307,7 @@ def _solve(pose, seed, q, status):
             status[row] = FREE_JOINT if free1 or free4 else OK
 
 
-@_merged
+@njit(**{**_OPTIONS, "forceinline": True})
 def _read(T):
     """Whether T is a pose, and its upper three rows.
 
@@ -366,7 +366,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_inner
+@_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(4):

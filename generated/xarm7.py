@@ -35,7 +35,7 @@ except ImportError:  # plain Python, only slower
 # What is not said to be inlined by force would be, in those that are.
 _OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
 _jit = njit(**_OPTIONS)
-# Only compiled code calls these: what Python would need is not made, which is much of the work.
+# Only compiled code may call these: what Python would need is not made, which is much of the work.
 _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
 _inner = njit(**_INNER)
 _merged = njit(**{**_INNER, "forceinline": True})
@@ -1709,7 +1709,7 @@ def _solve(pose, q_free, seed, q, status):
         status[row] = FREE_JOINT if chosen else OK
 
 
-@_merged
+@njit(**{**_OPTIONS, "forceinline": True})
 def _read(T, q_free):
     """Whether T is a pose, and its upper three rows.
 
@@ -1766,7 +1766,7 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
-@_inner
+@_jit
 def _whole(pose, q_free, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
     for row in range(16):
