@@ -39,9 +39,12 @@ def test_a_cell_is_a_number_or_a_text() -> None:
     assert row["theta"]["type"] == ["number", "string"]
 
 
+NEARLY_RIGHT = {"puma560_calibrated"}  # angles with noise on purpose, of which dhgen warns
+
+
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_the_robots_of_the_project_load(path: Path) -> None:
     robot = load(path)
     assert robot.name == path.stem
     assert robot.source
-    assert not robot.notices
+    assert bool(robot.notices) == (path.stem in NEARLY_RIGHT)
