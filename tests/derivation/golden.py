@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 from dhgen.targets.derivation import derivation_document
@@ -14,6 +15,7 @@ FOLDER = Path(__file__).resolve().parent / "golden"
 NAMES = ("arm_6r", "planar_rr", "scara")
 
 
+@cache
 def document(name: str) -> str:
     """A derivation as Markdown."""
     of = story(name)
