@@ -8,6 +8,7 @@ STRUCTURES = (
     "franka_panda",
     "kuka_iiwa14",
     "kuka_iiwa14_arm_angle",
+    "kuka_iiwa14_arm_angle",
     "kuka_kr6_r900",
     "kuka_youbot",
     "olson_pprrrr",
