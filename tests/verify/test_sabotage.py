@@ -88,7 +88,11 @@ def test_every_sign_of_python(compilation: Compilation, function: str, tmp_path:
 
 
 @pytest.mark.parametrize("function", C)
-def test_every_fifth_sign_of_c(compilation: Compilation, function: str, tmp_path: Path) -> None:
+def test_every_fifth_sign_of_c(
+    compilation: Compilation, function: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # as many as in earnest: few poses come to the solver that serves singular ones
+    monkeypatch.setattr("dhgen.verify.verify.COUNT", 150)
     text = compilation.files[f"{NAME}.c"]
     places = formulas(text, C[function], "\n}\n")[:: 5 if function == "solve" else 3]
     assert places
