@@ -341,7 +341,7 @@ def jacobian(q):
 _SOLVED = np.array([0, 1, 3, 4, 5, 6])
 _TURNING = np.array([True, True, True, True, True, True])
 _UNIT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-_PART = np.array([
+_MEASURE = np.array([
     0.8690286866369458, 0.8690286866369458, 0.8690286866369458, 0.8690286866369458,
     0.8690286866369458, 0.8690286866369458,
 ])
@@ -379,9 +379,9 @@ def _look(T, q, u, e, A):
     P, J = fk(q), jacobian(q)
     for j in range(6):
         column = _SOLVED[j]
-        A[0, j] = _PART[j] * J[0, column]
-        A[1, j] = _PART[j] * J[1, column]
-        A[2, j] = _PART[j] * J[2, column]
+        A[0, j] = _MEASURE[j] * J[0, column]
+        A[1, j] = _MEASURE[j] * J[1, column]
+        A[2, j] = _MEASURE[j] * J[2, column]
         for i in range(3):
             A[3 + i, j] = J[3 + i, column]
     e[0] = (T[0, 3] - P[0, 3]) / 1.1507100000000001

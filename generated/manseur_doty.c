@@ -16,7 +16,7 @@ static const double turn = 6.283185307179586;
 static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
 static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-static const double part[6] = {
+static const double measure[6] = {
     0.3333333333333333, 0.3333333333333333, 0.3333333333333333, 0.3333333333333333,
     0.3333333333333333, 0.3333333333333333,
 };
@@ -66,13 +66,13 @@ static void look(struct descent *d, const double u[6])
     manseur_doty_jacobian(d->q, J);
     d->e[0] = (d->T[3] - P[3]) / 3.0;
     for (int j = 0; j < 6; j++)
-        d->A[0][j] = part[j] * J[0 + solved[j]];
+        d->A[0][j] = measure[j] * J[0 + solved[j]];
     d->e[1] = (d->T[7] - P[7]) / 3.0;
     for (int j = 0; j < 6; j++)
-        d->A[1][j] = part[j] * J[6 + solved[j]];
+        d->A[1][j] = measure[j] * J[6 + solved[j]];
     d->e[2] = (d->T[11] - P[11]) / 3.0;
     for (int j = 0; j < 6; j++)
-        d->A[2][j] = part[j] * J[12 + solved[j]];
+        d->A[2][j] = measure[j] * J[12 + solved[j]];
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)

@@ -16,7 +16,7 @@ static const double turn = 6.283185307179586;
 static const int solved[4] = { 0, 1, 2, 3 };
 static const int turning[4] = { 1, 1, 1, 1 };
 static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
-static const double part[4] = { 1.0, 1.0, 1.0, 1.0 };
+static const double measure[4] = { 1.0, 1.0, 1.0, 1.0 };
 static const double span_low[4] = {
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
 };
@@ -47,10 +47,10 @@ static void look(struct descent *d, const double u[4])
     planar_rrrr_jacobian(d->q, J);
     d->e[0] = (d->T[3] - P[3]) / 1.0;
     for (int j = 0; j < 4; j++)
-        d->A[0][j] = part[j] * J[0 + solved[j]];
+        d->A[0][j] = measure[j] * J[0 + solved[j]];
     d->e[1] = (d->T[7] - P[7]) / 1.0;
     for (int j = 0; j < 4; j++)
-        d->A[1][j] = part[j] * J[4 + solved[j]];
+        d->A[1][j] = measure[j] * J[4 + solved[j]];
     for (int i = 0; i < 2; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);

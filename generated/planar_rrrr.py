@@ -180,7 +180,7 @@ def jacobian(q):
 _SOLVED = np.array([0, 1, 2, 3])
 _TURNING = np.array([True, True, True, True])
 _UNIT = np.array([1.0, 1.0, 1.0, 1.0])
-_PART = np.array([1.0, 1.0, 1.0, 1.0])
+_MEASURE = np.array([1.0, 1.0, 1.0, 1.0])
 _SPAN_LOW = np.array([
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
 ])
@@ -204,8 +204,8 @@ def _look(T, q, u, e, A):
     P, J = fk(q), jacobian(q)
     for j in range(4):
         column = _SOLVED[j]
-        A[0, j] = _PART[j] * J[0, column]
-        A[1, j] = _PART[j] * J[1, column]
+        A[0, j] = _MEASURE[j] * J[0, column]
+        A[1, j] = _MEASURE[j] * J[1, column]
     e[0] = (T[0, 3] - P[0, 3]) / 1.0
     e[1] = (T[1, 3] - P[1, 3]) / 1.0
     square = 0.0

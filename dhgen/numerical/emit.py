@@ -73,7 +73,7 @@ def _arrays(kernel: NumericalKernel, infinity: str, truths: tuple[str, str]) -> 
         "no_highest": numbers([inf] * count),
     }
     if kernel.position:
-        arrays["part"] = numbers(unit / size for unit in kernel.units)
+        arrays["measure"] = numbers(unit / size for unit in kernel.units)
     if kernel.redundant:
         arrays |= {"least_u": numbers(kernel.lowest), "most_u": numbers(kernel.highest)}
     return arrays

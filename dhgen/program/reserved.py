@@ -13,7 +13,7 @@ T11 T12 T13 T14 T21 T22 T23 T24 T31 T32 T33 T34
 _C = """
 all_joints chosen continuum copy damped_step descend descent distance_between is_known keep kept
 limited_step look least_u most_u nearest_solution no_highest no_lowest
-part pulled shorten solved sorted_rows span_low span_width stands_before
+measure pulled shorten solved sorted_rows span_low span_width stands_before
 start_of stride turn_vector turning unit wrap_angles
 G LANES LOST NEARLY after all angle attempt before choose_again circle_roots count distance found
 given here high i nearly residual serving_digits serving_value solve_regular

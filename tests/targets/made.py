@@ -28,7 +28,8 @@ if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
-NAMES = list(STRUCTURES)
+# Which of a family of solutions damped least squares find, rounding decides: see tests/numerical.
+NAMES = [name for name in STRUCTURES if not load(ROBOTS / f"{name}.yaml").numerical]
 MADE_UP = Path(__file__).parent / "robots"
 MADE_UP_NAMES = sorted(path.stem for path in MADE_UP.glob("*.yaml"))
 
