@@ -381,8 +381,10 @@ typedef long long abb_gofa_5_mask __attribute__((vector_size(8 * ABB_GOFA_5_LANE
 /* the same where it lies between other doubles */
 typedef double abb_gofa_5_packed
     __attribute__((vector_size(8 * ABB_GOFA_5_LANES), aligned(8), may_alias));
-#define ABB_GOFA_5_LOAD(from) (abb_gofa_5_lane)(*(const abb_gofa_5_packed *)(from))
-#define ABB_GOFA_5_STORE(to, x) (*(abb_gofa_5_packed *)(to) = (abb_gofa_5_packed)(x))
+#define ABB_GOFA_5_LOAD(from) \
+    (abb_gofa_5_lane)(*(const abb_gofa_5_packed *)(from))
+#define ABB_GOFA_5_STORE(to, x) \
+    (*(abb_gofa_5_packed *)(to) = (abb_gofa_5_packed)(x))
 
 static inline abb_gofa_5_lane abb_gofa_5_select(abb_gofa_5_mask m, abb_gofa_5_lane a,
     abb_gofa_5_lane b)

@@ -381,8 +381,10 @@ typedef long long fanuc_crx10ia_mask __attribute__((vector_size(8 * FANUC_CRX10I
 /* the same where it lies between other doubles */
 typedef double fanuc_crx10ia_packed
     __attribute__((vector_size(8 * FANUC_CRX10IA_LANES), aligned(8), may_alias));
-#define FANUC_CRX10IA_LOAD(from) (fanuc_crx10ia_lane)(*(const fanuc_crx10ia_packed *)(from))
-#define FANUC_CRX10IA_STORE(to, x) (*(fanuc_crx10ia_packed *)(to) = (fanuc_crx10ia_packed)(x))
+#define FANUC_CRX10IA_LOAD(from) \
+    (fanuc_crx10ia_lane)(*(const fanuc_crx10ia_packed *)(from))
+#define FANUC_CRX10IA_STORE(to, x) \
+    (*(fanuc_crx10ia_packed *)(to) = (fanuc_crx10ia_packed)(x))
 
 static inline fanuc_crx10ia_lane fanuc_crx10ia_select(fanuc_crx10ia_mask m, fanuc_crx10ia_lane a,
     fanuc_crx10ia_lane b)

@@ -381,8 +381,10 @@ typedef long long general_5r1p_mask __attribute__((vector_size(8 * GENERAL_5R1P_
 /* the same where it lies between other doubles */
 typedef double general_5r1p_packed
     __attribute__((vector_size(8 * GENERAL_5R1P_LANES), aligned(8), may_alias));
-#define GENERAL_5R1P_LOAD(from) (general_5r1p_lane)(*(const general_5r1p_packed *)(from))
-#define GENERAL_5R1P_STORE(to, x) (*(general_5r1p_packed *)(to) = (general_5r1p_packed)(x))
+#define GENERAL_5R1P_LOAD(from) \
+    (general_5r1p_lane)(*(const general_5r1p_packed *)(from))
+#define GENERAL_5R1P_STORE(to, x) \
+    (*(general_5r1p_packed *)(to) = (general_5r1p_packed)(x))
 
 static inline general_5r1p_lane general_5r1p_select(general_5r1p_mask m, general_5r1p_lane a,
     general_5r1p_lane b)

@@ -381,8 +381,10 @@ typedef long long general_6r_mask __attribute__((vector_size(8 * GENERAL_6R_LANE
 /* the same where it lies between other doubles */
 typedef double general_6r_packed
     __attribute__((vector_size(8 * GENERAL_6R_LANES), aligned(8), may_alias));
-#define GENERAL_6R_LOAD(from) (general_6r_lane)(*(const general_6r_packed *)(from))
-#define GENERAL_6R_STORE(to, x) (*(general_6r_packed *)(to) = (general_6r_packed)(x))
+#define GENERAL_6R_LOAD(from) \
+    (general_6r_lane)(*(const general_6r_packed *)(from))
+#define GENERAL_6R_STORE(to, x) \
+    (*(general_6r_packed *)(to) = (general_6r_packed)(x))
 
 static inline general_6r_lane general_6r_select(general_6r_mask m, general_6r_lane a,
     general_6r_lane b)

@@ -379,8 +379,10 @@ typedef long long kinova_gen3_7_mask __attribute__((vector_size(8 * KINOVA_GEN3_
 /* the same where it lies between other doubles */
 typedef double kinova_gen3_7_packed
     __attribute__((vector_size(8 * KINOVA_GEN3_7_LANES), aligned(8), may_alias));
-#define KINOVA_GEN3_7_LOAD(from) (kinova_gen3_7_lane)(*(const kinova_gen3_7_packed *)(from))
-#define KINOVA_GEN3_7_STORE(to, x) (*(kinova_gen3_7_packed *)(to) = (kinova_gen3_7_packed)(x))
+#define KINOVA_GEN3_7_LOAD(from) \
+    (kinova_gen3_7_lane)(*(const kinova_gen3_7_packed *)(from))
+#define KINOVA_GEN3_7_STORE(to, x) \
+    (*(kinova_gen3_7_packed *)(to) = (kinova_gen3_7_packed)(x))
 
 static inline kinova_gen3_7_lane kinova_gen3_7_select(kinova_gen3_7_mask m, kinova_gen3_7_lane a,
     kinova_gen3_7_lane b)

@@ -376,8 +376,10 @@ typedef long long kinova_gen3_lite_mask __attribute__((vector_size(8 * KINOVA_GE
 /* the same where it lies between other doubles */
 typedef double kinova_gen3_lite_packed
     __attribute__((vector_size(8 * KINOVA_GEN3_LITE_LANES), aligned(8), may_alias));
-#define KINOVA_GEN3_LITE_LOAD(from) (kinova_gen3_lite_lane)(*(const kinova_gen3_lite_packed *)(from))
-#define KINOVA_GEN3_LITE_STORE(to, x) (*(kinova_gen3_lite_packed *)(to) = (kinova_gen3_lite_packed)(x))
+#define KINOVA_GEN3_LITE_LOAD(from) \
+    (kinova_gen3_lite_lane)(*(const kinova_gen3_lite_packed *)(from))
+#define KINOVA_GEN3_LITE_STORE(to, x) \
+    (*(kinova_gen3_lite_packed *)(to) = (kinova_gen3_lite_packed)(x))
 
 static inline kinova_gen3_lite_lane kinova_gen3_lite_select(kinova_gen3_lite_mask m,
     kinova_gen3_lite_lane a, kinova_gen3_lite_lane b)

@@ -381,8 +381,10 @@ typedef long long kinova_jaco2_mask __attribute__((vector_size(8 * KINOVA_JACO2_
 /* the same where it lies between other doubles */
 typedef double kinova_jaco2_packed
     __attribute__((vector_size(8 * KINOVA_JACO2_LANES), aligned(8), may_alias));
-#define KINOVA_JACO2_LOAD(from) (kinova_jaco2_lane)(*(const kinova_jaco2_packed *)(from))
-#define KINOVA_JACO2_STORE(to, x) (*(kinova_jaco2_packed *)(to) = (kinova_jaco2_packed)(x))
+#define KINOVA_JACO2_LOAD(from) \
+    (kinova_jaco2_lane)(*(const kinova_jaco2_packed *)(from))
+#define KINOVA_JACO2_STORE(to, x) \
+    (*(kinova_jaco2_packed *)(to) = (kinova_jaco2_packed)(x))
 
 static inline kinova_jaco2_lane kinova_jaco2_select(kinova_jaco2_mask m, kinova_jaco2_lane a,
     kinova_jaco2_lane b)

@@ -381,8 +381,10 @@ typedef long long manseur_doty_mask __attribute__((vector_size(8 * MANSEUR_DOTY_
 /* the same where it lies between other doubles */
 typedef double manseur_doty_packed
     __attribute__((vector_size(8 * MANSEUR_DOTY_LANES), aligned(8), may_alias));
-#define MANSEUR_DOTY_LOAD(from) (manseur_doty_lane)(*(const manseur_doty_packed *)(from))
-#define MANSEUR_DOTY_STORE(to, x) (*(manseur_doty_packed *)(to) = (manseur_doty_packed)(x))
+#define MANSEUR_DOTY_LOAD(from) \
+    (manseur_doty_lane)(*(const manseur_doty_packed *)(from))
+#define MANSEUR_DOTY_STORE(to, x) \
+    (*(manseur_doty_packed *)(to) = (manseur_doty_packed)(x))
 
 static inline manseur_doty_lane manseur_doty_select(manseur_doty_mask m, manseur_doty_lane a,
     manseur_doty_lane b)

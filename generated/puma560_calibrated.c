@@ -383,8 +383,10 @@ typedef long long puma560_calibrated_mask __attribute__((vector_size(8 *
 /* the same where it lies between other doubles */
 typedef double puma560_calibrated_packed
     __attribute__((vector_size(8 * PUMA560_CALIBRATED_LANES), aligned(8), may_alias));
-#define PUMA560_CALIBRATED_LOAD(from) (puma560_calibrated_lane)(*(const puma560_calibrated_packed *)(from))
-#define PUMA560_CALIBRATED_STORE(to, x) (*(puma560_calibrated_packed *)(to) = (puma560_calibrated_packed)(x))
+#define PUMA560_CALIBRATED_LOAD(from) \
+    (puma560_calibrated_lane)(*(const puma560_calibrated_packed *)(from))
+#define PUMA560_CALIBRATED_STORE(to, x) \
+    (*(puma560_calibrated_packed *)(to) = (puma560_calibrated_packed)(x))
 
 static inline puma560_calibrated_lane puma560_calibrated_select(puma560_calibrated_mask m,
     puma560_calibrated_lane a, puma560_calibrated_lane b)

@@ -380,8 +380,10 @@ typedef long long xarm6_mask __attribute__((vector_size(8 * XARM6_LANES)));
 /* the same where it lies between other doubles */
 typedef double xarm6_packed
     __attribute__((vector_size(8 * XARM6_LANES), aligned(8), may_alias));
-#define XARM6_LOAD(from) (xarm6_lane)(*(const xarm6_packed *)(from))
-#define XARM6_STORE(to, x) (*(xarm6_packed *)(to) = (xarm6_packed)(x))
+#define XARM6_LOAD(from) \
+    (xarm6_lane)(*(const xarm6_packed *)(from))
+#define XARM6_STORE(to, x) \
+    (*(xarm6_packed *)(to) = (xarm6_packed)(x))
 
 static inline xarm6_lane xarm6_select(xarm6_mask m, xarm6_lane a, xarm6_lane b)
 {

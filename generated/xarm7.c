@@ -380,8 +380,10 @@ typedef long long xarm7_mask __attribute__((vector_size(8 * XARM7_LANES)));
 /* the same where it lies between other doubles */
 typedef double xarm7_packed
     __attribute__((vector_size(8 * XARM7_LANES), aligned(8), may_alias));
-#define XARM7_LOAD(from) (xarm7_lane)(*(const xarm7_packed *)(from))
-#define XARM7_STORE(to, x) (*(xarm7_packed *)(to) = (xarm7_packed)(x))
+#define XARM7_LOAD(from) \
+    (xarm7_lane)(*(const xarm7_packed *)(from))
+#define XARM7_STORE(to, x) \
+    (*(xarm7_packed *)(to) = (xarm7_packed)(x))
 
 static inline xarm7_lane xarm7_select(xarm7_mask m, xarm7_lane a, xarm7_lane b)
 {

@@ -381,8 +381,10 @@ typedef long long yaskawa_hc10_mask __attribute__((vector_size(8 * YASKAWA_HC10_
 /* the same where it lies between other doubles */
 typedef double yaskawa_hc10_packed
     __attribute__((vector_size(8 * YASKAWA_HC10_LANES), aligned(8), may_alias));
-#define YASKAWA_HC10_LOAD(from) (yaskawa_hc10_lane)(*(const yaskawa_hc10_packed *)(from))
-#define YASKAWA_HC10_STORE(to, x) (*(yaskawa_hc10_packed *)(to) = (yaskawa_hc10_packed)(x))
+#define YASKAWA_HC10_LOAD(from) \
+    (yaskawa_hc10_lane)(*(const yaskawa_hc10_packed *)(from))
+#define YASKAWA_HC10_STORE(to, x) \
+    (*(yaskawa_hc10_packed *)(to) = (yaskawa_hc10_packed)(x))
 
 static inline yaskawa_hc10_lane yaskawa_hc10_select(yaskawa_hc10_mask m, yaskawa_hc10_lane a,
     yaskawa_hc10_lane b)
