@@ -310,6 +310,8 @@ static const double k1 = 0.16308; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.03780000000000001; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 0.16900400000000002; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 35.683793403054324; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.0080160000000004e-06;
 static const double turn1 = 1.3430303610541368; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low1 = -2.879790001; /* lowest value of joint 1 */
@@ -322,14 +324,14 @@ static const double low4 = -2.7925300010000003; /* lowest value of joint 4 */
 static const double high4 = 2.7925300010000003; /* highest value of joint 4 */
 static const double low5 = -2.094395001; /* lowest value of joint 5 */
 static const double high5 = 2.094395001; /* highest value of joint 5 */
-static const double m1 = 1.0080160000000003e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 1.0080160000000002e-06; /* doubt_limit1^2 [m^2] */
 static const double m2 = 1.3488473906354537; /* a coefficient of s3 */
 static const double m3 = 0.9834871790128595; /* a coefficient of s3 */
 static const double m4 = 5.819313028170099; /* a coefficient of s3 */
 static const double m5 = 0.22796060440695423; /* a coefficient of c3 */
 static const double m6 = 1.8518518518518516; /* a coefficient of X1_2 */
 static const double m7 = 0.04297037037037035; /* a coefficient of X1_2 */
-static const double m8 = 1e-24; /* free_limit^2 */
+static const double m8 = 1e-06; /* doubt_limit^2 */
 static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m9 */
 
@@ -680,7 +682,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (high4 < q4_mmm)));
     const wide_mask doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v1 <= m1) | ((N3 <=
-        free_limit_squared2) | ((v25 <= m8) | ((v24 <= m8) | ((v22 <= m8) | (v23 <= m8))))));
+        doubt_limit_squared2) | ((v25 <= m8) | ((v24 <= m8) | ((v22 <= m8) | (v23 <= m8))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -802,7 +804,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v20 = copysign(half_turn, t24);
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | (v1 <= m1));
+        N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) | (v1 <= m1));
 
     const four angle2 = atan2_four(-(e1 * v10), v12);
     const four angle3 = atan2_four(v19, e1 * (c4 * v15 - v10 * (s23 * T32 + e1 * (c23 * v16))));

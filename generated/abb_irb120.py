@@ -103,6 +103,7 @@ k1 = 0.16308  # 2 * d4 * a2 [m^2]
 k2 = 0.03780000000000001  # 2 * a3 * a2 [m^2]
 k3 = 0.16900400000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 35.683793403054324  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 1.0080160000000004e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.3430303610541368  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.879790001  # lowest value of joint 1
@@ -115,14 +116,14 @@ low4 = -2.7925300010000003  # lowest value of joint 4
 high4 = 2.7925300010000003  # highest value of joint 4
 low5 = -2.094395001  # lowest value of joint 5
 high5 = 2.094395001  # highest value of joint 5
-m1 = 1.0080160000000003e-24  # free_limit1^2 [m^2]
+m1 = 1.0080160000000002e-06  # doubt_limit1^2 [m^2]
 m2 = 1.3488473906354537  # a coefficient of s3
 m3 = 0.9834871790128595  # a coefficient of s3
 m4 = 5.819313028170099  # a coefficient of s3
 m5 = 0.22796060440695423  # a coefficient of c3
 m6 = 1.8518518518518516  # a coefficient of X1_2
 m7 = 0.04297037037037035  # a coefficient of X1_2
-m8 = 1e-24  # free_limit^2
+m8 = 1e-06  # doubt_limit^2
 m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m9
 
@@ -629,7 +630,7 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = (
         shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or (v1 <= m1 or (N3 <= free_limit_squared2 or (v25 <= m8 or (v24 <= m8 or
+        longest3_apart) or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (v25 <= m8 or (v24 <= m8 or
         (v22 <= m8 or v23 <= m8)))))
     )
 
@@ -1095,7 +1096,7 @@ def _in_tiles(T, q, status):
             v35 = c4_mm * v30 - v16 * (s23_mm * T33 - c23_mm * v31)
             doubt1 = (
                 shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart) or (v1 <= m1 or (N3 <= free_limit_squared2 or (v25 <= m8 or (v24
+                < longest3_apart) or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (v25 <= m8 or (v24
                 <= m8 or (v22 <= m8 or v23 <= m8)))))
             )
             work[544 + k] = t24

@@ -310,13 +310,15 @@ static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
 static const double k1 = 0.84; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.8499999999999999; /* a2^2 + d4^2 [m^2] */
 static const double k3 = 1.4172335600907033; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 4.00600225e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 4.00600225e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 4.006002249999999e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 0.7142857142857144; /* a coefficient of S2 */
 static const double m4 = 0.09285714285714279; /* a coefficient of S2 */
 static const double m5 = 0.8333333333333335; /* a coefficient of v9 */
 static const double m6 = 0.10833333333333327; /* a coefficient of v9 */
-static const double m7 = 1e-24; /* free_limit^2 */
+static const double m7 = 1e-06; /* doubt_limit^2 */
 static const double m8 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -677,9 +679,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q5_mmm = only_wide(-v87 <= -half_turn, m8) - v87;
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
+        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v38 <= m7) | ((v37 <= m7) |
         ((v36 <= m7) | ((v1 <= m1) | (v35 <= m7))))))));
 
@@ -820,7 +822,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v39 = m2 * (1.0 - e2);
     const four v41 = h1 * copysign_four(all_four(half_turn), -(e1 * v20));
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle2 = atan2_four(v36, e1 * (v20 * (v30 + w3 * (m5 * (e2 * v29))) - X4 * v26));
     const four angle3 = atan2_four(w3 * (m3 * (e2 * v5)) - v9, -(v11 + w3 * v10));

@@ -104,13 +104,14 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 k1 = 0.84  # 2 * d4 * a2 [m^2]
 k2 = 0.8499999999999999  # a2^2 + d4^2 [m^2]
 k3 = 1.4172335600907033  # 1 / ((2 * d4 * a2)^2) [m^-4]
+doubt_limit_squared2 = 4.00600225e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 4.00600225e-24  # free_limit1^2 [m^2]
+m1 = 4.006002249999999e-06  # doubt_limit1^2 [m^2]
 m3 = 0.7142857142857144  # a coefficient of S2
 m4 = 0.09285714285714279  # a coefficient of S2
 m5 = 0.8333333333333335  # a coefficient of v9
 m6 = 0.10833333333333327  # a coefficient of v9
-m7 = 1e-24  # free_limit^2
+m7 = 1e-06  # doubt_limit^2
 m8 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -637,8 +638,8 @@ def _regular(pose, q, status):
     v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
     v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= doubt_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
         < longest3_apart) or (v38 <= m7 or (v37 <= m7 or (v36 <= m7 or (v1 <= m1 or v35 <= m7)))))))
     )
@@ -1114,9 +1115,9 @@ def _in_tiles(T, q, status):
             v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
             v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v38 <= m7 or (v37 <= m7 or
                 (v36 <= m7 or (v1 <= m1 or v35 <= m7)))))))
             )

@@ -302,6 +302,8 @@ static const double k1 = 2.7813; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.38325; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 2.84255; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 0.1268631397825131; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.1189024999999999e-05;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double turn1 = 1.4338633792358526; /* a constant angle [rad] */
 static const double low2 = -1.5707963277948966; /* lowest value of joint 2 */
@@ -311,14 +313,14 @@ static const double low3 = -3.141592654589793; /* lowest value of joint 3 */
 static const double high3 = 1.3089969399957473; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.0943951033931953; /* highest value of joint 5 */
-static const double m1 = 1.1189024999999997e-23; /* free_limit1^2 [m^2] */
+static const double m1 = 1.1189024999999996e-05; /* doubt_limit1^2 [m^2] */
 static const double m3 = 0.4566210045662101; /* a coefficient of X1_2 */
 static const double m4 = 0.20296803652968054; /* a coefficient of X1_2 */
 static const double m5 = 0.3863646734914285; /* a coefficient of c23 */
 static const double m6 = 0.053239226662204715; /* a coefficient of c23 */
 static const double m7 = 0.023664836251350022; /* a coefficient of c23 */
 static const double m8 = 0.17173909736694015; /* a coefficient of c23 */
-static const double m9 = 1e-24; /* free_limit^2 */
+static const double m9 = 1e-06; /* doubt_limit^2 */
 static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -655,9 +657,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mpm = v60 | ((-angle14 < low5) | (high5 < -angle14));
     const wide_mask outside_mmp = v61 | ((angle15 < low5) | (high5 < angle15));
     const wide_mask outside_mmm = v61 | ((-angle15 < low5) | (high5 < -angle15));
-    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
+        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v34 <= m9) |
         ((v33 <= m9) | ((v1 <= m1) | (v32 <= m9))))))));
 
@@ -784,7 +786,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle3 = atan2_four(-(v6 + w3 * v7), v8 - w3 * (m3 * (e2 * v4)));
     const four angle4 = atan2_four(-(e1 * v18), -X4);

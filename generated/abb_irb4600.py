@@ -102,6 +102,7 @@ k1 = 2.7813  # 2 * d4 * a2 [m^2]
 k2 = 0.38325  # 2 * a3 * a2 [m^2]
 k3 = 2.84255  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.1268631397825131  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 1.1189024999999999e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.4338633792358526  # a constant angle [rad]
 low2 = -1.5707963277948966  # lowest value of joint 2
@@ -111,14 +112,14 @@ low3 = -3.141592654589793  # lowest value of joint 3
 high3 = 1.3089969399957473  # highest value of joint 3
 low5 = -2.181661565992912  # lowest value of joint 5
 high5 = 2.0943951033931953  # highest value of joint 5
-m1 = 1.1189024999999997e-23  # free_limit1^2 [m^2]
+m1 = 1.1189024999999996e-05  # doubt_limit1^2 [m^2]
 m3 = 0.4566210045662101  # a coefficient of X1_2
 m4 = 0.20296803652968054  # a coefficient of X1_2
 m5 = 0.3863646734914285  # a coefficient of c23
 m6 = 0.053239226662204715  # a coefficient of c23
 m7 = 0.023664836251350022  # a coefficient of c23
 m8 = 0.17173909736694015  # a coefficient of c23
-m9 = 1e-24  # free_limit^2
+m9 = 1e-06  # doubt_limit^2
 m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -612,8 +613,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= doubt_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
         < longest3_apart) or (v35 <= m9 or (v34 <= m9 or (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
     )
@@ -1069,9 +1070,9 @@ def _in_tiles(T, q, status):
             v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40
             v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v35 <= m9 or (v34 <= m9 or
                 (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
             )

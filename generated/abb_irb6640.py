@@ -104,6 +104,7 @@ k1 = 2.9927999999999995  # 2 * d4 * a2 [m^2]
 k2 = 0.43  # 2 * a3 * a2 [m^2]
 k3 = 3.1332889999999995  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.10938822421589604  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 1.5737089e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.4280947671350148  # a constant angle [rad]
 low1 = -2.967000001  # lowest value of joint 1
@@ -115,14 +116,14 @@ low3 = -3.142000001  # lowest value of joint 3
 high3 = 1.222000001  # highest value of joint 3
 low5 = -2.094000001  # lowest value of joint 5
 high5 = 2.094000001  # highest value of joint 5
-m1 = 1.5737089000000004e-23  # free_limit1^2 [m^2]
+m1 = 1.5737089e-05  # doubt_limit1^2 [m^2]
 m3 = 0.46511627906976744  # a coefficient of Y1_2
 m4 = 0.38234372093023233  # a coefficient of Y1_2
 m5 = 0.050564706643797946  # a coefficient of c23
 m6 = 0.35193035824083363  # a coefficient of c23
 m7 = 0.2893004797579363  # a coefficient of c23
 m8 = 0.04156616088476098  # a coefficient of c23
-m9 = 1e-24  # free_limit^2
+m9 = 1e-06  # doubt_limit^2
 m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -630,8 +631,8 @@ def _regular(pose, q, status):
     # joint values
     v44 = w3_p * (m3 * v3)
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= doubt_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
         < longest3_apart) or (v33 <= m9 or (v32 <= m9 or (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
     )
@@ -1116,9 +1117,9 @@ def _in_tiles(T, q, status):
             v43 = Y4 * (c23_mm * v39 + s23_mm * T31) - X4_mm * v38
             v44 = w3_p * (m3 * v3)
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v33 <= m9 or (v32 <= m9 or
                 (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
             )

@@ -294,10 +294,10 @@ static const double free_limit_squared2 = 5.7599999999999994e-18;
 static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 0.024; /* a pose may be rounded by this [mm] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 330000.0; /* a coefficient of v5 */
 static const double m3 = 600.0; /* a coefficient of v5 */
-static const double m4 = 3.3177599999999995e-35; /* free_limit_squared2^2 [mm^4] */
+static const double m4 = 33.1776; /* doubt_limit_squared2^2 [mm^4] */
 static const double m5 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const adept_branches[1] = {

@@ -82,10 +82,10 @@ free_limit_squared2 = 5.7599999999999994e-18  # square of a length that fixes no
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 0.024  # a pose may be rounded by this [mm]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1e-12  # doubt_limit_squared^2
 m2 = 330000.0  # a coefficient of v5
 m3 = 600.0  # a coefficient of v5
-m4 = 3.3177599999999995e-35  # free_limit_squared2^2 [mm^4]
+m4 = 33.1776  # doubt_limit_squared2^2 [mm^4]
 m5 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586

@@ -305,8 +305,10 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 9.87e-06; /* a pose may be rounded by this [m] */
 static const double k1 = 0.18125000000000002; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 5.594405594405594; /* 1 / (2 * a2 * a1) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 9.74169e-07;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 1.5384615384615385; /* a coefficient of S1 */
 static const double m3 = 0.04615384615384612; /* a coefficient of S1 */
 static const double m4 = 6.283185307179586; /* 2 * half_turn */
@@ -470,7 +472,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide q4_m = v10 + (v9 + (v12 - only_wide(half_turn < v12, m4) + only_wide(v12 <=
         -half_turn, m4)));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
         (v1 <= m1));
 
     q[0] = q1_p;
@@ -526,7 +528,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* joint values */
     const double q3 = v8 + (v7 + (r3 + (w2 - w2)));
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) | (v1 <= m1));
+        N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) | (v1 <= m1));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w2 * (m2 *
         (e1 * T14)), all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),

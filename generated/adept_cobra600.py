@@ -90,8 +90,9 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 9.87e-06  # a pose may be rounded by this [m]
 k1 = 0.18125000000000002  # a1^2 + a2^2 [m^2]
 k2 = 5.594405594405594  # 1 / (2 * a2 * a1) [m^-2]
+doubt_limit_squared2 = 9.74169e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.5384615384615385  # a coefficient of S1
 m3 = 0.04615384615384612  # a coefficient of S1
 m4 = 6.283185307179586  # 2 * half_turn
@@ -413,7 +414,7 @@ def _regular(pose, q, status):
     q3_p = v10 + (v9 + (r3 + (w2 - w2)))
     doubt1 = (
         shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
+        longest2_apart) or (N2 <= doubt_limit_squared2 or v1 <= m1)
     )
 
     # angles, side by side
@@ -690,7 +691,7 @@ def _in_tiles(T, q, status):
             q3_p = v10 + (v9 + (r3 + (w2 - w2)))
             doubt1 = (
                 shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
+                < longest2_apart) or (N2 <= doubt_limit_squared2 or v1 <= m1)
             )
             work[544 + k] = v9
             work[576 + k] = v10

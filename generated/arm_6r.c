@@ -299,11 +299,11 @@ static const double k1 = 0.27999999999999997; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.28250000000000003; /* a2^2 + d4^2 [m^2] */
 static const double k3 = 12.755102040816327; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1.5624999999999999e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 1.5625e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1.2499999999999998; /* a coefficient of S2 */
 static const double m4 = 0.04687500000000003; /* a coefficient of S2 */
-static const double m5 = 2.4414062499999996e-48; /* free_limit_squared2^2 [m^4] */
-static const double m6 = 1e-24; /* free_limit^2 */
+static const double m5 = 2.4414062499999996e-12; /* doubt_limit_squared2^2 [m^4] */
+static const double m6 = 1e-06; /* doubt_limit^2 */
 static const double h1 = 1.0; /* m2 * 2 */
 
 const char *const arm_6r_branches[8] = {

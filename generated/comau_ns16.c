@@ -317,6 +317,8 @@ static const double k4 = 0.8735999999999999; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 0.259; /* 2 * a3 * a2 [m^2] */
 static const double k6 = 0.9136009999999999; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k7 = 1.204444941425193; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 7.540515999999996e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double turn1 = -1.2825771957649381; /* a constant angle [rad] */
 static const double low1 = -3.141590001; /* lowest value of joint 1 */
@@ -333,7 +335,7 @@ static const double m3 = 0.21836586788038748; /* a coefficient of c2m3 */
 static const double m4 = 0.7365421705803339; /* a coefficient of c2m3 */
 static const double m5 = 0.04890566358436353; /* a coefficient of c2m3 */
 static const double m6 = 0.01449927526138983; /* a coefficient of c2m3 */
-static const double m7 = 1e-24; /* free_limit^2 */
+static const double m7 = 1e-06; /* doubt_limit^2 */
 static const double m8 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m9 */
 
@@ -539,7 +541,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wy = d6 * T23 - T24;
     const wide N1 = X1 * X1 + wy * wy;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
     const wide v1 = inverse1 * (k1 * wy);
@@ -732,9 +734,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mpm = v81 | ((q5_mpm < low5) | (high5 < q5_mpm));
     const wide_mask outside_mmp = v82 | ((q5_mmp < low5) | (high5 < q5_mmp));
     const wide_mask outside_mmm = v82 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
+        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((-k2 <= D1) & (free1 | ((k3
         < D1) == 0))) | (free1 | ((v31 <= m7) | ((v30 <= m7) | ((v28 <= m7) | (v29 <= m7)))))))));
 
@@ -814,7 +816,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double wy = d6 * T23 - T24;
     const double N1 = X1 * X1 + wy * wy;
     const double D1 = N1 - k1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = inverse1 * (k1 * wy);
@@ -865,7 +867,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v24 = copysign_four(all_four(half_turn), Y4) * h1;
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle2 = atan2_four(v4 + w3 * (m1 * (e2 * Z2_3)), v5 - w3 * v6);
     const four angle4 = atan2_four(Y4, -X4);

@@ -110,6 +110,7 @@ k4 = 0.8735999999999999  # 2 * d4 * a2 [m^2]
 k5 = 0.259  # 2 * a3 * a2 [m^2]
 k6 = 0.9136009999999999  # a2^2 + (a3^2 + d4^2) [m^2]
 k7 = 1.204444941425193  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 7.540515999999996e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.2825771957649381  # a constant angle [rad]
 low1 = -3.141590001  # lowest value of joint 1
@@ -126,7 +127,7 @@ m3 = 0.21836586788038748  # a coefficient of c2m3
 m4 = 0.7365421705803339  # a coefficient of c2m3
 m5 = 0.04890566358436353  # a coefficient of c2m3
 m6 = 0.01449927526138983  # a coefficient of c2m3
-m7 = 1e-24  # free_limit^2
+m7 = 1e-06  # doubt_limit^2
 m8 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m9
 
@@ -577,7 +578,7 @@ def _regular(pose, q, status):
     wy = d6 * T23 - T24
     N1 = X1 * X1 + wy * wy
     D1 = N1 - k1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v1 = inverse1 * (k1 * wy)
@@ -667,8 +668,8 @@ def _regular(pose, q, status):
     v51 = math.copysign(half_turn, Y4_p) * h1
     v52 = math.copysign(half_turn, Y4_m) * h1
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= doubt_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
         < longest3_apart) or (-k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v31 <= m7 or (v30
         <= m7 or (v28 <= m7 or v29 <= m7))))))))
@@ -1096,7 +1097,7 @@ def _in_tiles(T, q, status):
             wy = d6 * T23 - T24
             N1 = X1 * X1 + wy * wy
             D1 = N1 - k1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v1 = inverse1 * (k1 * wy)
@@ -1176,9 +1177,9 @@ def _in_tiles(T, q, status):
             v51 = math.copysign(half_turn, Y4_p) * h1
             v52 = math.copysign(half_turn, Y4_m) * h1
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (-k2 <= D1 and (free1 or not
                 (k3 < D1)) or (free1 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))))
             )

@@ -302,12 +302,13 @@ static const double k6 = 2.0; /* d3 + d4 [m] */
 static const double k7 = 2.8284271247461903; /* sqrt2 * (d3 + d4) [m] */
 static const double f1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
 static const double g1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
+static const double doubt_limit_squared = 1e-06; /* square of a length that fixes no angle */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 0.7071067811865476; /* a coefficient of v6 */
 static const double m3 = 0.5; /* a coefficient of v12 */
 static const double m4 = 1.4142135623730951; /* a coefficient of v12 */
-static const double m5 = 8.099999999999999e-47; /* free_limit_squared2^2 [m^4] */
+static const double m5 = 8.1e-11; /* doubt_limit_squared2^2 [m^4] */
 static const double m6 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const craig_417_branches[2] = {
@@ -452,7 +453,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     /* theta1 */
     const wide N1 = T13 * T13 + T23 * T23;
     const wide D1 = N1 - k3;
-    const wide_mask free1 = N1 <= free_limit_squared;
+    const wide_mask free1 = N1 <= doubt_limit_squared;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
     const wide v1 = k2 * T13;
@@ -617,7 +618,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* theta1 */
     const double N1 = T13 * T13 + T23 * T23;
     const double D1 = N1 - k3;
-    const int free1 = N1 <= free_limit_squared;
+    const int free1 = N1 <= doubt_limit_squared;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = k2 * T13;

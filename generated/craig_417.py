@@ -90,12 +90,13 @@ k6 = 2.0  # d3 + d4 [m]
 k7 = 2.8284271247461903  # sqrt2 * (d3 + d4) [m]
 f1 = 0.7071067811865476  # 1 / 2 * sqrt2
 g1 = 0.7071067811865476  # 1 / 2 * sqrt2
+doubt_limit_squared = 1e-06  # square of a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1e-12  # doubt_limit_squared^2
 m2 = 0.7071067811865476  # a coefficient of v6
 m3 = 0.5  # a coefficient of v12
 m4 = 1.4142135623730951  # a coefficient of v12
-m5 = 8.099999999999999e-47  # free_limit_squared2^2 [m^4]
+m5 = 8.1e-11  # doubt_limit_squared2^2 [m^4]
 m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
@@ -450,7 +451,7 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[2, 3]
     N1 = T13 * T13 + T23 * T23
     D1 = N1 - k3
-    free1 = N1 <= free_limit_squared
+    free1 = N1 <= doubt_limit_squared
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v1 = k2 * T13
@@ -836,7 +837,7 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             N1 = T13 * T13 + T23 * T23
             D1 = N1 - k3
-            free1 = N1 <= free_limit_squared
+            free1 = N1 <= doubt_limit_squared
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v1 = k2 * T13

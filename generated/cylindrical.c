@@ -282,7 +282,7 @@ static const double d1 = 0.3; /* joint offset 1 [m] */
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
 static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 3e-06; /* a pose may be rounded by this [m] */
-static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 
 const char *const cylindrical_branches[1] = {
     "only",

@@ -77,7 +77,7 @@ d1 = 0.3  # joint offset 1 [m]
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 3e-06  # a pose may be rounded by this [m]
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1e-12  # doubt_limit_squared^2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.

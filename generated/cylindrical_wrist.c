@@ -284,8 +284,8 @@ static const double d6 = 0.1; /* joint offset 6 [m] */
 static const double free_limit1 = 4e-13; /* a length that fixes no angle [m] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1.6e-25; /* free_limit1^2 [m^2] */
-static const double m3 = 1e-24; /* free_limit^2 */
+static const double m1 = 1.6e-07; /* doubt_limit1^2 [m^2] */
+static const double m3 = 1e-06; /* doubt_limit^2 */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const cylindrical_wrist_branches[4] = {

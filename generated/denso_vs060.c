@@ -311,6 +311,8 @@ static const double k1 = 0.183; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.0061; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 0.18312499999999998; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 29.827409659487312; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.0608999999999999e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double turn1 = 1.5374753309166493; /* a constant angle [rad] */
 static const double low1 = -2.967060001; /* lowest value of joint 1 */
@@ -321,14 +323,14 @@ static const double low3 = -2.1816620010000003; /* lowest value of joint 3 */
 static const double high3 = 2.705260001; /* highest value of joint 3 */
 static const double low5 = -2.094395001; /* lowest value of joint 5 */
 static const double high5 = 2.094395001; /* highest value of joint 5 */
-static const double m1 = 1.0609e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 1.0609000000000003e-06; /* doubt_limit1^2 [m^2] */
 static const double m2 = 0.18194719892287262; /* a coefficient of s3 */
 static const double m3 = 0.9995724240825312; /* a coefficient of s3 */
 static const double m4 = 5.458415967686178; /* a coefficient of s3 */
 static const double m5 = 0.03331908080275105; /* a coefficient of c3 */
 static const double m6 = 1.639344262295082; /* a coefficient of X1_2 */
 static const double m7 = 0.004795081967213119; /* a coefficient of X1_2 */
-static const double m8 = 1e-24; /* free_limit^2 */
+static const double m8 = 1e-06; /* doubt_limit^2 */
 static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m9 */
 
@@ -675,7 +677,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mmm = v57 | ((q5_mmm < low5) | (high5 < q5_mmm));
     const wide_mask doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v1 <= m1) | ((N3 <=
-        free_limit_squared2) | ((v23 <= m8) | ((v22 <= m8) | ((v20 <= m8) | (v21 <= m8))))));
+        doubt_limit_squared2) | ((v23 <= m8) | ((v22 <= m8) | ((v20 <= m8) | (v21 <= m8))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -797,7 +799,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const double v20 = copysign(half_turn, wy);
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | (v1 <= m1));
+        N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) | (v1 <= m1));
 
     const four angle1 = atan2_four(-(e1 * v10), v12);
     const four angle2 = atan2_four(v19, e1 * (c4 * v15 - v10 * (s23 * T32 + e1 * (c23 * v16))));

@@ -105,6 +105,7 @@ k1 = 0.183  # 2 * d4 * a2 [m^2]
 k2 = 0.0061  # 2 * a3 * a2 [m^2]
 k3 = 0.18312499999999998  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 29.827409659487312  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 1.0608999999999999e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.5374753309166493  # a constant angle [rad]
 low1 = -2.967060001  # lowest value of joint 1
@@ -115,14 +116,14 @@ low3 = -2.1816620010000003  # lowest value of joint 3
 high3 = 2.705260001  # highest value of joint 3
 low5 = -2.094395001  # lowest value of joint 5
 high5 = 2.094395001  # highest value of joint 5
-m1 = 1.0609e-24  # free_limit1^2 [m^2]
+m1 = 1.0609000000000003e-06  # doubt_limit1^2 [m^2]
 m2 = 0.18194719892287262  # a coefficient of s3
 m3 = 0.9995724240825312  # a coefficient of s3
 m4 = 5.458415967686178  # a coefficient of s3
 m5 = 0.03331908080275105  # a coefficient of c3
 m6 = 1.639344262295082  # a coefficient of X1_2
 m7 = 0.004795081967213119  # a coefficient of X1_2
-m8 = 1e-24  # free_limit^2
+m8 = 1e-06  # doubt_limit^2
 m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m9
 
@@ -633,7 +634,7 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = (
         shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or (v1 <= m1 or (N3 <= free_limit_squared2 or (v23 <= m8 or (v22 <= m8 or
+        longest3_apart) or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (v23 <= m8 or (v22 <= m8 or
         (v20 <= m8 or v21 <= m8)))))
     )
 
@@ -1098,7 +1099,7 @@ def _in_tiles(T, q, status):
             v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28
             doubt1 = (
                 shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart) or (v1 <= m1 or (N3 <= free_limit_squared2 or (v23 <= m8 or (v22
+                < longest3_apart) or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (v23 <= m8 or (v22
                 <= m8 or (v20 <= m8 or v21 <= m8)))))
             )
             work[544 + k] = wy

@@ -312,11 +312,13 @@ static const double k3 = 1.0260300000002213e-15; /* merge_slack1 * (2 * d2 + mer
 static const double k4 = 0.6931600000000001; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 0.6968810000000001; /* a2^2 + d4^2 [m^2] */
 static const double k6 = 2.081291995206794; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 2.2111690000000003e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 0.8064516129032259; /* a coefficient of S2 */
 static const double m2 = 0.057999193548387; /* a coefficient of S2 */
-static const double m3 = 4.8892683465610004e-48; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 1e-24; /* free_limit^2 */
+static const double m3 = 4.889268346561001e-12; /* doubt_limit_squared2^2 [m^4] */
+static const double m4 = 1e-06; /* doubt_limit^2 */
 static const double m6 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m5 */
 
@@ -514,7 +516,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
@@ -769,7 +771,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
     const double D1 = N1 - k1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;

@@ -106,11 +106,12 @@ k3 = 1.0260300000002213e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 k4 = 0.6931600000000001  # 2 * d4 * a2 [m^2]
 k5 = 0.6968810000000001  # a2^2 + d4^2 [m^2]
 k6 = 2.081291995206794  # 1 / ((2 * d4 * a2)^2) [m^-4]
+doubt_limit_squared2 = 2.2111690000000003e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 0.8064516129032259  # a coefficient of S2
 m2 = 0.057999193548387  # a coefficient of S2
-m3 = 4.8892683465610004e-48  # free_limit_squared2^2 [m^4]
-m4 = 1e-24  # free_limit^2
+m3 = 4.889268346561001e-12  # doubt_limit_squared2^2 [m^4]
+m4 = 1e-06  # doubt_limit^2
 m6 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m5
 
@@ -551,7 +552,7 @@ def _regular(pose, q, status):
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
     D1 = N1 - k1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
@@ -1052,7 +1053,7 @@ def _in_tiles(T, q, status):
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
             D1 = N1 - k1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1

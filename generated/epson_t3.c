@@ -302,6 +302,8 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 4.000000000000001e-06; /* a pose may be rounded by this [m] */
 static const double k1 = 0.08125; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 12.6984126984127; /* 1 / (2 * a2 * a1) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.6000000000000003e-07;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low1 = -2.303834613632515; /* lowest value of joint 1 */
 static const double high1 = 2.303834613632515; /* highest value of joint 1 */
@@ -309,7 +311,7 @@ static const double low2 = -2.460914246312005; /* lowest value of joint 2 */
 static const double high2 = 2.460914246312005; /* highest value of joint 2 */
 static const double low3 = -0.150000001; /* lowest value of joint 3 */
 static const double high3 = 1e-09; /* highest value of joint 3 */
-static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 2.2222222222222223; /* a coefficient of S1 */
 static const double m3 = 0.04444444444444444; /* a coefficient of S1 */
 static const double m4 = 6.283185307179586; /* 2 * half_turn */
@@ -472,7 +474,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide_mask outside_m = v11 | (((angle4 < low1) | (high1 < angle4)) | ((-angle2 < low2) |
         (high2 < -angle2)));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
         (v1 <= m1));
 
     q[0] = q1_p;
@@ -524,7 +526,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const int v9 = (T34 < low3) | (high3 < T34);
     const double q3 = v6 + (T34 + (w2 - w2));
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) | (v1 <= m1));
+        N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) | (v1 <= m1));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w2 * (m2 *
         (e1 * T14)), all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),

@@ -88,6 +88,7 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 4.000000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.08125  # a1^2 + a2^2 [m^2]
 k2 = 12.6984126984127  # 1 / (2 * a2 * a1) [m^-2]
+doubt_limit_squared2 = 1.6000000000000003e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.303834613632515  # lowest value of joint 1
 high1 = 2.303834613632515  # highest value of joint 1
@@ -95,7 +96,7 @@ low2 = -2.460914246312005  # lowest value of joint 2
 high2 = 2.460914246312005  # highest value of joint 2
 low3 = -0.150000001  # lowest value of joint 3
 high3 = 1e-09  # highest value of joint 3
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1e-12  # doubt_limit_squared^2
 m2 = 2.2222222222222223  # a coefficient of S1
 m3 = 0.04444444444444444  # a coefficient of S1
 m4 = 6.283185307179586  # 2 * half_turn
@@ -409,7 +410,7 @@ def _regular(pose, q, status):
     q3_p = v8 + (T34 + (w2 - w2))
     doubt1 = (
         shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
+        longest2_apart) or (N2 <= doubt_limit_squared2 or v1 <= m1)
     )
 
     # angles, side by side
@@ -682,7 +683,7 @@ def _in_tiles(T, q, status):
             q3_p = v8 + (T34 + (w2 - w2))
             doubt1 = (
                 shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
+                < longest2_apart) or (N2 <= doubt_limit_squared2 or v1 <= m1)
             )
             work[544 + k] = v8
             work[576 + k] = v11

@@ -311,6 +311,8 @@ static const double k1 = 0.22110000000000002; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.023100000000000002; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 0.22235000000000002; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 20.235205939761407; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.3456000000000003e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double turn1 = -1.4666963886852973; /* a constant angle [rad] */
 static const double low1 = -2.9670597293903604; /* lowest value of joint 1 */
@@ -322,14 +324,14 @@ static const double low3 = -1.2217304773960307; /* lowest value of joint 3 */
 static const double high3 = 3.5779249675883755; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.181661565992912; /* highest value of joint 5 */
-static const double m1 = 1.3456000000000002e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 1.3456e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1.5151515151515151; /* a coefficient of Y1_2 */
 static const double m4 = 0.006893939393939396; /* a coefficient of Y1_2 */
 static const double m5 = 0.15425297487880124; /* a coefficient of c2m3 */
 static const double m6 = 1.4764213309828118; /* a coefficient of c2m3 */
 static const double m7 = 0.006717717055971795; /* a coefficient of c2m3 */
 static const double m8 = 0.0007018510356985458; /* a coefficient of c2m3 */
-static const double m9 = 1e-24; /* free_limit^2 */
+static const double m9 = 1e-06; /* doubt_limit^2 */
 static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -693,9 +695,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mpm = v75 | ((q5_mpm < low5) | (high5 < q5_mpm));
     const wide_mask outside_mmp = v76 | ((q5_mmp < low5) | (high5 < q5_mmp));
     const wide_mask outside_mmm = v76 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
+        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v34 <= m9) |
         ((v33 <= m9) | ((v1 <= m1) | (v32 <= m9))))))));
 
@@ -823,7 +825,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle3 = atan2_four(v20, -X4);
     const four angle4 = atan2_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) - -X4 * v22));

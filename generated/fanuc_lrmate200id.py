@@ -105,6 +105,7 @@ k1 = 0.22110000000000002  # 2 * d4 * a2 [m^2]
 k2 = 0.023100000000000002  # 2 * a3 * a2 [m^2]
 k3 = 0.22235000000000002  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 20.235205939761407  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 1.3456000000000003e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4666963886852973  # a constant angle [rad]
 low1 = -2.9670597293903604  # lowest value of joint 1
@@ -116,14 +117,14 @@ low3 = -1.2217304773960307  # lowest value of joint 3
 high3 = 3.5779249675883755  # highest value of joint 3
 low5 = -2.181661565992912  # lowest value of joint 5
 high5 = 2.181661565992912  # highest value of joint 5
-m1 = 1.3456000000000002e-24  # free_limit1^2 [m^2]
+m1 = 1.3456e-06  # doubt_limit1^2 [m^2]
 m3 = 1.5151515151515151  # a coefficient of Y1_2
 m4 = 0.006893939393939396  # a coefficient of Y1_2
 m5 = 0.15425297487880124  # a coefficient of c2m3
 m6 = 1.4764213309828118  # a coefficient of c2m3
 m7 = 0.006717717055971795  # a coefficient of c2m3
 m8 = 0.0007018510356985458  # a coefficient of c2m3
-m9 = 1e-24  # free_limit^2
+m9 = 1e-06  # doubt_limit^2
 m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -631,8 +632,8 @@ def _regular(pose, q, status):
     # joint values
     v46 = w3_p * (m3 * v3)
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= doubt_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
         < longest3_apart) or (v35 <= m9 or (v34 <= m9 or (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
     )
@@ -1117,9 +1118,9 @@ def _in_tiles(T, q, status):
             v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41)
             v46 = w3_p * (m3 * v3)
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v35 <= m9 or (v34 <= m9 or
                 (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
             )

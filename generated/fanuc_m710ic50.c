@@ -311,6 +311,8 @@ static const double k1 = 1.76784; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.2958; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 1.8180560000000001; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 0.31125925198890714; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 8.678915999999998e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double turn1 = -1.4050092836833894; /* a constant angle [rad] */
 static const double low1 = -3.1415000010000003; /* lowest value of joint 1 */
@@ -322,14 +324,14 @@ static const double low3 = -2.792500001; /* lowest value of joint 3 */
 static const double high3 = 4.886900001; /* highest value of joint 3 */
 static const double low5 = -2.181600001; /* lowest value of joint 5 */
 static const double high5 = 2.181600001; /* highest value of joint 5 */
-static const double m1 = 8.678915999999998e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 8.678916e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 0.5747126436781609; /* a coefficient of Y1_2 */
 static const double m4 = 0.1748597701149426; /* a coefficient of Y1_2 */
 static const double m5 = 0.0801013234623373; /* a coefficient of c2m3 */
 static const double m6 = 0.47872320375138055; /* a coefficient of c2m3 */
 static const double m7 = 0.14565440708058014; /* a coefficient of c2m3 */
 static const double m8 = 0.024371308271356914; /* a coefficient of c2m3 */
-static const double m9 = 1e-24; /* free_limit^2 */
+static const double m9 = 1e-06; /* doubt_limit^2 */
 static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -687,9 +689,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mpm = v75 | ((q5_mpm < low5) | (high5 < q5_mpm));
     const wide_mask outside_mmp = v76 | ((q5_mmp < low5) | (high5 < q5_mmp));
     const wide_mask outside_mmm = v76 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
+        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v34 <= m9) |
         ((v33 <= m9) | ((v1 <= m1) | (v32 <= m9))))))));
 
@@ -817,7 +819,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle3 = atan2_four(v20, -X4);
     const four angle4 = atan2_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) - -X4 * v22));

@@ -104,6 +104,7 @@ k1 = 1.76784  # 2 * d4 * a2 [m^2]
 k2 = 0.2958  # 2 * a3 * a2 [m^2]
 k3 = 1.8180560000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.31125925198890714  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 8.678915999999998e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4050092836833894  # a constant angle [rad]
 low1 = -3.1415000010000003  # lowest value of joint 1
@@ -115,14 +116,14 @@ low3 = -2.792500001  # lowest value of joint 3
 high3 = 4.886900001  # highest value of joint 3
 low5 = -2.181600001  # lowest value of joint 5
 high5 = 2.181600001  # highest value of joint 5
-m1 = 8.678915999999998e-24  # free_limit1^2 [m^2]
+m1 = 8.678916e-06  # doubt_limit1^2 [m^2]
 m3 = 0.5747126436781609  # a coefficient of Y1_2
 m4 = 0.1748597701149426  # a coefficient of Y1_2
 m5 = 0.0801013234623373  # a coefficient of c2m3
 m6 = 0.47872320375138055  # a coefficient of c2m3
 m7 = 0.14565440708058014  # a coefficient of c2m3
 m8 = 0.024371308271356914  # a coefficient of c2m3
-m9 = 1e-24  # free_limit^2
+m9 = 1e-06  # doubt_limit^2
 m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -630,8 +631,8 @@ def _regular(pose, q, status):
     # joint values
     v46 = w3_p * (m3 * v3)
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= doubt_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
         < longest3_apart) or (v35 <= m9 or (v34 <= m9 or (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
     )
@@ -1116,9 +1117,9 @@ def _in_tiles(T, q, status):
             v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41)
             v46 = w3_p * (m3 * v3)
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v35 <= m9 or (v34 <= m9 or
                 (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
             )

@@ -332,6 +332,8 @@ static const double k3 = 0.25318050000000003;
 static const double k4 = 0.06581583470025;
 /* 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4] */
 static const double k5 = 15.193911990243306;
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.940449e-06;
 static const double turn1 = 0.46700242365301164; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low1 = -2.897300001; /* lowest value of joint 1 */
@@ -355,8 +357,8 @@ static const double m3 = 1.2446337324912609; /* a coefficient of v7 */
 static const double m4 = 0.0825; /* a coefficient of v7 */
 static const double m5 = 0.2674017784649193; /* a coefficient of v7 */
 static const double m7 = 0.384; /* a coefficient of Y1_6 */
-static const double m8 = 3.765342321601e-48; /* free_limit_squared2^2 [m^4] */
-static const double m9 = 1e-24; /* free_limit^2 */
+static const double m8 = 3.765342321601e-12; /* doubt_limit_squared2^2 [m^4] */
+static const double m9 = 1e-06; /* doubt_limit^2 */
 static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m6 */
 
@@ -617,8 +619,8 @@ HELPER wide_mask solve_wide(
     const wide v17 = Z5 * Z5;
     const wide D5_p = N5_p - v17;
     const wide D5_m = N5_m - v17;
-    const wide_mask free5_p = N5_p <= free_limit_squared2;
-    const wide_mask free5_m = N5_m <= free_limit_squared2;
+    const wide_mask free5_p = N5_p <= doubt_limit_squared2;
+    const wide_mask free5_m = N5_m <= doubt_limit_squared2;
     const wide v18 = 2.0 * abs_wide(Z5);
     const wide v19 = merge_slack1 * (merge_slack1 + v18);
     const wide w5_p = sqrt_wide(D5_p);
@@ -992,7 +994,7 @@ HELPER int solve_regular(
     const four N5 = v9 * v9;
     const double v10 = Z5 * Z5;
     const four D5 = N5 - v10;
-    const four_mask free5 = N5 <= free_limit_squared2;
+    const four_mask free5 = N5 <= doubt_limit_squared2;
     const double v11 = 2.0 * fabs(Z5);
     const double v12 = merge_slack1 * (merge_slack1 + v11);
     const four w5 = sqrt_four(D5);

@@ -103,6 +103,7 @@ k2 = 0.22907550000000002  # 2 * (d3 * d5 - a4 * a3) [m^2]
 k3 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
 k4 = 0.06581583470025  # (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4]
 k5 = 15.193911990243306  # 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4]
+doubt_limit_squared2 = 1.940449e-06  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.897300001  # lowest value of joint 1
@@ -126,8 +127,8 @@ m3 = 1.2446337324912609  # a coefficient of v7
 m4 = 0.0825  # a coefficient of v7
 m5 = 0.2674017784649193  # a coefficient of v7
 m7 = 0.384  # a coefficient of Y1_6
-m8 = 3.765342321601e-48  # free_limit_squared2^2 [m^4]
-m9 = 1e-24  # free_limit^2
+m8 = 3.765342321601e-12  # doubt_limit_squared2^2 [m^4]
+m9 = 1e-06  # doubt_limit^2
 m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m6
 
@@ -699,8 +700,8 @@ def _regular(pose, q_free, q, status):
     v17 = Z5 * Z5
     D5_p = N5_p - v17
     D5_m = N5_m - v17
-    free5_p = N5_p <= free_limit_squared2
-    free5_m = N5_m <= free_limit_squared2
+    free5_p = N5_p <= doubt_limit_squared2
+    free5_m = N5_m <= doubt_limit_squared2
     v18 = 2.0 * abs(Z5)
     v19 = merge_slack1 * (merge_slack1 + v18)
     w5_p = math.sqrt(D5_p)
@@ -1410,8 +1411,8 @@ def _in_tiles(T, q_free, q, status):
             v17 = Z5 * Z5
             D5_p = N5_p - v17
             D5_m = N5_m - v17
-            free5_p = N5_p <= free_limit_squared2
-            free5_m = N5_m <= free_limit_squared2
+            free5_p = N5_p <= doubt_limit_squared2
+            free5_m = N5_m <= doubt_limit_squared2
             v18 = 2.0 * abs(Z5)
             v19 = merge_slack1 * (merge_slack1 + v18)
             w5_p = math.sqrt(D5_p)

@@ -282,7 +282,7 @@ static const double d4 = 0.1; /* joint offset 4 [m] */
 static const double d6 = 0.12; /* joint offset 6 [m] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1e-24; /* free_limit^2 */
+static const double m1 = 1e-06; /* doubt_limit^2 */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const gantry_wrist_branches[2] = {

@@ -81,7 +81,7 @@ d4 = 0.1  # joint offset 4 [m]
 d6 = 0.12  # joint offset 6 [m]
 free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-24  # free_limit^2
+m1 = 1e-06  # doubt_limit^2
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586

@@ -104,16 +104,17 @@ k1 = 0.081056  # 2 * d4 * a2 [m^2]
 k2 = 0.0567392  # 2 * a3 * a2 [m^2]
 k3 = 0.09989556000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 102.1511817908859  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 8.049678400000001e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 0.960070362405688  # a constant angle [rad]
-m1 = 8.049678400000001e-25  # free_limit1^2 [m^2]
+m1 = 8.0496784e-07  # doubt_limit1^2 [m^2]
 m3 = 2.097315436241611  # a coefficient of Y1_2
 m4 = 0.028887499999999986  # a coefficient of Y1_2
 m5 = 1.3817607579944728  # a coefficient of c23
 m6 = 1.9739439399921042  # a coefficient of c23
 m7 = 0.027188235294117635  # a coefficient of c23
 m8 = 0.019031764705882342  # a coefficient of c23
-m9 = 1e-24  # free_limit^2
+m9 = 1e-06  # doubt_limit^2
 m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -623,8 +624,8 @@ def _regular(pose, q, status):
     # joint values
     v42 = w3_p * (m3 * v3)
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= doubt_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
         < longest3_apart) or (v31 <= m9 or (v30 <= m9 or (v29 <= m9 or (v1 <= m1 or v28 <= m9)))))))
     )
@@ -1076,9 +1077,9 @@ def _in_tiles(T, q, status):
             v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36
             v42 = w3_p * (m3 * v3)
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v31 <= m9 or (v30 <= m9 or
                 (v29 <= m9 or (v1 <= m1 or v28 <= m9)))))))
             )

@@ -319,11 +319,11 @@ static const double low3 = -2.705260341591211; /* lowest value of joint 3 */
 static const double high3 = 2.705260341591211; /* highest value of joint 3 */
 static const double low5 = -2.181661565992912; /* lowest value of joint 5 */
 static const double high5 = 2.181661565992912; /* highest value of joint 5 */
-static const double m1 = 1.3642239999999997e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 1.3642239999999994e-06; /* doubt_limit1^2 [m^2] */
 static const double m2 = 1.4084507042253522; /* a coefficient of S2 */
 static const double m3 = 0.020563380281690184; /* a coefficient of S2 */
-static const double m4 = 1.861107122175999e-48; /* free_limit_squared2^2 [m^4] */
-static const double m5 = 1e-24; /* free_limit^2 */
+static const double m4 = 1.861107122175999e-12; /* doubt_limit_squared2^2 [m^4] */
+static const double m5 = 1e-06; /* doubt_limit^2 */
 static const double m7 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m6 */
 

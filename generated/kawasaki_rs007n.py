@@ -112,11 +112,11 @@ low3 = -2.705260341591211  # lowest value of joint 3
 high3 = 2.705260341591211  # highest value of joint 3
 low5 = -2.181661565992912  # lowest value of joint 5
 high5 = 2.181661565992912  # highest value of joint 5
-m1 = 1.3642239999999997e-24  # free_limit1^2 [m^2]
+m1 = 1.3642239999999994e-06  # doubt_limit1^2 [m^2]
 m2 = 1.4084507042253522  # a coefficient of S2
 m3 = 0.020563380281690184  # a coefficient of S2
-m4 = 1.861107122175999e-48  # free_limit_squared2^2 [m^4]
-m5 = 1e-24  # free_limit^2
+m4 = 1.861107122175999e-12  # doubt_limit_squared2^2 [m^4]
+m5 = 1e-06  # doubt_limit^2
 m7 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m6
 

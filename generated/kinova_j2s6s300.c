@@ -317,6 +317,8 @@ static const double k4 = 2.4956680000016213e-16;
 static const double k5 = 0.255061; /* 2 * d4 * a2 [m^2] */
 static const double k6 = 0.26485210249999996; /* a2^2 + d4^2 [m^2] */
 static const double k7 = 15.371345486276748; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.6212928899999995e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low2 = 0.820304747437335; /* lowest value of joint 2 */
 static const double high2 = 5.462880559742252; /* highest value of joint 2 */
@@ -327,8 +329,8 @@ static const double low5 = 0.5235987745982988; /* lowest value of joint 5 */
 static const double high5 = 5.759586532581287; /* highest value of joint 5 */
 static const double m1 = 1.2195121951219514; /* a coefficient of S2 */
 static const double m2 = 0.08700963109756096; /* a coefficient of S2 */
-static const double m3 = 2.6285906351645505e-48; /* free_limit_squared2^2 [m^4] */
-static const double m4 = 1e-24; /* free_limit^2 */
+static const double m3 = 2.6285906351645502e-12; /* doubt_limit_squared2^2 [m^4] */
+static const double m4 = 1e-06; /* doubt_limit^2 */
 static const double m6 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m5 */
 
@@ -533,7 +535,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wy = d6 * T23 - T24;
     const wide N1 = X1 * X1 + wy * wy;
     const wide D1 = N1 - k2;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
@@ -822,7 +824,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double wy = d6 * T23 - T24;
     const double N1 = X1 * X1 + wy * wy;
     const double D1 = N1 - k2;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;

@@ -108,6 +108,7 @@ k4 = 2.4956680000016213e-16  # merge_slack1 * (merge_slack1 - (d2 - d3) * 2) [m^
 k5 = 0.255061  # 2 * d4 * a2 [m^2]
 k6 = 0.26485210249999996  # a2^2 + d4^2 [m^2]
 k7 = 15.371345486276748  # 1 / ((2 * d4 * a2)^2) [m^-4]
+doubt_limit_squared2 = 1.6212928899999995e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low2 = 0.820304747437335  # lowest value of joint 2
 high2 = 5.462880559742252  # highest value of joint 2
@@ -118,8 +119,8 @@ low5 = 0.5235987745982988  # lowest value of joint 5
 high5 = 5.759586532581287  # highest value of joint 5
 m1 = 1.2195121951219514  # a coefficient of S2
 m2 = 0.08700963109756096  # a coefficient of S2
-m3 = 2.6285906351645505e-48  # free_limit_squared2^2 [m^4]
-m4 = 1e-24  # free_limit^2
+m3 = 2.6285906351645502e-12  # doubt_limit_squared2^2 [m^4]
+m4 = 1e-06  # doubt_limit^2
 m6 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m5
 
@@ -561,7 +562,7 @@ def _regular(pose, q, status):
     wy = d6 * T23 - T24
     N1 = X1 * X1 + wy * wy
     D1 = N1 - k2
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
@@ -1096,7 +1097,7 @@ def _in_tiles(T, q, status):
             wy = d6 * T23 - T24
             N1 = X1 * X1 + wy * wy
             D1 = N1 - k2
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1

@@ -337,6 +337,8 @@ static const double k2 = 0.72; /* 2 * d1 [m] */
 static const double k3 = -0.2068; /* d1^2 - (d3^2 + d5^2) [m^2] */
 static const double k4 = 0.11289600000000001; /* (2 * d5 * d3)^2 [m^4] */
 static const double k5 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.705636e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low1 = -2.9670597293903604; /* lowest value of joint 1 */
 static const double high1 = 2.9670597293903604; /* highest value of joint 1 */
@@ -352,8 +354,8 @@ static const double low6 = -2.0943951033931953; /* lowest value of joint 6 */
 static const double high6 = 2.0943951033931953; /* highest value of joint 6 */
 static const double low7 = -3.054326191990077; /* lowest value of joint 7 */
 static const double high7 = 3.054326191990077; /* highest value of joint 7 */
-static const double m1 = 2.909194164496e-48; /* free_limit_squared2^2 [m^4] */
-static const double m2 = 1e-24; /* free_limit^2 */
+static const double m1 = 2.9091941644959998e-12; /* doubt_limit_squared2^2 [m^4] */
+static const double m2 = 1e-06; /* doubt_limit^2 */
 static const double m4 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m3 */
 
@@ -592,7 +594,7 @@ HELPER wide_mask solve_wide(
     const wide Z1 = d5 * (s3 * v6);
     const wide N1 = v1 + -wx * -wx;
     const wide D1 = N1 - Z1 * Z1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide v7 = 2.0 * abs_wide(Z1);
     const wide w1 = sqrt_wide(D1);
     const wide v8 = w1 - w1;
@@ -942,7 +944,7 @@ HELPER int solve_regular(
     const double Z1 = d5 * (s3 * v6);
     const double N1 = v1 + -wx * -wx;
     const double D1 = N1 - Z1 * Z1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double v7 = 2.0 * fabs(Z1);
     const double w1 = sqrt(D1);
     const double v8 = w1 - w1;

@@ -104,6 +104,7 @@ k2 = 0.72  # 2 * d1 [m]
 k3 = -0.2068  # d1^2 - (d3^2 + d5^2) [m^2]
 k4 = 0.11289600000000001  # (2 * d5 * d3)^2 [m^4]
 k5 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
+doubt_limit_squared2 = 1.705636e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.9670597293903604  # lowest value of joint 1
 high1 = 2.9670597293903604  # highest value of joint 1
@@ -119,8 +120,8 @@ low6 = -2.0943951033931953  # lowest value of joint 6
 high6 = 2.0943951033931953  # highest value of joint 6
 low7 = -3.054326191990077  # lowest value of joint 7
 high7 = 3.054326191990077  # highest value of joint 7
-m1 = 2.909194164496e-48  # free_limit_squared2^2 [m^4]
-m2 = 1e-24  # free_limit^2
+m1 = 2.9091941644959998e-12  # doubt_limit_squared2^2 [m^4]
+m2 = 1e-06  # doubt_limit^2
 m4 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m3
 
@@ -650,7 +651,7 @@ def _regular(pose, q_free, q, status):
 
     # theta1, type 2: U1 A7^-1 [3, 4]
     N1 = v1 + -wx * -wx
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     inverse1 = 1.0 / N1
 
     # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
@@ -1323,7 +1324,7 @@ def _in_tiles(T, q_free, q, status):
             v5 = k1 * w4
             v6 = k5 * v5
             N1 = v1 + -wx * -wx
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             inverse1 = 1.0 / N1
             X2_2 = d3 + d5 * v4
             Z1_2 = wz - d1

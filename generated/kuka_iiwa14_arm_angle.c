@@ -351,7 +351,7 @@ static const double low6 = -2.0943951033931953; /* lowest value of joint 6 */
 static const double high6 = 2.0943951033931953; /* highest value of joint 6 */
 static const double low7 = -3.054326191990077; /* lowest value of joint 7 */
 static const double high7 = 3.054326191990077; /* highest value of joint 7 */
-static const double m1 = 1e-24; /* free_limit^2 */
+static const double m1 = 1e-06; /* doubt_limit^2 */
 static const double m3 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 

@@ -117,7 +117,7 @@ low6 = -2.0943951033931953  # lowest value of joint 6
 high6 = 2.0943951033931953  # highest value of joint 6
 low7 = -3.054326191990077  # lowest value of joint 7
 high7 = 3.054326191990077  # highest value of joint 7
-m1 = 1e-24  # free_limit^2
+m1 = 1e-06  # doubt_limit^2
 m3 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 

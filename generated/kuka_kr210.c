@@ -309,15 +309,17 @@ static const double k1 = 3.75; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.135; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 3.815416; /* a2^2 + (d4^2 + a3^2) [m^2] */
 static const double k4 = 0.07101907039587806; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.7698848999999998e-05;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1.7698849e-23; /* free_limit1^2 [m^2] */
+static const double m1 = 1.7698848999999998e-05; /* doubt_limit1^2 [m^2] */
 static const double m3 = 0.009587574503443538; /* a coefficient of v4 */
 static const double m4 = 1.016127365600848; /* a coefficient of v4 */
 static const double m5 = 0.26632151398454273; /* a coefficient of v4 */
 static const double m6 = 0.03658058516163053; /* a coefficient of c3 */
 static const double m7 = 0.4; /* a coefficient of X2_2 */
 static const double m8 = 0.27616640000000003; /* a coefficient of X2_2 */
-static const double m9 = 1e-24; /* free_limit^2 */
+static const double m9 = 1e-06; /* doubt_limit^2 */
 static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -635,9 +637,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q2_mmp = v49 - only_wide(half_turn < v49, m10);
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
+        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v33 <= m9) |
         ((v31 <= m9) | ((v1 <= m1) | (v30 <= m9))))))));
 
@@ -764,7 +766,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle2 = atan2_four(-v8, c3);
     const four angle3 = atan2_four(-(e1 * v15), factor2 * -X4);

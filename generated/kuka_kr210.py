@@ -102,15 +102,16 @@ k1 = 3.75  # 2 * d4 * a2 [m^2]
 k2 = 0.135  # 2 * a3 * a2 [m^2]
 k3 = 3.815416  # a2^2 + (d4^2 + a3^2) [m^2]
 k4 = 0.07101907039587806  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 1.7698848999999998e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.7698849e-23  # free_limit1^2 [m^2]
+m1 = 1.7698848999999998e-05  # doubt_limit1^2 [m^2]
 m3 = 0.009587574503443538  # a coefficient of v4
 m4 = 1.016127365600848  # a coefficient of v4
 m5 = 0.26632151398454273  # a coefficient of v4
 m6 = 0.03658058516163053  # a coefficient of c3
 m7 = 0.4  # a coefficient of X2_2
 m8 = 0.27616640000000003  # a coefficient of X2_2
-m9 = 1e-24  # free_limit^2
+m9 = 1e-06  # doubt_limit^2
 m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -617,8 +618,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= doubt_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
         < longest3_apart) or (v35 <= m9 or (v33 <= m9 or (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
     )
@@ -1066,9 +1067,9 @@ def _in_tiles(T, q, status):
             v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40
             v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v35 <= m9 or (v33 <= m9 or
                 (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
             )

@@ -304,8 +304,10 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 2.2e-05; /* a pose may be rounded by this [m] */
 static const double k1 = 1.2800000000000002; /* 2 * a3 * a2 [m^2] */
 static const double k2 = 0.7812499999999999; /* 1 / (2 * a3 * a2) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 4.8399999999999986e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 0.625; /* a coefficient of Y1_2 */
 static const double m3 = 6.283185307179586; /* 2 * half_turn */
 
@@ -520,7 +522,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         -half_turn, m3)));
     const wide q4_m = v21 + (v17 + (v23 - only_wide(half_turn < v23, m3) + only_wide(v23 <=
         -half_turn, m3)));
-    const wide_mask doubt1 = (v2 <= m1) | ((v1 <= m1) | ((N3 <= free_limit_squared2) |
+    const wide_mask doubt1 = (v2 <= m1) | ((v1 <= m1) | ((N3 <= doubt_limit_squared2) |
         (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0))));
 
@@ -590,7 +592,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         all_four(0.0), all_four(v14));
 
     /* joint values */
-    const int doubt1 = (v2 <= m1) | ((v1 <= m1) | ((N3 <= free_limit_squared2) | (((shortest3_reach
+    const int doubt1 = (v2 <= m1) | ((v1 <= m1) | ((N3 <= doubt_limit_squared2) | (((shortest3_reach
         <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) ==
         0))));
 

@@ -93,8 +93,9 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 2.2e-05  # a pose may be rounded by this [m]
 k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
 k2 = 0.7812499999999999  # 1 / (2 * a3 * a2) [m^-2]
+doubt_limit_squared2 = 4.8399999999999986e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1e-12  # doubt_limit_squared^2
 m2 = 0.625  # a coefficient of Y1_2
 m3 = 6.283185307179586  # 2 * half_turn
 
@@ -612,7 +613,7 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v2 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3 <=
+        v2 <= m1 or (v1 <= m1 or (N3 <= doubt_limit_squared2 or shortest3_reach <= N3 and N3 <=
         longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
     )
 
@@ -912,7 +913,7 @@ def _in_tiles(T, q, status):
                 (a2 * v11)))))) <= pose_slack1 else v16
             )
             doubt1 = (
-                v2 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3
+                v2 <= m1 or (v1 <= m1 or (N3 <= doubt_limit_squared2 or shortest3_reach <= N3 and N3
                 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
             )
             work[544 + k] = w3

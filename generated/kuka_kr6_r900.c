@@ -311,16 +311,18 @@ static const double k1 = 0.3822; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.022750000000000003; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 0.38405; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 6.821542862115762; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 2.002225e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double turn1 = 1.5113426674862398; /* a constant angle [rad] */
-static const double m1 = 2.0022250000000003e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 2.002225e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1.0989010989010988; /* a coefficient of Y1_2 */
 static const double m4 = 0.03296703296703301; /* a coefficient of Y1_2 */
 static const double m5 = 0.07061149555147579; /* a coefficient of c23 */
 static const double m6 = 1.1862731252647931; /* a coefficient of c23 */
 static const double m7 = 0.035588193757943844; /* a coefficient of c23 */
 static const double m8 = 0.0021183448665442767; /* a coefficient of c23 */
-static const double m9 = 1e-24; /* free_limit^2 */
+static const double m9 = 1e-06; /* doubt_limit^2 */
 static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -654,9 +656,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q5_mmm = only_wide(-v58 <= -half_turn, m10) - v58;
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
+        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v31 <= m9) | ((v30 <= m9) |
         ((v29 <= m9) | ((v1 <= m1) | (v28 <= m9))))))));
 
@@ -784,7 +786,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle2 = atan2_four(v20, -X4);
     const four angle3 = atan2_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) - -X4 * v22));

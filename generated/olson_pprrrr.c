@@ -293,12 +293,13 @@ static const double near_limit = 0.001; /* a length whose direction is good to f
 static const double free_limit_squared2 = 4.9e-23;
 static const double reach_slack1 = 7e-13; /* rounding at the boundary of the workspace [m] */
 static const double merge_slack1 = 7e-14; /* nearer to that boundary two branches are one [m] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 4.9e-05;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1e-24; /* free_limit^2 */
-static const double m2 = 1e-06; /* near_limit^2 */
-static const double m4 = 4.0; /* a coefficient of Y5 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double m1 = 1e-06; /* doubt_limit^2 */
+static const double m3 = 4.0; /* a coefficient of Y5 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const olson_pprrrr_branches[4] = {
     "noflip3-noflip5", "noflip3-flip5", "flip3-noflip5", "flip3-flip5",
@@ -453,12 +454,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
 
     /* theta5 */
     const wide X5 = a4 * T33;
-    const wide Y5 = w3 * (m4 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
+    const wide Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
         T32))));
     const wide v5 = d6 * T33 + (d3 - T34);
     const wide N5 = X5 * X5 + Y5 * Y5;
     const wide D5 = N5 - v5 * v5;
-    const wide_mask free5 = N5 <= free_limit_squared2;
+    const wide_mask free5 = N5 <= doubt_limit_squared2;
     const wide v6 = 2.0 * abs_wide(v5);
     const wide w5 = sqrt_wide(D5);
     const wide v7 = w5 - w5;
@@ -494,16 +495,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide v22 = angle2 - angle5;
     const wide v23 = angle2 + angle6;
     const wide v24 = angle2 + angle7;
-    const wide q4_pp = v21 - only_wide(half_turn < v21, m5) + only_wide(v21 <= -half_turn, m5);
-    const wide q4_pm = v22 - only_wide(half_turn < v22, m5) + only_wide(v22 <= -half_turn, m5);
-    const wide q4_mp = only_wide(-v23 <= -half_turn, m5) - (v23 + only_wide(half_turn < -v23, m5));
-    const wide q4_mm = only_wide(-v24 <= -half_turn, m5) - (v24 + only_wide(half_turn < -v24, m5));
+    const wide q4_pp = v21 - only_wide(half_turn < v21, m4) + only_wide(v21 <= -half_turn, m4);
+    const wide q4_pm = v22 - only_wide(half_turn < v22, m4) + only_wide(v22 <= -half_turn, m4);
+    const wide q4_mp = only_wide(-v23 <= -half_turn, m4) - (v23 + only_wide(half_turn < -v23, m4));
+    const wide q4_mm = only_wide(-v24 <= -half_turn, m4) - (v24 + only_wide(half_turn < -v24, m4));
     const wide q3_pp = angle1 + v7;
     const wide q3_mp = v7 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1);
     const wide q6_pp = angle3 + v7;
     const wide q6_mp = v7 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -v4));
-    const wide_mask doubt1 = (v1 <= m2) | ((v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 +
-        v6)) <= D5) & (free5 | ((merge_slack1 * (merge_slack1 + v6) < D5) == 0)))));
+    const wide_mask doubt1 = (v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 + v6)) <= D5) &
+        (free5 | ((merge_slack1 * (merge_slack1 + v6) < D5) == 0))));
 
     q[0] = q1_pp;
     q[1] = q2_pp;
@@ -538,7 +539,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
 }
 
 #if LANES > 1
-static const double m3 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[4][6], unsigned char status[4])
@@ -555,7 +556,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double v2 = 1.0 / v1;
     const double factor3 = w3 * v2;
     const double v3 = copysign(half_turn, -T13);
-    const four v4 = m3 * (e1 - 1.0);
+    const four v4 = m2 * (e1 - 1.0);
 
     /* theta6 */
     const double v5 = v2 * (T23 * T12 - T13 * T22);
@@ -565,12 +566,12 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     /* theta5 */
     const double X5 = a4 * T33;
     const double v8 = a4 * (w3 * v6 * T32 - w3 * v5 * T31);
-    const double Y5 = w3 * (m4 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
+    const double Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
         T32))));
     const double v9 = d6 * T33 + (d3 - T34);
     const double N5 = X5 * X5 + Y5 * Y5;
     const double D5 = N5 - v9 * v9;
-    const int free5 = N5 <= free_limit_squared2;
+    const int free5 = N5 <= doubt_limit_squared2;
     const double v10 = 2.0 * fabs(v9);
     const double w5 = sqrt(D5);
     const double v11 = w5 - w5;
@@ -599,8 +600,8 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const four q1 = v25 + w5 * (inverse5 * (v20 * v24));
 
     /* joint values */
-    const int doubt1 = (v1 <= m2) | ((v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 + v10))
-        <= D5) & (free5 | ((merge_slack1 * (merge_slack1 + v10) < D5) == 0)))));
+    const int doubt1 = (v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 + v10)) <= D5) &
+        (free5 | ((merge_slack1 * (merge_slack1 + v10) < D5) == 0))));
 
     const four angle4 = atan2_four(v17 * v18 - v12, -(v15 + v16));
     const four packed2 = atan2_four((four){ -T13, -w3, -v6, -T13 }, (four){ T23, -T33, -v5, T23 });
@@ -609,7 +610,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
     const four v26 = e1 * angle2;
     const four v27 = v26 - angle4;
-    const four q4 = v27 - only_four(half_turn < v27, m5) + only_four(v27 <= -half_turn, m5);
+    const four q4 = v27 - only_four(half_turn < v27, m4) + only_four(v27 <= -half_turn, m4);
     const four q3 = v11 + (angle1 + v3 * v4);
     const four q6 = v11 + (angle3 + v4 * v7);
 

@@ -88,12 +88,12 @@ near_limit = 0.001  # a length whose direction is good to few digits
 free_limit_squared2 = 4.9e-23  # square of a length that fixes no angle [m^2]
 reach_slack1 = 7e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 7e-14  # nearer to that boundary two branches are one [m]
+doubt_limit_squared2 = 4.9e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-24  # free_limit^2
-m2 = 1e-06  # near_limit^2
-m4 = 4.0  # a coefficient of Y5
-m5 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
+m1 = 1e-06  # doubt_limit^2
+m3 = 4.0  # a coefficient of Y5
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -564,11 +564,11 @@ def _regular(pose, q, status):
 
     # theta5, type 2: U0 (A5 A6)^-1 [3, 4]
     X5 = a4 * T33
-    Y5 = w3 * (m4 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
+    Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
     v5 = d6 * T33 + (d3 - T34)
     N5 = X5 * X5 + Y5 * Y5
     D5 = N5 - v5 * v5
-    free5 = N5 <= free_limit_squared2
+    free5 = N5 <= doubt_limit_squared2
     v6 = 2.0 * abs(v5)
     w5 = math.sqrt(D5)
     v7 = w5 - w5
@@ -597,8 +597,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v1 <= m2 or (v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or
-        not (merge_slack1 * (merge_slack1 + v6) < D5))))
+        v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or not
+        (merge_slack1 * (merge_slack1 + v6) < D5)))
     )
 
     # angles, side by side
@@ -633,10 +633,10 @@ def _regular(pose, q, status):
     v22 = angle2 - angle5
     v23 = angle2 + angle6
     v24 = angle2 + angle7
-    q4_pp = v21 - (m5 if half_turn < v21 else 0.0) + (m5 if v21 <= -half_turn else 0.0)
-    q4_pm = v22 - (m5 if half_turn < v22 else 0.0) + (m5 if v22 <= -half_turn else 0.0)
-    q4_mp = (m5 if -v23 <= -half_turn else 0.0) - (v23 + (m5 if half_turn < -v23 else 0.0))
-    q4_mm = (m5 if -v24 <= -half_turn else 0.0) - (v24 + (m5 if half_turn < -v24 else 0.0))
+    q4_pp = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
+    q4_pm = v22 - (m4 if half_turn < v22 else 0.0) + (m4 if v22 <= -half_turn else 0.0)
+    q4_mp = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
+    q4_mm = (m4 if -v24 <= -half_turn else 0.0) - (v24 + (m4 if half_turn < -v24 else 0.0))
     q3_pp = angle1 + v7
     q3_mp = v7 + (angle1 - math.copysign(half_turn, -T13) * h1)
     q6_pp = angle3 + v7
@@ -889,11 +889,11 @@ def _in_tiles(T, q, status):
             v3 = v2 * (T23 * T12 - T13 * T22)
             v4 = v2 * (T23 * T11 - T13 * T21)
             X5 = a4 * T33
-            Y5 = w3 * (m4 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
+            Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
             v5 = d6 * T33 + (d3 - T34)
             N5 = X5 * X5 + Y5 * Y5
             D5 = N5 - v5 * v5
-            free5 = N5 <= free_limit_squared2
+            free5 = N5 <= doubt_limit_squared2
             v6 = 2.0 * abs(v5)
             w5 = math.sqrt(D5)
             v7 = w5 - w5
@@ -916,8 +916,8 @@ def _in_tiles(T, q, status):
             q1_pp = v20 + w5 * (inverse5 * (v16 * v19))
             q1_pm = v20 + w5 * (inverse5 * (-v16 * v19))
             doubt1 = (
-                v1 <= m2 or (v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v6)) <= D5 and
-                (free5 or not (merge_slack1 * (merge_slack1 + v6) < D5))))
+                v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or not
+                (merge_slack1 * (merge_slack1 + v6) < D5)))
             )
             work[544 + k] = v4
             work[576 + k] = v7
@@ -962,10 +962,10 @@ def _in_tiles(T, q, status):
             v22 = angle2 - angle5
             v23 = angle2 + angle6
             v24 = angle2 + angle7
-            q4_pp = v21 - (m5 if half_turn < v21 else 0.0) + (m5 if v21 <= -half_turn else 0.0)
-            q4_pm = v22 - (m5 if half_turn < v22 else 0.0) + (m5 if v22 <= -half_turn else 0.0)
-            q4_mp = (m5 if -v23 <= -half_turn else 0.0) - (v23 + (m5 if half_turn < -v23 else 0.0))
-            q4_mm = (m5 if -v24 <= -half_turn else 0.0) - (v24 + (m5 if half_turn < -v24 else 0.0))
+            q4_pp = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
+            q4_pm = v22 - (m4 if half_turn < v22 else 0.0) + (m4 if v22 <= -half_turn else 0.0)
+            q4_mp = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
+            q4_mm = (m4 if -v24 <= -half_turn else 0.0) - (v24 + (m4 if half_turn < -v24 else 0.0))
             q3_pp = angle1 + v7
             q3_mp = v7 + (angle1 - math.copysign(half_turn, -T13) * h1)
             q6_pp = angle3 + v7

@@ -303,8 +303,10 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 0.00355; /* a pose may be rounded by this [mm] */
 static const double k1 = 22050.0; /* 2 * a3 * a2 [mm^2] */
 static const double k2 = 4.5351473922902495e-05; /* 1 / (2 * a3 * a2) [mm^-2] */
+/* square of a length that fixes no angle [mm^2] */
+static const double doubt_limit_squared2 = 0.126025;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 0.004761904761904762; /* a coefficient of S2 */
 static const double m3 = 6.283185307179586; /* 2 * half_turn */
 
@@ -514,7 +516,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         -half_turn, m3)));
     const wide q4_m = v18 + (v14 + (v22 - only_wide(half_turn < v22, m3) + only_wide(v22 <=
         -half_turn, m3)));
-    const wide_mask doubt1 = (v4 <= m1) | ((v1 <= m1) | ((N3 <= free_limit_squared2) |
+    const wide_mask doubt1 = (v4 <= m1) | ((v1 <= m1) | ((N3 <= doubt_limit_squared2) |
         (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0))));
 
@@ -583,7 +585,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         all_four(v12));
 
     /* joint values */
-    const int doubt1 = (v4 <= m1) | ((v1 <= m1) | ((N3 <= free_limit_squared2) | (((shortest3_reach
+    const int doubt1 = (v4 <= m1) | ((v1 <= m1) | ((N3 <= doubt_limit_squared2) | (((shortest3_reach
         <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) ==
         0))));
 

@@ -92,8 +92,9 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 0.00355  # a pose may be rounded by this [mm]
 k1 = 22050.0  # 2 * a3 * a2 [mm^2]
 k2 = 4.5351473922902495e-05  # 1 / (2 * a3 * a2) [mm^-2]
+doubt_limit_squared2 = 0.126025  # square of a length that fixes no angle [mm^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1e-12  # doubt_limit_squared^2
 m2 = 0.004761904761904762  # a coefficient of S2
 m3 = 6.283185307179586  # 2 * half_turn
 
@@ -610,7 +611,7 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v4 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3 <=
+        v4 <= m1 or (v1 <= m1 or (N3 <= doubt_limit_squared2 or shortest3_reach <= N3 and N3 <=
         longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
     )
 
@@ -911,7 +912,7 @@ def _in_tiles(T, q, status):
                 (v8 + v9)))))) <= pose_slack1 else v13
             )
             doubt1 = (
-                v4 <= m1 or (v1 <= m1 or (N3 <= free_limit_squared2 or shortest3_reach <= N3 and N3
+                v4 <= m1 or (v1 <= m1 or (N3 <= doubt_limit_squared2 or shortest3_reach <= N3 and N3
                 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)))
             )
             work[544 + k] = w3

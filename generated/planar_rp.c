@@ -265,7 +265,7 @@ static const double offset1 = 1.5707963267948966; /* offset of joint 1 [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low2 = -1e-09; /* lowest value of joint 2 */
 static const double high2 = 1.000000001; /* highest value of joint 2 */
-static const double m1 = 1e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 1e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 

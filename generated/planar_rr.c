@@ -270,6 +270,8 @@ static const double shortest2_apart = 0.010000000000001405;
 static const double free_limit_squared2 = 4.899999999999999e-25;
 static const double k1 = 0.25; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 4.899999999999999e-07;
 static const double m1 = 1.25; /* a coefficient of S1 */
 static const double m2 = 0.08750000000000001; /* a coefficient of S1 */
 
@@ -351,7 +353,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
 
     /* joint values */
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | (N2 <= free_limit_squared2);
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
 
     q[0] = angle2;
     q[1] = angle1;
@@ -383,7 +385,7 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
 
     /* joint values */
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | (N2 <= free_limit_squared2);
+        N2) & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
 
     const four packed1 = atan2_four(__builtin_shufflevector(v2 - w2 * (m1 * (e1 * T14)),
         all_four(w2), 0, 1, 6, 3), __builtin_shufflevector(v3 + w2 * (m1 * (e1 * T24)), all_four(N2

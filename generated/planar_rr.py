@@ -83,6 +83,7 @@ shortest2_apart = 0.010000000000001405  # the shortest, where branches merge [m^
 free_limit_squared2 = 4.899999999999999e-25  # square of a length that fixes no angle [m^2]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
+doubt_limit_squared2 = 4.899999999999999e-07  # square of a length that fixes no angle [m^2]
 m1 = 1.25  # a coefficient of S1
 m2 = 0.08750000000000001  # a coefficient of S1
 
@@ -295,7 +296,7 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = (
         shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart) or N2 <= free_limit_squared2
+        longest2_apart) or N2 <= doubt_limit_squared2
     )
 
     # angles, side by side
@@ -515,7 +516,7 @@ def _in_tiles(T, q, status):
             v5 = w2 * (m1 * T24)
             doubt1 = (
                 shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart) or N2 <= free_limit_squared2
+                < longest2_apart) or N2 <= doubt_limit_squared2
             )
             work[544 + k] = doubt1
             work[576 + k] = w2

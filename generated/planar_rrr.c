@@ -304,8 +304,10 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 8.5e-06; /* a pose may be rounded by this [m] */
 static const double k1 = 0.25; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 7.224999999999999e-07;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 1.25; /* a coefficient of S1 */
 static const double m3 = 0.08750000000000001; /* a coefficient of S1 */
 static const double m4 = 1.666666666666667; /* a coefficient of c12 */
@@ -481,7 +483,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide q3_m = v17 + (v15 + (v14 + (v19 - only_wide(half_turn < v19, m6) + only_wide(v19 <=
         -half_turn, m6))));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
         (v1 <= m1));
 
     q[0] = q1_p;
@@ -546,7 +548,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
 
     /* joint values */
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) | (v1 <= m1));
+        N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) | (v1 <= m1));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S1,
         all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),

@@ -89,8 +89,9 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 8.5e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
+doubt_limit_squared2 = 7.224999999999999e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.25  # a coefficient of S1
 m3 = 0.08750000000000001  # a coefficient of S1
 m4 = 1.666666666666667  # a coefficient of c12
@@ -551,7 +552,7 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = (
         shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
+        longest2_apart) or (N2 <= doubt_limit_squared2 or v1 <= m1)
     )
 
     # angles, side by side
@@ -844,7 +845,7 @@ def _in_tiles(T, q, status):
             )
             doubt1 = (
                 shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
+                < longest2_apart) or (N2 <= doubt_limit_squared2 or v1 <= m1)
             )
             work[544 + k] = v14
             work[576 + k] = v15

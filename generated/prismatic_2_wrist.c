@@ -302,12 +302,14 @@ static const double f1 = 0.2701996003807408; /* d1 - sat2 * a2 [m] */
 static const double f2 = 0.09800665778412417; /* d3 * cat2 [m] */
 static const double g1 = 0.2701996003807408; /* d1 - sat2 * a2 [m] */
 static const double g2 = 0.09800665778412417; /* d3 * cat2 [m] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.5376e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 11.314168873492461; /* a coefficient of v9 */
 static const double m2 = 0.7750600530519154; /* a coefficient of v9 */
 static const double m3 = 2.1049616508823186; /* a coefficient of v9 */
 static const double m4 = 4.165947785154044; /* a coefficient of s3 */
-static const double m5 = 1e-24; /* free_limit^2 */
+static const double m5 = 1e-06; /* doubt_limit^2 */
 static const double h1 = 1.0; /* 2 * m6 */
 
 const char *const prismatic_2_wrist_branches[8] = {
@@ -502,7 +504,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Z1 = cat2 * wz - k1;
     const wide N1 = v1 * v1 + v2 * v2;
     const wide D1 = N1 - Z1 * Z1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide v3 = 2.0 * abs_wide(Z1);
     const wide w1 = sqrt_wide(D1);
     const wide v4 = w1 - w1;
@@ -719,7 +721,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1 = cat2 * wz - k1;
     const double N1 = v1 * v1 + v2 * v2;
     const double D1 = N1 - Z1 * Z1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double v3 = 2.0 * fabs(Z1);
     const double w1 = sqrt(D1);
     const double v4 = w1 - w1;

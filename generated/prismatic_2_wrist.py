@@ -106,12 +106,13 @@ f1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 f2 = 0.09800665778412417  # d3 * cat2 [m]
 g1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 g2 = 0.09800665778412417  # d3 * cat2 [m]
+doubt_limit_squared2 = 1.5376e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 11.314168873492461  # a coefficient of v9
 m2 = 0.7750600530519154  # a coefficient of v9
 m3 = 2.1049616508823186  # a coefficient of v9
 m4 = 4.165947785154044  # a coefficient of s3
-m5 = 1e-24  # free_limit^2
+m5 = 1e-06  # doubt_limit^2
 h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
@@ -547,7 +548,7 @@ def _regular(pose, q, status):
     Z1 = cat2 * wz - k1
     N1 = v1 * v1 + v2 * v2
     D1 = N1 - Z1 * Z1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     v3 = 2.0 * abs(Z1)
     w1 = math.sqrt(D1)
     v4 = w1 - w1
@@ -1006,7 +1007,7 @@ def _in_tiles(T, q, status):
             Z1 = cat2 * wz - k1
             N1 = v1 * v1 + v2 * v2
             D1 = N1 - Z1 * Z1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             v3 = 2.0 * abs(Z1)
             w1 = math.sqrt(D1)
             v4 = w1 - w1

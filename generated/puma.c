@@ -300,12 +300,14 @@ static const double k5 = 0.37290248000000004; /* 2 * D4 * L2 [m^2] */
 static const double k6 = 2.681666262986505; /* 1 / (2 * D4 * L2) [m^-2] */
 static const double f1 = 0.8636; /* L2 + D4 [m] */
 static const double g1 = 0.8636; /* L2 + D4 [m] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.0274863225e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1.1579434923575729; /* a coefficient of v5 */
-static const double m2 = 1.0557281429245738e-48; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 1.055728142924574e-12; /* doubt_limit_squared2^2 [m^4] */
 static const double m3 = 3.105217997900075; /* a coefficient of c23 */
 static const double m4 = 2.3158869847151458; /* a coefficient of s23 */
-static const double m5 = 1e-24; /* free_limit^2 */
+static const double m5 = 1e-06; /* doubt_limit^2 */
 static const double h1 = 1.0; /* 2 * m6 */
 
 const char *const puma_branches[8] = {
@@ -500,7 +502,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide t14 = T14 + D3 * T11 + k1 * T13;
     const wide N1 = t24 * t24 + t14 * t14;
     const wide D1 = N1 - k2;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
@@ -694,7 +696,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double t14 = T14 + D3 * T11 + k1 * T13;
     const double N1 = t24 * t24 + t14 * t14;
     const double D1 = N1 - k2;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;

@@ -101,12 +101,13 @@ k5 = 0.37290248000000004  # 2 * D4 * L2 [m^2]
 k6 = 2.681666262986505  # 1 / (2 * D4 * L2) [m^-2]
 f1 = 0.8636  # L2 + D4 [m]
 g1 = 0.8636  # L2 + D4 [m]
+doubt_limit_squared2 = 1.0274863225e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.1579434923575729  # a coefficient of v5
-m2 = 1.0557281429245738e-48  # free_limit_squared2^2 [m^4]
+m2 = 1.055728142924574e-12  # doubt_limit_squared2^2 [m^4]
 m3 = 3.105217997900075  # a coefficient of c23
 m4 = 2.3158869847151458  # a coefficient of s23
-m5 = 1e-24  # free_limit^2
+m5 = 1e-06  # doubt_limit^2
 h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
@@ -530,7 +531,7 @@ def _regular(pose, q, status):
     t14 = T14 + D3 * T11 + k1 * T13
     N1 = t24 * t24 + t14 * t14
     D1 = N1 - k2
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
@@ -973,7 +974,7 @@ def _in_tiles(T, q, status):
             t14 = T14 + D3 * T11 + k1 * T13
             N1 = t24 * t24 + t14 * t14
             D1 = N1 - k2
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1

@@ -302,6 +302,8 @@ static const double k4 = 0.37290248000000004; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 0.01753108; /* 2 * a3 * a2 [m^2] */
 static const double k6 = 0.37331457; /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
 static const double k7 = 7.175474885806929; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 2.9096854084e-06;
 static const double turn1 = 1.5238184104468135; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low1 = -2.7925268041909272; /* lowest value of joint 1 */
@@ -318,7 +320,7 @@ static const double m3 = 2.675752380095121; /* a coefficient of s3 */
 static const double m4 = 0.046960667412677716; /* a coefficient of c3 */
 static const double m5 = 1.1579434923575729; /* a coefficient of X1_2 */
 static const double m6 = 0.000477176933765627; /* a coefficient of X1_2 */
-static const double m7 = 1e-24; /* free_limit^2 */
+static const double m7 = 1e-06; /* doubt_limit^2 */
 static const double m9 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m8 */
 
@@ -498,7 +500,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
@@ -643,8 +645,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mmm = v53 | ((-angle15 < low5) | (high5 < -angle15));
     const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) | ((v28
-        <= m7) | (v29 <= m7)))))));
+        longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) |
+        ((v28 <= m7) | (v29 <= m7)))))));
 
     q[0] = q1_ppp;
     q[1] = angle4;
@@ -720,7 +722,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24;
     const double D1 = N1 - k1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
@@ -768,7 +770,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const int doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((N3 <=
-        free_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        doubt_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
 
     const four angle3 = atan2_four(S2, C2);

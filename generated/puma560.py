@@ -102,6 +102,7 @@ k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
 k5 = 0.01753108  # 2 * a3 * a2 [m^2]
 k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 2.9096854084e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.5238184104468135  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.7925268041909272  # lowest value of joint 1
@@ -118,7 +119,7 @@ m3 = 2.675752380095121  # a coefficient of s3
 m4 = 0.046960667412677716  # a coefficient of c3
 m5 = 1.1579434923575729  # a coefficient of X1_2
 m6 = 0.000477176933765627  # a coefficient of X1_2
-m7 = 1e-24  # free_limit^2
+m7 = 1e-06  # doubt_limit^2
 m9 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m8
 
@@ -510,7 +511,7 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
     D1 = N1 - k1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
@@ -599,7 +600,7 @@ def _regular(pose, q, status):
     doubt1 = (
         -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (shortest3_reach <= N3 and N3 <=
         longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (N3 <=
-        free_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
+        doubt_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
     )
 
     # angles, side by side
@@ -983,7 +984,7 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             N1 = T14 * T14 + T24 * T24
             D1 = N1 - k1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1
@@ -1062,7 +1063,7 @@ def _in_tiles(T, q, status):
             doubt1 = (
                 -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (shortest3_reach <= N3 and N3 <=
                 longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (N3 <=
-                free_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
+                doubt_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
             )
             work[544 + k] = v1
             work[576 + k] = v7

@@ -115,6 +115,8 @@ static const float k4 = 0.37290248f; /* 2 * d4 * a2 [m^2] */
 static const float k5 = 0.01753108f; /* 2 * a3 * a2 [m^2] */
 static const float k6 = 0.37331456f; /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
 static const float k7 = 7.175475f; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const float doubt_limit_squared2 = 2.9096855e-06f;
 static const float turn1 = 1.5238184f; /* a constant angle [rad] */
 static const float half_turn = 3.1415927f; /* pi [rad] */
 static const float low1 = -2.7925289f; /* lowest value of joint 1 */
@@ -131,7 +133,7 @@ static const float m3 = 2.6757524f; /* a coefficient of s3 */
 static const float m4 = 0.046960667f; /* a coefficient of c3 */
 static const float m5 = 1.1579435f; /* a coefficient of X1_2 */
 static const float m6 = 0.00047717695f; /* a coefficient of X1_2 */
-static const float m7 = 4e-10f; /* free_limit^2 */
+static const float m7 = 1e-06f; /* doubt_limit^2 */
 static const float m9 = 6.2831855f; /* 2 * half_turn */
 static const float h1 = 1.0f; /* 2 * m8 */
 
@@ -311,7 +313,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0f / N1;
@@ -456,8 +458,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mmm = v53 | ((-angle15 < low5) | (high5 < -angle15));
     const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) | ((v28
-        <= m7) | (v29 <= m7)))))));
+        longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) |
+        ((v28 <= m7) | (v29 <= m7)))))));
 
     q[0] = q1_ppp;
     q[1] = angle4;

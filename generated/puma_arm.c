@@ -277,6 +277,8 @@ static const double k4 = 0.37290248000000004; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 0.01753108; /* 2 * a3 * a2 [m^2] */
 static const double k6 = 0.37331457; /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
 static const double k7 = 7.175474885806929; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 2.9096854084e-06;
 static const double turn1 = 1.5238184104468135; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1.1579434923575729; /* a coefficient of X1_2 */
@@ -370,7 +372,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide v2 = d3 * T14;
@@ -410,7 +412,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide q3_pp = v1 + (q3__p + only_wide(q3__p <= -half_turn, m3));
     const wide q3_pm = v1 + (only_wide(-v7 <= -half_turn, m3) - v7);
     const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((N3 <=
-        free_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        doubt_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
 
     q[0] = q1_pp;
@@ -447,7 +449,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24;
     const double D1 = N1 - k1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double v2 = d3 * T14;
@@ -469,7 +471,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
 
     /* joint values */
     const int doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((N3 <=
-        free_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        doubt_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
 
     const four angle2 = atan2_four(v7 - w3 * (m1 * (w1 * (e1 * e2))), v8 + v9);

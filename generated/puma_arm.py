@@ -94,6 +94,7 @@ k4 = 0.37290248000000004  # 2 * d4 * a2 [m^2]
 k5 = 0.01753108  # 2 * a3 * a2 [m^2]
 k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 2.9096854084e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.5238184104468135  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.1579434923575729  # a coefficient of X1_2
@@ -356,7 +357,7 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
     D1 = N1 - k1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     v2 = d3 * T14
@@ -383,7 +384,7 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (N3 <= free_limit_squared2 or
+        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (N3 <= doubt_limit_squared2 or
         shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
         longest3_apart)))
     )
@@ -633,7 +634,7 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             N1 = T14 * T14 + T24 * T24
             D1 = N1 - k1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             v2 = d3 * T14
@@ -654,7 +655,7 @@ def _in_tiles(T, q, status):
             v14 = v8 - v13
             v15 = v8 + v13
             doubt1 = (
-                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (N3 <= free_limit_squared2 or
+                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (N3 <= doubt_limit_squared2 or
                 shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
                 < longest3_apart)))
             )

@@ -288,9 +288,9 @@ static const double free_limit_squared = 1e-24; /* square of a length that fixes
 static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 6.000000000000001e-05; /* a pose may be rounded by this [m] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1.2959999999999999e-45; /* free_limit_squared2^2 [m^4] */
-static const double m2 = 1e-24; /* free_limit^2 */
-static const double m4 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1.296e-09; /* doubt_limit_squared2^2 [m^4] */
+static const double m2 = 1e-06; /* doubt_limit^2 */
+static const double m4 = 1e-12; /* doubt_limit_squared^2 */
 static const double m5 = 2.0; /* a coefficient of v12 */
 static const double h1 = 1.0; /* 2 * m3 */
 

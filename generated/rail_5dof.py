@@ -84,9 +84,9 @@ free_limit_squared = 1e-24  # square of a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 6.000000000000001e-05  # a pose may be rounded by this [m]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.2959999999999999e-45  # free_limit_squared2^2 [m^4]
-m2 = 1e-24  # free_limit^2
-m4 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1.296e-09  # doubt_limit_squared2^2 [m^4]
+m2 = 1e-06  # doubt_limit^2
+m4 = 1e-12  # doubt_limit_squared^2
 m5 = 2.0  # a coefficient of v12
 h1 = 1.0  # 2 * m3
 

@@ -76,7 +76,7 @@ INVALID_POSE = 4  # NaN: T is no pose
 d1 = 0.5  # joint offset 1 [m]
 free_limit1 = 5e-13  # a length that fixes no angle [m]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 2.5e-25  # free_limit1^2 [m^2]
+m1 = 2.5e-07  # doubt_limit1^2 [m^2]
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586

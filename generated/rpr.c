@@ -262,7 +262,7 @@ static const double merge_slack1 = 8e-15; /* nearer to that boundary two branche
 static const double k1 = 0.09; /* a3^2 [m^2] */
 static const double k2 = 11.111111111111112; /* 1 / (a3^2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 6.4e-25; /* free_limit1^2 [m^2] */
+static const double m1 = 6.4e-07; /* doubt_limit1^2 [m^2] */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const rpr_branches[4] = {

@@ -83,7 +83,7 @@ merge_slack1 = 8e-15  # nearer to that boundary two branches are one [m]
 k1 = 0.09  # a3^2 [m^2]
 k2 = 11.111111111111112  # 1 / (a3^2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 6.4e-25  # free_limit1^2 [m^2]
+m1 = 6.4e-07  # doubt_limit1^2 [m^2]
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586

@@ -280,7 +280,7 @@ HELPER void transpose(wide x[LANES])
 static const double free_limit1 = 1e-12; /* a length that fixes no angle [m] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 1e-06; /* doubt_limit1^2 [m^2] */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const rrprrr_branches[8] = {

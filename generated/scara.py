@@ -89,6 +89,7 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 8e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # L1^2 + L2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * L2 * L1) [m^-2]
+doubt_limit_squared2 = 6.399999999999998e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.2689280285926285  # lowest value of joint 1
 high1 = 2.2689280285926285  # highest value of joint 1
@@ -96,7 +97,7 @@ low2 = -2.530727416391778  # lowest value of joint 2
 high2 = 2.530727416391778  # highest value of joint 2
 low3 = -0.200000001  # lowest value of joint 3
 high3 = 1e-09  # highest value of joint 3
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.25  # a coefficient of S1
 m3 = 0.08750000000000001  # a coefficient of S1
 m4 = 6.283185307179586  # 2 * half_turn
@@ -424,7 +425,7 @@ def _regular(pose, q, status):
     q3_p = v6 + (t34 + (w2 - w2))
     doubt1 = (
         shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
+        longest2_apart) or (N2 <= doubt_limit_squared2 or v1 <= m1)
     )
 
     # angles, side by side
@@ -698,7 +699,7 @@ def _in_tiles(T, q, status):
             q3_p = v6 + (t34 + (w2 - w2))
             doubt1 = (
                 shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart) or (N2 <= free_limit_squared2 or v1 <= m1)
+                < longest2_apart) or (N2 <= doubt_limit_squared2 or v1 <= m1)
             )
             work[544 + k] = v6
             work[576 + k] = v9

@@ -117,6 +117,8 @@ static const float pose_slack = 1e-05f; /* a pose may be rounded by this */
 static const float pose_slack1 = 8e-06f; /* a pose may be rounded by this [m] */
 static const float k1 = 0.25f; /* L1^2 + L2^2 [m^2] */
 static const float k2 = 4.1666665f; /* 1 / (2 * L2 * L1) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const float doubt_limit_squared2 = 6.4e-07f;
 static const float half_turn = 3.1415927f; /* pi [rad] */
 static const float low1 = -2.26893f; /* lowest value of joint 1 */
 static const float high1 = 2.26893f; /* highest value of joint 1 */
@@ -124,7 +126,7 @@ static const float low2 = -2.5307295f; /* lowest value of joint 2 */
 static const float high2 = 2.5307295f; /* highest value of joint 2 */
 static const float low3 = -0.200002f; /* lowest value of joint 3 */
 static const float high3 = 2e-06f; /* highest value of joint 3 */
-static const float m1 = 1.6e-19f; /* free_limit_squared^2 */
+static const float m1 = 1e-12f; /* doubt_limit_squared^2 */
 static const float m2 = 1.25f; /* a coefficient of S1 */
 static const float m3 = 0.0875f; /* a coefficient of S1 */
 static const float m4 = 6.2831855f; /* 2 * half_turn */
@@ -292,7 +294,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide_mask outside_m = v9 | (((angle4 < low1) | (high1 < angle4)) | ((-angle2 < low2) |
         (high2 < -angle2)));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= free_limit_squared2) |
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
         (v1 <= m1));
 
     q[0] = q1_p;

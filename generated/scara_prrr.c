@@ -303,8 +303,10 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 5.500000000000001e-06; /* a pose may be rounded by this [m] */
 static const double k1 = 0.1525; /* a2^2 + a3^2 [m^2] */
 static const double k2 = 6.666666666666667; /* 1 / (2 * a3 * a2) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 3.025e-07;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 1.6666666666666667; /* a coefficient of S2 */
 static const double m3 = 0.045833333333333316; /* a coefficient of S2 */
 static const double m4 = 6.283185307179586; /* 2 * half_turn */
@@ -455,7 +457,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide q4_m = v8 + (v10 - only_wide(half_turn < v10, m4) + only_wide(v10 <= -half_turn,
         m4));
     const wide_mask doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) |
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) |
         (v1 <= m1));
 
     q[0] = q1_p;
@@ -506,7 +508,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     /* joint values */
     const double q1 = v6 + (w3 - w3 + T34);
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= free_limit_squared2) | (v1 <= m1));
+        N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) | (v1 <= m1));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w3 * (m2 *
         (e1 * T14)), all_four(T21), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),

@@ -88,8 +88,9 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 5.500000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.1525  # a2^2 + a3^2 [m^2]
 k2 = 6.666666666666667  # 1 / (2 * a3 * a2) [m^-2]
+doubt_limit_squared2 = 3.025e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.6666666666666667  # a coefficient of S2
 m3 = 0.045833333333333316  # a coefficient of S2
 m4 = 6.283185307179586  # 2 * half_turn
@@ -398,7 +399,7 @@ def _regular(pose, q, status):
     q1_p = v8 + (w3 - w3 + T34)
     doubt1 = (
         shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or (N3 <= free_limit_squared2 or v1 <= m1)
+        longest3_apart) or (N3 <= doubt_limit_squared2 or v1 <= m1)
     )
 
     # angles, side by side
@@ -668,7 +669,7 @@ def _in_tiles(T, q, status):
             q1_p = v8 + (w3 - w3 + T34)
             doubt1 = (
                 shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart) or (N3 <= free_limit_squared2 or v1 <= m1)
+                < longest3_apart) or (N3 <= doubt_limit_squared2 or v1 <= m1)
             )
             work[544 + k] = v8
             work[576 + k] = q1_p

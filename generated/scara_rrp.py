@@ -85,6 +85,7 @@ shortest2_apart = 0.010000000000002408  # the shortest, where branches merge [m^
 free_limit_squared2 = 1.4399999999999998e-24  # square of a length that fixes no angle [m^2]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
+doubt_limit_squared2 = 1.4399999999999998e-06  # square of a length that fixes no angle [m^2]
 m1 = 1.25  # a coefficient of S1
 m2 = 0.08750000000000001  # a coefficient of S1
 
@@ -308,7 +309,7 @@ def _regular(pose, q, status):
     q3_p = T34 - d1 + (w2 - w2)
     doubt1 = (
         shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart) or N2 <= free_limit_squared2
+        longest2_apart) or N2 <= doubt_limit_squared2
     )
 
     # angles, side by side
@@ -534,7 +535,7 @@ def _in_tiles(T, q, status):
             q3_p = T34 - d1 + (w2 - w2)
             doubt1 = (
                 shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart) or N2 <= free_limit_squared2
+                < longest2_apart) or N2 <= doubt_limit_squared2
             )
             work[544 + k] = q3_p
             work[576 + k] = doubt1

@@ -303,10 +303,12 @@ static const double free_limit_squared2 = 1.69e-24;
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double k1 = 0.25; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.69e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1.25; /* a coefficient of S1 */
 static const double m2 = 0.08750000000000001; /* a coefficient of S1 */
-static const double m3 = 1e-24; /* free_limit^2 */
+static const double m3 = 1e-06; /* doubt_limit^2 */
 static const double m5 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m4 */
 
@@ -503,8 +505,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide q5_pm = v1 - angle4;
     const wide q6_pp = v1 + angle5;
     const wide q6_pm = v1 + (angle5 - copysign_wide(all_wide(half_turn), s6) * h1);
-    const wide_mask doubt1 = (N2 <= free_limit_squared2) | ((v5 <= m3) | (((shortest2_reach <= N2) &
-        (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)));
+    const wide_mask doubt1 = (N2 <= doubt_limit_squared2) | ((v5 <= m3) | (((shortest2_reach <= N2)
+        & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)));
 
     q[0] = angle2;
     q[1] = angle1;
@@ -573,7 +575,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     /* joint values */
     const double v9 = copysign(half_turn, -T23);
     const double q3 = v1 + (T34 - d6 * T33 - d1);
-    const int doubt1 = (N2 <= free_limit_squared2) | ((v5 <= m3) | (((shortest2_reach <= N2) & (N2
+    const int doubt1 = (N2 <= doubt_limit_squared2) | ((v5 <= m3) | (((shortest2_reach <= N2) & (N2
         <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v3 - w2 * (m1 *

@@ -93,10 +93,11 @@ free_limit_squared2 = 1.69e-24  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
+doubt_limit_squared2 = 1.69e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.25  # a coefficient of S1
 m2 = 0.08750000000000001  # a coefficient of S1
-m3 = 1e-24  # free_limit^2
+m3 = 1e-06  # doubt_limit^2
 m5 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m4
 
@@ -462,8 +463,8 @@ def _regular(pose, q, status):
     # joint values
     q3_pp = v1 + (T34 - d6 * T33 - d1)
     doubt1 = (
-        N2 <= free_limit_squared2 or (v5 <= m3 or shortest2_reach <= N2 and N2 <= longest2_reach and
-        not (shortest2_apart < N2 and N2 < longest2_apart))
+        N2 <= doubt_limit_squared2 or (v5 <= m3 or shortest2_reach <= N2 and N2 <= longest2_reach
+        and not (shortest2_apart < N2 and N2 < longest2_apart))
     )
 
     # angles, side by side
@@ -759,7 +760,7 @@ def _in_tiles(T, q, status):
             s6 = T13 * T21 - T23 * T11
             q3_pp = v1 + (T34 - d6 * T33 - d1)
             doubt1 = (
-                N2 <= free_limit_squared2 or (v5 <= m3 or shortest2_reach <= N2 and N2 <=
+                N2 <= doubt_limit_squared2 or (v5 <= m3 or shortest2_reach <= N2 and N2 <=
                 longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart))
             )
             work[544 + k] = v1

@@ -101,11 +101,11 @@ pose_slack1 = 9.52e-06  # a pose may be rounded by this [m]
 k1 = 0.097682  # 2 * a3 * a2 [m^2]
 k2 = 10.237300628570258  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 9.06304e-25  # free_limit1^2 [m^2]
-m3 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 9.063039999999999e-07  # doubt_limit1^2 [m^2]
+m3 = 1e-12  # doubt_limit_squared^2
 m4 = 4.524886877828054  # a coefficient of Y1_2
 m5 = 2.262443438914027  # a coefficient of Y1_2
-m6 = 8.213869404159996e-49  # free_limit_squared2^2 [m^4]
+m6 = 8.213869404159994e-13  # doubt_limit_squared2^2 [m^4]
 m7 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 

@@ -257,7 +257,7 @@ HELPER void transpose(wide x[LANES])
 static const double d1 = 0.5; /* joint offset 1 [m] */
 static const double free_limit1 = 5e-13; /* a length that fixes no angle [m] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 2.5e-25; /* free_limit1^2 [m^2] */
+static const double m1 = 2.5e-07; /* doubt_limit1^2 [m^2] */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const spherical_branches[4] = {

@@ -262,8 +262,10 @@ static const double free_limit1 = 1.5e-13; /* a length that fixes no angle [m] *
 static const double k1 = 0.0225; /* d2^2 [m^2] */
 static const double k2 = 4.5000000000002246e-15; /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
 static const double k3 = 4.500000000000022e-16; /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 2.2499999999999996e-08;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 2.2499999999999997e-26; /* free_limit1^2 [m^2] */
+static const double m1 = 2.2499999999999996e-08; /* doubt_limit1^2 [m^2] */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const spherical_offset_branches[4] = {
@@ -339,7 +341,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide v2 = d2 * T14;
@@ -395,7 +397,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24;
     const double D1 = N1 - k1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double v2 = d2 * T14;

@@ -83,8 +83,9 @@ free_limit1 = 1.5e-13  # a length that fixes no angle [m]
 k1 = 0.0225  # d2^2 [m^2]
 k2 = 4.5000000000002246e-15  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 4.500000000000022e-16  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
+doubt_limit_squared2 = 2.2499999999999996e-08  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 2.2499999999999997e-26  # free_limit1^2 [m^2]
+m1 = 2.2499999999999996e-08  # doubt_limit1^2 [m^2]
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -309,7 +310,7 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
     D1 = N1 - k1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     v2 = d2 * T14
@@ -554,7 +555,7 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             N1 = T14 * T14 + T24 * T24
             D1 = N1 - k1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             v2 = d2 * T14

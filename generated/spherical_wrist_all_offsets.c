@@ -311,6 +311,8 @@ static const double k5 = 0.3268; /* 2 * d4 * a2 [m^2] */
 static const double k6 = 0.0774; /* 2 * a3 * a2 [m^2] */
 static const double k7 = 0.3374; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k8 = 8.866112830151877; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 3.1684000000000017e-06;
 static const double turn1 = -1.3382393849899876; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1.1627906976744187; /* a coefficient of Y1_2 */
@@ -319,7 +321,7 @@ static const double m3 = 0.29508196721311475; /* a coefficient of c23 */
 static const double m4 = 1.2459016393442623; /* a coefficient of c23 */
 static const double m5 = 0.04036721311475411; /* a coefficient of c23 */
 static const double m6 = 0.00956065573770492; /* a coefficient of c23 */
-static const double m7 = 1e-24; /* free_limit^2 */
+static const double m7 = 1e-06; /* doubt_limit^2 */
 static const double m9 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m8 */
 
@@ -516,7 +518,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1 = d6 * T23 - T24;
     const wide N1 = wx * wx + Y1 * Y1;
     const wide D1 = N1 - k2;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
     const wide v1 = inverse1 * (k1 * Y1);
@@ -646,9 +648,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q1_ppp = angle19 + (w3_p - w3_p);
     const wide angle20 = atan2_wide(s1_m, -v3);
     const wide q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
+        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((-k3 <= D1) & (free1 | ((k4
         < D1) == 0))) | (free1 | ((v36 <= m7) | ((v35 <= m7) | ((v33 <= m7) | (v34 <= m7)))))))));
 
@@ -728,7 +730,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Y1 = d6 * T23 - T24;
     const double N1 = wx * wx + Y1 * Y1;
     const double D1 = N1 - k2;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = inverse1 * (k1 * Y1);
@@ -777,7 +779,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const int doubt1 = free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0)));
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle2 = atan2_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7
         * factor2))));

@@ -108,6 +108,7 @@ k5 = 0.3268  # 2 * d4 * a2 [m^2]
 k6 = 0.0774  # 2 * a3 * a2 [m^2]
 k7 = 0.3374  # a2^2 + (a3^2 + d4^2) [m^2]
 k8 = 8.866112830151877  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 3.1684000000000017e-06  # square of a length that fixes no angle [m^2]
 turn1 = -1.3382393849899876  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.1627906976744187  # a coefficient of Y1_2
@@ -116,7 +117,7 @@ m3 = 0.29508196721311475  # a coefficient of c23
 m4 = 1.2459016393442623  # a coefficient of c23
 m5 = 0.04036721311475411  # a coefficient of c23
 m6 = 0.00956065573770492  # a coefficient of c23
-m7 = 1e-24  # free_limit^2
+m7 = 1e-06  # doubt_limit^2
 m9 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m8
 
@@ -540,7 +541,7 @@ def _regular(pose, q, status):
     Y1 = d6 * T23 - T24
     N1 = wx * wx + Y1 * Y1
     D1 = N1 - k2
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v1 = inverse1 * (k1 * Y1)
@@ -621,8 +622,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= doubt_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
         < longest3_apart) or (-k3 <= D1 and (free1 or not (k4 < D1)) or (free1 or (v36 <= m7 or (v35
         <= m7 or (v33 <= m7 or v34 <= m7))))))))
@@ -1004,7 +1005,7 @@ def _in_tiles(T, q, status):
             Y1 = d6 * T23 - T24
             N1 = wx * wx + Y1 * Y1
             D1 = N1 - k2
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v1 = inverse1 * (k1 * Y1)
@@ -1075,9 +1076,9 @@ def _in_tiles(T, q, status):
             v45 = s1_p * T21 - v2 * T11
             v46 = s1_m * T21 - v3 * T11
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (-k3 <= D1 and (free1 or not
                 (k4 < D1)) or (free1 or (v36 <= m7 or (v35 <= m7 or (v33 <= m7 or v34 <= m7))))))))
             )

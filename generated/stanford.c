@@ -290,6 +290,8 @@ static const double k2 = 0.01787569; /* (d2 - a3)^2 [m^2] */
 static const double k3 = 1.5677662000003437e-14;
 /* merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2] */
 static const double k4 = 1.5677662000000342e-15;
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 3.437476899999999e-07;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low1 = -2.9670597293903604; /* lowest value of joint 1 */
 static const double high1 = 2.9670597293903604; /* highest value of joint 1 */
@@ -303,8 +305,8 @@ static const double low5 = -1.5707963277948966; /* lowest value of joint 5 */
 static const double high5 = 1.5707963277948966; /* highest value of joint 5 */
 static const double low6 = -2.9670597293903604; /* lowest value of joint 6 */
 static const double high6 = 2.9670597293903604; /* highest value of joint 6 */
-static const double m1 = 3.4374768999999993e-25; /* free_limit1^2 [m^2] */
-static const double m3 = 1e-24; /* free_limit^2 */
+static const double m1 = 3.4374768999999987e-07; /* doubt_limit1^2 [m^2] */
+static const double m3 = 1e-06; /* doubt_limit^2 */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const stanford_branches[8] = {
@@ -458,7 +460,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
     const wide D1 = N1 - k2;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
@@ -627,7 +629,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24;
     const double D1 = N1 - k2;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;

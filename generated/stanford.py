@@ -92,6 +92,7 @@ k1 = 0.13369999999999999  # d2 - a3 [m]
 k2 = 0.01787569  # (d2 - a3)^2 [m^2]
 k3 = 1.5677662000003437e-14  # reach_slack1 * (2 * (d2 - a3) + reach_slack1) [m^2]
 k4 = 1.5677662000000342e-15  # merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2]
+doubt_limit_squared2 = 3.437476899999999e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.9670597293903604  # lowest value of joint 1
 high1 = 2.9670597293903604  # highest value of joint 1
@@ -105,8 +106,8 @@ low5 = -1.5707963277948966  # lowest value of joint 5
 high5 = 1.5707963277948966  # highest value of joint 5
 low6 = -2.9670597293903604  # lowest value of joint 6
 high6 = 2.9670597293903604  # highest value of joint 6
-m1 = 3.4374768999999993e-25  # free_limit1^2 [m^2]
-m3 = 1e-24  # free_limit^2
+m1 = 3.4374768999999987e-07  # doubt_limit1^2 [m^2]
+m3 = 1e-06  # doubt_limit^2
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -453,7 +454,7 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
     D1 = N1 - k2
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
@@ -864,7 +865,7 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             N1 = T14 * T14 + T24 * T24
             D1 = N1 - k2
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1

@@ -296,10 +296,10 @@ static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double k1 = 0.405; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 6.096631611034903; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 8.1e-25; /* free_limit1^2 [m^2] */
+static const double m1 = 8.1e-07; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1.1111111111111112; /* a coefficient of S2 */
-static const double m4 = 6.561e-49; /* free_limit_squared2^2 [m^4] */
-static const double m5 = 1e-24; /* free_limit^2 */
+static const double m4 = 6.561e-13; /* doubt_limit_squared2^2 [m^4] */
+static const double m5 = 1e-06; /* doubt_limit^2 */
 static const double h1 = 1.0; /* m2 * 2 */
 
 const char *const staubli_rx90_branches[8] = {

@@ -97,10 +97,10 @@ free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.405  # 2 * d4 * a2 [m^2]
 k2 = 6.096631611034903  # 1 / ((2 * d4 * a2)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 8.1e-25  # free_limit1^2 [m^2]
+m1 = 8.1e-07  # doubt_limit1^2 [m^2]
 m3 = 1.1111111111111112  # a coefficient of S2
-m4 = 6.561e-49  # free_limit_squared2^2 [m^4]
-m5 = 1e-24  # free_limit^2
+m4 = 6.561e-13  # doubt_limit_squared2^2 [m^4]
+m5 = 1e-06  # doubt_limit^2
 h1 = 1.0  # m2 * 2
 
 _TURN = 6.283185307179586

@@ -312,6 +312,8 @@ static const double k2 = 1.5280000000023352e-14; /* reach_slack1 * (2 * d2 + rea
 static const double k3 = 1.5280000000002339e-15; /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
 static const double k4 = 0.36124999999999996; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 7.662743501634321; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 2.3347840000000005e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low2 = -2.2689280285926285; /* lowest value of joint 2 */
 static const double high2 = 2.5743606476916363; /* highest value of joint 2 */
@@ -322,8 +324,8 @@ static const double high5 = 2.4434609537920613; /* highest value of joint 5 */
 static const double m1 = 0.2768166089965398; /* a coefficient of s3 */
 static const double m2 = 2.768166089965398; /* a coefficient of s3 */
 static const double m3 = 1.1764705882352942; /* a coefficient of Y1_2 */
-static const double m4 = 5.4512163266560035e-48; /* free_limit_squared2^2 [m^4] */
-static const double m5 = 1e-24; /* free_limit^2 */
+static const double m4 = 5.4512163266560024e-12; /* doubt_limit_squared2^2 [m^4] */
+static const double m5 = 1e-06; /* doubt_limit^2 */
 static const double m7 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m6 */
 
@@ -526,7 +528,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Y1 = d6 * T21 - T24;
     const wide N1 = t14 * t14 + Y1 * Y1;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
     const wide v1 = inverse1 * (d2 * Y1);
@@ -797,7 +799,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Y1 = d6 * T21 - T24;
     const double N1 = t14 * t14 + Y1 * Y1;
     const double D1 = N1 - k1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = inverse1 * (d2 * Y1);

@@ -106,6 +106,7 @@ k2 = 1.5280000000023352e-14  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
 k3 = 1.5280000000002339e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 k4 = 0.36124999999999996  # 2 * d4 * a2 [m^2]
 k5 = 7.662743501634321  # 1 / ((2 * d4 * a2)^2) [m^-4]
+doubt_limit_squared2 = 2.3347840000000005e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low2 = -2.2689280285926285  # lowest value of joint 2
 high2 = 2.5743606476916363  # highest value of joint 2
@@ -116,8 +117,8 @@ high5 = 2.4434609537920613  # highest value of joint 5
 m1 = 0.2768166089965398  # a coefficient of s3
 m2 = 2.768166089965398  # a coefficient of s3
 m3 = 1.1764705882352942  # a coefficient of Y1_2
-m4 = 5.4512163266560035e-48  # free_limit_squared2^2 [m^4]
-m5 = 1e-24  # free_limit^2
+m4 = 5.4512163266560024e-12  # doubt_limit_squared2^2 [m^4]
+m5 = 1e-06  # doubt_limit^2
 m7 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m6
 
@@ -561,7 +562,7 @@ def _regular(pose, q, status):
     Y1 = d6 * T21 - T24
     N1 = t14 * t14 + Y1 * Y1
     D1 = N1 - k1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v1 = inverse1 * (d2 * Y1)
@@ -1069,7 +1070,7 @@ def _in_tiles(T, q, status):
             Y1 = d6 * T21 - T24
             N1 = t14 * t14 + Y1 * Y1
             D1 = N1 - k1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v1 = inverse1 * (d2 * Y1)

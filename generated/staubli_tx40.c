@@ -311,12 +311,14 @@ static const double k2 = 6.09000000000757e-15; /* reach_slack1 * (2 * d3 + reach
 static const double k3 = 6.090000000000759e-16; /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
 static const double k4 = 0.10125; /* 2 * d4 * a2 [m^2] */
 static const double k5 = 97.54610577655845; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 7.569000000000001e-07;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 2.2222222222222223; /* a coefficient of S2 */
-static const double m2 = 5.7289761000000026e-49; /* free_limit_squared2^2 [m^4] */
+static const double m2 = 5.728976100000001e-13; /* doubt_limit_squared2^2 [m^4] */
 static const double m3 = 21.947873799725652; /* a coefficient of v9 */
 static const double m4 = 4.4444444444444455; /* a coefficient of s23 */
-static const double m5 = 1e-24; /* free_limit^2 */
+static const double m5 = 1e-06; /* doubt_limit^2 */
 static const double m7 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m6 */
 
@@ -518,7 +520,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
@@ -756,7 +758,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
     const double D1 = N1 - k1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;

@@ -106,12 +106,13 @@ k2 = 6.09000000000757e-15  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 6.090000000000759e-16  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.10125  # 2 * d4 * a2 [m^2]
 k5 = 97.54610577655845  # 1 / ((2 * d4 * a2)^2) [m^-4]
+doubt_limit_squared2 = 7.569000000000001e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 2.2222222222222223  # a coefficient of S2
-m2 = 5.7289761000000026e-49  # free_limit_squared2^2 [m^4]
+m2 = 5.728976100000001e-13  # doubt_limit_squared2^2 [m^4]
 m3 = 21.947873799725652  # a coefficient of v9
 m4 = 4.4444444444444455  # a coefficient of s23
-m5 = 1e-24  # free_limit^2
+m5 = 1e-06  # doubt_limit^2
 m7 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m6
 
@@ -559,7 +560,7 @@ def _regular(pose, q, status):
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
     D1 = N1 - k1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
@@ -1043,7 +1044,7 @@ def _in_tiles(T, q, status):
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
             D1 = N1 - k1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1

@@ -313,15 +313,16 @@ static const double k2 = 3.2462089000017624e-14; /* reach_slack1 * (2 * d3 + rea
 static const double k3 = 3.246208900000177e-15; /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
 static const double k4 = 0.35337324999999997; /* a2^2 + a3^2 [m^2] */
 static const double k5 = 2.8323236099663807; /* 1 / (2 * a3 * a2) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.7613271225000005e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low3 = -2.705260341591211; /* lowest value of joint 3 */
 static const double high3 = 2.705260341591211; /* highest value of joint 3 */
-static const double m1 = 1e-24; /* free_limit^2 */
-static const double m2 = 1e-06; /* near_limit^2 */
-static const double m4 = 1.1655011655011656; /* a coefficient of S2 */
-static const double m5 = 0.017143065268065267; /* a coefficient of S2 */
-static const double m6 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double m1 = 1e-06; /* doubt_limit^2 */
+static const double m3 = 1.1655011655011656; /* a coefficient of S2 */
+static const double m4 = 0.017143065268065267; /* a coefficient of S2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const techman_tm5_900_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -521,7 +522,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
     const wide v1 = inverse1 * (d3 * wy);
@@ -605,10 +606,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle10 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v28 = m5 + m4 * N3_pp;
-    const wide v29 = m5 + m4 * N3_pm;
-    const wide v30 = m5 + m4 * N3_mp;
-    const wide v31 = m5 + m4 * N3_mm;
+    const wide v28 = m4 + m3 * N3_pp;
+    const wide v29 = m4 + m3 * N3_pm;
+    const wide v30 = m4 + m3 * N3_mp;
+    const wide v31 = m4 + m3 * N3_mm;
     const wide v32 = Z1_3_pp * v28;
     const wide v33 = Z1_3_pm * v29;
     const wide v34 = Z1_3_mp * v30;
@@ -617,26 +618,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v37 = Z2_3_pm * v29;
     const wide v38 = Z2_3_mp * v30;
     const wide v39 = Z2_3_mm * v31;
-    const wide v40 = w3_pp * (m4 * Z2_3_pp);
-    const wide angle11 = atan2_wide(v32 - v40, v36 + w3_pp * (m4 * Z1_3_pp));
-    const wide angle12 = atan2_wide(v32 + v40, v36 + w3_pp * (m4 * -Z1_3_pp));
-    const wide v41 = w3_pm * (m4 * Z2_3_pm);
-    const wide angle13 = atan2_wide(v33 - v41, v37 + w3_pm * (m4 * Z1_3_pm));
-    const wide angle14 = atan2_wide(v33 + v41, v37 + w3_pm * (m4 * -Z1_3_pm));
-    const wide v42 = w3_mp * (m4 * Z2_3_mp);
-    const wide angle15 = atan2_wide(v34 - v42, v38 + w3_mp * (m4 * Z1_3_mp));
-    const wide angle16 = atan2_wide(v34 + v42, v38 + w3_mp * (m4 * -Z1_3_mp));
-    const wide v43 = w3_mm * (m4 * Z2_3_mm);
-    const wide angle17 = atan2_wide(v35 - v43, v39 + w3_mm * (m4 * Z1_3_mm));
-    const wide angle18 = atan2_wide(v35 + v43, v39 + w3_mm * (m4 * -Z1_3_mm));
+    const wide v40 = w3_pp * (m3 * Z2_3_pp);
+    const wide angle11 = atan2_wide(v32 - v40, v36 + w3_pp * (m3 * Z1_3_pp));
+    const wide angle12 = atan2_wide(v32 + v40, v36 + w3_pp * (m3 * -Z1_3_pp));
+    const wide v41 = w3_pm * (m3 * Z2_3_pm);
+    const wide angle13 = atan2_wide(v33 - v41, v37 + w3_pm * (m3 * Z1_3_pm));
+    const wide angle14 = atan2_wide(v33 + v41, v37 + w3_pm * (m3 * -Z1_3_pm));
+    const wide v42 = w3_mp * (m3 * Z2_3_mp);
+    const wide angle15 = atan2_wide(v34 - v42, v38 + w3_mp * (m3 * Z1_3_mp));
+    const wide angle16 = atan2_wide(v34 + v42, v38 + w3_mp * (m3 * -Z1_3_mp));
+    const wide v43 = w3_mm * (m3 * Z2_3_mm);
+    const wide angle17 = atan2_wide(v35 - v43, v39 + w3_mm * (m3 * Z1_3_mm));
+    const wide angle18 = atan2_wide(v35 + v43, v39 + w3_mm * (m3 * -Z1_3_mm));
 
     /* joint values */
     const wide angle19 = atan2_wide(s1_p, c1_p);
     const wide v44 = angle19 - offset1;
     const wide angle20 = atan2_wide(s1_m, c1_m);
     const wide v45 = angle20 - offset1;
-    const wide q1__p = v44 + only_wide(v44 <= -half_turn, m6);
-    const wide q1__m = v45 + only_wide(v45 <= -half_turn, m6);
+    const wide q1__p = v44 + only_wide(v44 <= -half_turn, m5);
+    const wide q1__m = v45 + only_wide(v45 <= -half_turn, m5);
     const wide v46 = angle11 - offset2;
     const wide v47 = angle12 - offset2;
     const wide v48 = angle13 - offset2;
@@ -645,14 +646,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v51 = angle16 - offset2;
     const wide v52 = angle17 - offset2;
     const wide v53 = angle18 - offset2;
-    const wide q2_ppp = v46 + only_wide(v46 <= -half_turn, m6);
-    const wide q2_ppm = v47 + only_wide(v47 <= -half_turn, m6);
-    const wide q2_pmp = v48 + only_wide(v48 <= -half_turn, m6);
-    const wide q2_pmm = v49 + only_wide(v49 <= -half_turn, m6);
-    const wide q2_mpp = v50 + only_wide(v50 <= -half_turn, m6);
-    const wide q2_mpm = v51 + only_wide(v51 <= -half_turn, m6);
-    const wide q2_mmp = v52 + only_wide(v52 <= -half_turn, m6);
-    const wide q2_mmm = v53 + only_wide(v53 <= -half_turn, m6);
+    const wide q2_ppp = v46 + only_wide(v46 <= -half_turn, m5);
+    const wide q2_ppm = v47 + only_wide(v47 <= -half_turn, m5);
+    const wide q2_pmp = v48 + only_wide(v48 <= -half_turn, m5);
+    const wide q2_pmm = v49 + only_wide(v49 <= -half_turn, m5);
+    const wide q2_mpp = v50 + only_wide(v50 <= -half_turn, m5);
+    const wide q2_mpm = v51 + only_wide(v51 <= -half_turn, m5);
+    const wide q2_mmp = v52 + only_wide(v52 <= -half_turn, m5);
+    const wide q2_mmm = v53 + only_wide(v53 <= -half_turn, m5);
     const wide v54 = angle5 - (angle7 + angle11) - offset4;
     const wide v55 = angle5 - (angle12 - angle7) - offset4;
     const wide v56 = theta234_pm - (angle8 + angle13) - offset4;
@@ -661,22 +662,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v59 = angle6 - (angle16 - angle9) - offset4;
     const wide v60 = theta234_mm - (angle10 + angle17) - offset4;
     const wide v61 = theta234_mm - (angle18 - angle10) - offset4;
-    const wide v62 = v54 - only_wide(half_turn < v54, m6) + only_wide(v54 <= -half_turn, m6);
-    const wide v63 = v55 - only_wide(half_turn < v55, m6) + only_wide(v55 <= -half_turn, m6);
-    const wide v64 = v56 - only_wide(half_turn < v56, m6) + only_wide(v56 <= -half_turn, m6);
-    const wide v65 = v57 - only_wide(half_turn < v57, m6) + only_wide(v57 <= -half_turn, m6);
-    const wide v66 = v58 - only_wide(half_turn < v58, m6) + only_wide(v58 <= -half_turn, m6);
-    const wide v67 = v59 - only_wide(half_turn < v59, m6) + only_wide(v59 <= -half_turn, m6);
-    const wide v68 = v60 - only_wide(half_turn < v60, m6) + only_wide(v60 <= -half_turn, m6);
-    const wide v69 = v61 - only_wide(half_turn < v61, m6) + only_wide(v61 <= -half_turn, m6);
-    const wide q4_ppp = v62 + only_wide(v62 <= -half_turn, m6);
-    const wide q4_ppm = v63 + only_wide(v63 <= -half_turn, m6);
-    const wide q4_pmp = v64 + only_wide(v64 <= -half_turn, m6);
-    const wide q4_pmm = v65 + only_wide(v65 <= -half_turn, m6);
-    const wide q4_mpp = v66 + only_wide(v66 <= -half_turn, m6);
-    const wide q4_mpm = v67 + only_wide(v67 <= -half_turn, m6);
-    const wide q4_mmp = v68 + only_wide(v68 <= -half_turn, m6);
-    const wide q4_mmm = v69 + only_wide(v69 <= -half_turn, m6);
+    const wide v62 = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5);
+    const wide v63 = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5);
+    const wide v64 = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5);
+    const wide v65 = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5);
+    const wide v66 = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5);
+    const wide v67 = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5);
+    const wide v68 = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5);
+    const wide v69 = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5);
+    const wide q4_ppp = v62 + only_wide(v62 <= -half_turn, m5);
+    const wide q4_ppm = v63 + only_wide(v63 <= -half_turn, m5);
+    const wide q4_pmp = v64 + only_wide(v64 <= -half_turn, m5);
+    const wide q4_pmm = v65 + only_wide(v65 <= -half_turn, m5);
+    const wide q4_mpp = v66 + only_wide(v66 <= -half_turn, m5);
+    const wide q4_mpm = v67 + only_wide(v67 <= -half_turn, m5);
+    const wide q4_mmp = v68 + only_wide(v68 <= -half_turn, m5);
+    const wide q4_mmm = v69 + only_wide(v69 <= -half_turn, m5);
     const wide_mask outside_ppp = (angle7 < low3) | (high3 < angle7);
     const wide_mask outside_ppm = (-angle7 < low3) | (high3 < -angle7);
     const wide_mask outside_pmp = (angle8 < low3) | (high3 < angle8);
@@ -697,15 +698,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q6_pmp = v25 + (angle1 - copysign_wide(all_wide(half_turn), Y6_p) * h1);
     const wide q6_mpp = angle2 + v26;
     const wide q6_mmp = v27 + (angle2 - copysign_wide(all_wide(half_turn), Y6_m) * h1);
-    const wide_mask doubt1 = (N3_mm <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm
-        <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
-        ((N3_mp <= free_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach))
-        & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mm) &
+        (N3_mm <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0))
+        | ((N3_mp <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <=
+        longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
         (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((N3_pp <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
-        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | ((v4 <= m2) | ((v4 <= m1) |
-        ((v3 <= m2) | ((free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))) | (v3 <= m1))))))))))));
+        doubt_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
+        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (((-k2 <= D1) & (free1 |
+        ((k3 < D1) == 0))) | (free1 | ((v3 <= m1) | (v4 <= m1)))))))))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -768,7 +769,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 }
 
 #if LANES > 1
-static const double m3 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -784,7 +785,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
     const double D1 = N1 - k1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = inverse1 * (d3 * wy);
@@ -797,9 +798,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four Y6 = c1 * T22 - s1 * T12;
     const four v3 = X6 * X6 + Y6 * Y6;
     const four w6 = sqrt_four(v3);
+    const four_mask doubt2 = v3 <= m1;
     const four v4 = 1.0 / v3;
     const four v5 = copysign_four(all_four(half_turn), Y6);
-    const four v6 = m3 * (e2 - 1.0);
+    const four v6 = m2 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T23 * c1 - T13 * s1;
@@ -826,20 +828,19 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v17 = w3 - w3;
 
     /* theta2 */
-    const four v18 = m5 + m4 * N3;
+    const four v18 = m4 + m3 * N3;
     const four v19 = Z1_3 * v18;
     const four v20 = Z2_3 * v18;
-    const four v21 = w3 * (m4 * Z2_3);
+    const four v21 = w3 * (m3 * Z2_3);
 
     /* joint values */
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
-    const four_mask doubt2 = (v3 <= m1) | (v3 <= m2);
     const four_mask doubt3 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle4 = atan2_four(w3, N3 - k4);
-    const four angle5 = atan2_four(v19 - v21, v20 + w3 * (m4 * Z1_3));
-    const four angle6 = atan2_four(v19 + v21, v20 + w3 * (m4 * -Z1_3));
+    const four angle5 = atan2_four(v19 - v21, v20 + w3 * (m3 * Z1_3));
+    const four angle6 = atan2_four(v19 + v21, v20 + w3 * (m3 * -Z1_3));
     const four packed4 = atan2_four(__builtin_shufflevector(Y6, w6, 0, 5, 2, 7),
         __builtin_shufflevector(-X6, c5, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
@@ -850,17 +851,17 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four angle7 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
     const four theta234 = angle3 + v6 * v9;
     const four v22 = angle7 - offset1;
-    const four q1_ = v22 + only_four(v22 <= -half_turn, m6);
+    const four q1_ = v22 + only_four(v22 <= -half_turn, m5);
     const four v23 = angle5 - offset2;
     const four v24 = angle6 - offset2;
-    const four q2_p = v23 + only_four(v23 <= -half_turn, m6);
-    const four q2_m = v24 + only_four(v24 <= -half_turn, m6);
+    const four q2_p = v23 + only_four(v23 <= -half_turn, m5);
+    const four q2_m = v24 + only_four(v24 <= -half_turn, m5);
     const four v25 = theta234 - (angle4 + angle5) - offset4;
     const four v26 = theta234 - (angle6 - angle4) - offset4;
-    const four v27 = v25 - only_four(half_turn < v25, m6) + only_four(v25 <= -half_turn, m6);
-    const four v28 = v26 - only_four(half_turn < v26, m6) + only_four(v26 <= -half_turn, m6);
-    const four q4_p = v27 + only_four(v27 <= -half_turn, m6);
-    const four q4_m = v28 + only_four(v28 <= -half_turn, m6);
+    const four v27 = v25 - only_four(half_turn < v25, m5) + only_four(v25 <= -half_turn, m5);
+    const four v28 = v26 - only_four(half_turn < v26, m5) + only_four(v26 <= -half_turn, m5);
+    const four q4_p = v27 + only_four(v27 <= -half_turn, m5);
+    const four q4_m = v28 + only_four(v28 <= -half_turn, m5);
     const four_mask outside_p = (angle4 < low3) | (high3 < angle4);
     const four_mask outside_m = (-angle4 < low3) | (high3 < -angle4);
     const four q1_p = v17 + q1_;

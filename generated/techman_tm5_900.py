@@ -107,15 +107,15 @@ k2 = 3.2462089000017624e-14  # reach_slack1 * (2 * d3 + reach_slack1) [m^2]
 k3 = 3.246208900000177e-15  # merge_slack1 * (2 * d3 + merge_slack1) [m^2]
 k4 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k5 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
+doubt_limit_squared2 = 1.7613271225000005e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low3 = -2.705260341591211  # lowest value of joint 3
 high3 = 2.705260341591211  # highest value of joint 3
-m1 = 1e-24  # free_limit^2
-m2 = 1e-06  # near_limit^2
-m4 = 1.1655011655011656  # a coefficient of S2
-m5 = 0.017143065268065267  # a coefficient of S2
-m6 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
+m1 = 1e-06  # doubt_limit^2
+m3 = 1.1655011655011656  # a coefficient of S2
+m4 = 0.017143065268065267  # a coefficient of S2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -675,7 +675,7 @@ def _regular(pose, q, status):
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
     D1 = N1 - k1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v1 = inverse1 * (d3 * wy)
@@ -747,10 +747,10 @@ def _regular(pose, q, status):
     v27 = w3_mm - w3_mm
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v28 = m5 + m4 * N3_pp
-    v29 = m5 + m4 * N3_pm
-    v30 = m5 + m4 * N3_mp
-    v31 = m5 + m4 * N3_mm
+    v28 = m4 + m3 * N3_pp
+    v29 = m4 + m3 * N3_pm
+    v30 = m4 + m3 * N3_mp
+    v31 = m4 + m3 * N3_mm
     v32 = Z1_3_pp * v28
     v33 = Z1_3_pm * v29
     v34 = Z1_3_mp * v30
@@ -759,21 +759,21 @@ def _regular(pose, q, status):
     v37 = Z2_3_pm * v29
     v38 = Z2_3_mp * v30
     v39 = Z2_3_mm * v31
-    v40 = w3_pp * (m4 * Z2_3_pp)
-    v41 = w3_pm * (m4 * Z2_3_pm)
-    v42 = w3_mp * (m4 * Z2_3_mp)
-    v43 = w3_mm * (m4 * Z2_3_mm)
+    v40 = w3_pp * (m3 * Z2_3_pp)
+    v41 = w3_pm * (m3 * Z2_3_pm)
+    v42 = w3_mp * (m3 * Z2_3_mp)
+    v43 = w3_mm * (m3 * Z2_3_mm)
 
     # joint values
     doubt1 = (
-        N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
-        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= free_limit_squared2 or
-        (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and
-        N3_mp < longest3_apart) or (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and
-        N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-        (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
-        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v4 <= m2 or (v4 <= m1 or (v3 <=
-        m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)) or v3 <= m1)))))))))))
+        N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
+        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= doubt_limit_squared2
+        or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp
+        and N3_mp < longest3_apart) or (N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm
+        and N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
+        (N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
+        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (-k2 <= D1 and (free1 or not (k3
+        < D1)) or (free1 or (v3 <= m1 or v4 <= m1))))))))))
     )
 
     # angles, side by side
@@ -807,14 +807,14 @@ def _regular(pose, q, status):
     room[31] = N3_pm - k4
     room[32] = N3_mp - k4
     room[33] = N3_mm - k4
-    room[34] = v36 + w3_pp * (m4 * Z1_3_pp)
-    room[35] = v36 + w3_pp * (m4 * -Z1_3_pp)
-    room[36] = v37 + w3_pm * (m4 * Z1_3_pm)
-    room[37] = v37 + w3_pm * (m4 * -Z1_3_pm)
-    room[38] = v38 + w3_mp * (m4 * Z1_3_mp)
-    room[39] = v38 + w3_mp * (m4 * -Z1_3_mp)
-    room[40] = v39 + w3_mm * (m4 * Z1_3_mm)
-    room[41] = v39 + w3_mm * (m4 * -Z1_3_mm)
+    room[34] = v36 + w3_pp * (m3 * Z1_3_pp)
+    room[35] = v36 + w3_pp * (m3 * -Z1_3_pp)
+    room[36] = v37 + w3_pm * (m3 * Z1_3_pm)
+    room[37] = v37 + w3_pm * (m3 * -Z1_3_pm)
+    room[38] = v38 + w3_mp * (m3 * Z1_3_mp)
+    room[39] = v38 + w3_mp * (m3 * -Z1_3_mp)
+    room[40] = v39 + w3_mm * (m3 * Z1_3_mm)
+    room[41] = v39 + w3_mm * (m3 * -Z1_3_mm)
     room[42] = c1_p
     room[43] = c1_m
     for k in range(20, 24):
@@ -849,8 +849,8 @@ def _regular(pose, q, status):
     # joint values
     v44 = angle19 - offset1
     v45 = angle20 - offset1
-    q1__p = v44 + (m6 if v44 <= -half_turn else 0.0)
-    q1__m = v45 + (m6 if v45 <= -half_turn else 0.0)
+    q1__p = v44 + (m5 if v44 <= -half_turn else 0.0)
+    q1__m = v45 + (m5 if v45 <= -half_turn else 0.0)
     v46 = angle11 - offset2
     v47 = angle12 - offset2
     v48 = angle13 - offset2
@@ -859,14 +859,14 @@ def _regular(pose, q, status):
     v51 = angle16 - offset2
     v52 = angle17 - offset2
     v53 = angle18 - offset2
-    q2_ppp = v46 + (m6 if v46 <= -half_turn else 0.0)
-    q2_ppm = v47 + (m6 if v47 <= -half_turn else 0.0)
-    q2_pmp = v48 + (m6 if v48 <= -half_turn else 0.0)
-    q2_pmm = v49 + (m6 if v49 <= -half_turn else 0.0)
-    q2_mpp = v50 + (m6 if v50 <= -half_turn else 0.0)
-    q2_mpm = v51 + (m6 if v51 <= -half_turn else 0.0)
-    q2_mmp = v52 + (m6 if v52 <= -half_turn else 0.0)
-    q2_mmm = v53 + (m6 if v53 <= -half_turn else 0.0)
+    q2_ppp = v46 + (m5 if v46 <= -half_turn else 0.0)
+    q2_ppm = v47 + (m5 if v47 <= -half_turn else 0.0)
+    q2_pmp = v48 + (m5 if v48 <= -half_turn else 0.0)
+    q2_pmm = v49 + (m5 if v49 <= -half_turn else 0.0)
+    q2_mpp = v50 + (m5 if v50 <= -half_turn else 0.0)
+    q2_mpm = v51 + (m5 if v51 <= -half_turn else 0.0)
+    q2_mmp = v52 + (m5 if v52 <= -half_turn else 0.0)
+    q2_mmm = v53 + (m5 if v53 <= -half_turn else 0.0)
     v54 = angle5 - (angle7 + angle11) - offset4
     v55 = angle5 - (angle12 - angle7) - offset4
     v56 = theta234_pm - (angle8 + angle13) - offset4
@@ -875,22 +875,22 @@ def _regular(pose, q, status):
     v59 = angle6 - (angle16 - angle9) - offset4
     v60 = theta234_mm - (angle10 + angle17) - offset4
     v61 = theta234_mm - (angle18 - angle10) - offset4
-    v62 = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
-    v63 = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
-    v64 = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
-    v65 = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
-    v66 = v58 - (m6 if half_turn < v58 else 0.0) + (m6 if v58 <= -half_turn else 0.0)
-    v67 = v59 - (m6 if half_turn < v59 else 0.0) + (m6 if v59 <= -half_turn else 0.0)
-    v68 = v60 - (m6 if half_turn < v60 else 0.0) + (m6 if v60 <= -half_turn else 0.0)
-    v69 = v61 - (m6 if half_turn < v61 else 0.0) + (m6 if v61 <= -half_turn else 0.0)
-    q4_ppp = v62 + (m6 if v62 <= -half_turn else 0.0)
-    q4_ppm = v63 + (m6 if v63 <= -half_turn else 0.0)
-    q4_pmp = v64 + (m6 if v64 <= -half_turn else 0.0)
-    q4_pmm = v65 + (m6 if v65 <= -half_turn else 0.0)
-    q4_mpp = v66 + (m6 if v66 <= -half_turn else 0.0)
-    q4_mpm = v67 + (m6 if v67 <= -half_turn else 0.0)
-    q4_mmp = v68 + (m6 if v68 <= -half_turn else 0.0)
-    q4_mmm = v69 + (m6 if v69 <= -half_turn else 0.0)
+    v62 = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
+    v63 = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
+    v64 = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
+    v65 = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
+    v66 = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
+    v67 = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
+    v68 = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
+    v69 = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
+    q4_ppp = v62 + (m5 if v62 <= -half_turn else 0.0)
+    q4_ppm = v63 + (m5 if v63 <= -half_turn else 0.0)
+    q4_pmp = v64 + (m5 if v64 <= -half_turn else 0.0)
+    q4_pmm = v65 + (m5 if v65 <= -half_turn else 0.0)
+    q4_mpp = v66 + (m5 if v66 <= -half_turn else 0.0)
+    q4_mpm = v67 + (m5 if v67 <= -half_turn else 0.0)
+    q4_mmp = v68 + (m5 if v68 <= -half_turn else 0.0)
+    q4_mmm = v69 + (m5 if v69 <= -half_turn else 0.0)
     outside_ppp = angle7 < low3 or high3 < angle7
     outside_ppm = -angle7 < low3 or high3 < -angle7
     outside_pmp = angle8 < low3 or high3 < angle8
@@ -1186,7 +1186,7 @@ def _in_tiles(T, q, status):
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
             D1 = N1 - k1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v1 = inverse1 * (d3 * wy)
@@ -1248,10 +1248,10 @@ def _in_tiles(T, q, status):
             v25 = w3_pm - w3_pm
             v26 = w3_mp - w3_mp
             v27 = w3_mm - w3_mm
-            v28 = m5 + m4 * N3_pp
-            v29 = m5 + m4 * N3_pm
-            v30 = m5 + m4 * N3_mp
-            v31 = m5 + m4 * N3_mm
+            v28 = m4 + m3 * N3_pp
+            v29 = m4 + m3 * N3_pm
+            v30 = m4 + m3 * N3_mp
+            v31 = m4 + m3 * N3_mm
             v32 = Z1_3_pp * v28
             v33 = Z1_3_pm * v29
             v34 = Z1_3_mp * v30
@@ -1260,21 +1260,20 @@ def _in_tiles(T, q, status):
             v37 = Z2_3_pm * v29
             v38 = Z2_3_mp * v30
             v39 = Z2_3_mm * v31
-            v40 = w3_pp * (m4 * Z2_3_pp)
-            v41 = w3_pm * (m4 * Z2_3_pm)
-            v42 = w3_mp * (m4 * Z2_3_mp)
-            v43 = w3_mm * (m4 * Z2_3_mm)
+            v40 = w3_pp * (m3 * Z2_3_pp)
+            v41 = w3_pm * (m3 * Z2_3_pm)
+            v42 = w3_mp * (m3 * Z2_3_mp)
+            v43 = w3_mm * (m3 * Z2_3_mm)
             doubt1 = (
-                N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
+                N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
                 longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or
-                (N3_mp <= free_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
+                (N3_mp <= doubt_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
                 longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart) or
-                (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
+                (N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
                 longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-                (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
-                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v4
-                <= m2 or (v4 <= m1 or (v3 <= m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))
-                or v3 <= m1)))))))))))
+                (N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
+                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (-k2
+                <= D1 and (free1 or not (k3 < D1)) or (free1 or (v3 <= m1 or v4 <= m1))))))))))
             )
             work[544 + k] = Y6_p
             work[576 + k] = Y6_m
@@ -1315,14 +1314,14 @@ def _in_tiles(T, q, status):
             work[1696 + k] = N3_pm - k4
             work[1728 + k] = N3_mp - k4
             work[1760 + k] = N3_mm - k4
-            work[1792 + k] = v36 + w3_pp * (m4 * Z1_3_pp)
-            work[1824 + k] = v36 + w3_pp * (m4 * -Z1_3_pp)
-            work[1856 + k] = v37 + w3_pm * (m4 * Z1_3_pm)
-            work[1888 + k] = v37 + w3_pm * (m4 * -Z1_3_pm)
-            work[1920 + k] = v38 + w3_mp * (m4 * Z1_3_mp)
-            work[1952 + k] = v38 + w3_mp * (m4 * -Z1_3_mp)
-            work[1984 + k] = v39 + w3_mm * (m4 * Z1_3_mm)
-            work[2016 + k] = v39 + w3_mm * (m4 * -Z1_3_mm)
+            work[1792 + k] = v36 + w3_pp * (m3 * Z1_3_pp)
+            work[1824 + k] = v36 + w3_pp * (m3 * -Z1_3_pp)
+            work[1856 + k] = v37 + w3_pm * (m3 * Z1_3_pm)
+            work[1888 + k] = v37 + w3_pm * (m3 * -Z1_3_pm)
+            work[1920 + k] = v38 + w3_mp * (m3 * Z1_3_mp)
+            work[1952 + k] = v38 + w3_mp * (m3 * -Z1_3_mp)
+            work[1984 + k] = v39 + w3_mm * (m3 * Z1_3_mm)
+            work[2016 + k] = v39 + w3_mm * (m3 * -Z1_3_mm)
             work[2048 + k] = c1_p
             work[2080 + k] = c1_m
         for k in range(832, 1472):
@@ -1361,8 +1360,8 @@ def _in_tiles(T, q, status):
             theta234_mm = angle6 - h1 * math.copysign(half_turn, v10)
             v44 = angle19 - offset1
             v45 = angle20 - offset1
-            q1__p = v44 + (m6 if v44 <= -half_turn else 0.0)
-            q1__m = v45 + (m6 if v45 <= -half_turn else 0.0)
+            q1__p = v44 + (m5 if v44 <= -half_turn else 0.0)
+            q1__m = v45 + (m5 if v45 <= -half_turn else 0.0)
             v46 = angle11 - offset2
             v47 = angle12 - offset2
             v48 = angle13 - offset2
@@ -1371,14 +1370,14 @@ def _in_tiles(T, q, status):
             v51 = angle16 - offset2
             v52 = angle17 - offset2
             v53 = angle18 - offset2
-            q2_ppp = v46 + (m6 if v46 <= -half_turn else 0.0)
-            q2_ppm = v47 + (m6 if v47 <= -half_turn else 0.0)
-            q2_pmp = v48 + (m6 if v48 <= -half_turn else 0.0)
-            q2_pmm = v49 + (m6 if v49 <= -half_turn else 0.0)
-            q2_mpp = v50 + (m6 if v50 <= -half_turn else 0.0)
-            q2_mpm = v51 + (m6 if v51 <= -half_turn else 0.0)
-            q2_mmp = v52 + (m6 if v52 <= -half_turn else 0.0)
-            q2_mmm = v53 + (m6 if v53 <= -half_turn else 0.0)
+            q2_ppp = v46 + (m5 if v46 <= -half_turn else 0.0)
+            q2_ppm = v47 + (m5 if v47 <= -half_turn else 0.0)
+            q2_pmp = v48 + (m5 if v48 <= -half_turn else 0.0)
+            q2_pmm = v49 + (m5 if v49 <= -half_turn else 0.0)
+            q2_mpp = v50 + (m5 if v50 <= -half_turn else 0.0)
+            q2_mpm = v51 + (m5 if v51 <= -half_turn else 0.0)
+            q2_mmp = v52 + (m5 if v52 <= -half_turn else 0.0)
+            q2_mmm = v53 + (m5 if v53 <= -half_turn else 0.0)
             v54 = angle5 - (angle7 + angle11) - offset4
             v55 = angle5 - (angle12 - angle7) - offset4
             v56 = theta234_pm - (angle8 + angle13) - offset4
@@ -1387,22 +1386,22 @@ def _in_tiles(T, q, status):
             v59 = angle6 - (angle16 - angle9) - offset4
             v60 = theta234_mm - (angle10 + angle17) - offset4
             v61 = theta234_mm - (angle18 - angle10) - offset4
-            v62 = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
-            v63 = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
-            v64 = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
-            v65 = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
-            v66 = v58 - (m6 if half_turn < v58 else 0.0) + (m6 if v58 <= -half_turn else 0.0)
-            v67 = v59 - (m6 if half_turn < v59 else 0.0) + (m6 if v59 <= -half_turn else 0.0)
-            v68 = v60 - (m6 if half_turn < v60 else 0.0) + (m6 if v60 <= -half_turn else 0.0)
-            v69 = v61 - (m6 if half_turn < v61 else 0.0) + (m6 if v61 <= -half_turn else 0.0)
-            q4_ppp = v62 + (m6 if v62 <= -half_turn else 0.0)
-            q4_ppm = v63 + (m6 if v63 <= -half_turn else 0.0)
-            q4_pmp = v64 + (m6 if v64 <= -half_turn else 0.0)
-            q4_pmm = v65 + (m6 if v65 <= -half_turn else 0.0)
-            q4_mpp = v66 + (m6 if v66 <= -half_turn else 0.0)
-            q4_mpm = v67 + (m6 if v67 <= -half_turn else 0.0)
-            q4_mmp = v68 + (m6 if v68 <= -half_turn else 0.0)
-            q4_mmm = v69 + (m6 if v69 <= -half_turn else 0.0)
+            v62 = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
+            v63 = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
+            v64 = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
+            v65 = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
+            v66 = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
+            v67 = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
+            v68 = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
+            v69 = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
+            q4_ppp = v62 + (m5 if v62 <= -half_turn else 0.0)
+            q4_ppm = v63 + (m5 if v63 <= -half_turn else 0.0)
+            q4_pmp = v64 + (m5 if v64 <= -half_turn else 0.0)
+            q4_pmm = v65 + (m5 if v65 <= -half_turn else 0.0)
+            q4_mpp = v66 + (m5 if v66 <= -half_turn else 0.0)
+            q4_mpm = v67 + (m5 if v67 <= -half_turn else 0.0)
+            q4_mmp = v68 + (m5 if v68 <= -half_turn else 0.0)
+            q4_mmm = v69 + (m5 if v69 <= -half_turn else 0.0)
             outside_ppp = angle7 < low3 or high3 < angle7
             outside_ppm = -angle7 < low3 or high3 < -angle7
             outside_pmp = angle8 < low3 or high3 < angle8

@@ -103,13 +103,13 @@ k2 = 6.184066500003152e-14  # reach_slack1 * (2 * d4 + reach_slack1) [m^2]
 k3 = 6.184066500000315e-15  # merge_slack1 * (2 * d4 + merge_slack1) [m^2]
 k4 = 0.7020706925  # a2^2 + a3^2 [m^2]
 k5 = 1.4278017006745949  # 1 / (2 * a3 * a2) [m^-2]
+doubt_limit_squared2 = 3.152400249999999e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1e-24  # free_limit^2
-m2 = 1e-06  # near_limit^2
-m4 = 0.8160600620205647  # a coefficient of S2
-m5 = 0.03976814713562922  # a coefficient of S2
-m6 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
+m1 = 1e-06  # doubt_limit^2
+m3 = 0.8160600620205647  # a coefficient of S2
+m4 = 0.03976814713562922  # a coefficient of S2
+m5 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -655,7 +655,7 @@ def _regular(pose, q, status):
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
     D1 = N1 - k1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v1 = inverse1 * (d4 * wy)
@@ -727,10 +727,10 @@ def _regular(pose, q, status):
     v33 = w3_mm - w3_mm
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v34 = m5 + m4 * N3_pp
-    v35 = m5 + m4 * N3_pm
-    v36 = m5 + m4 * N3_mp
-    v37 = m5 + m4 * N3_mm
+    v34 = m4 + m3 * N3_pp
+    v35 = m4 + m3 * N3_pm
+    v36 = m4 + m3 * N3_mp
+    v37 = m4 + m3 * N3_mm
     v38 = Z1_3_pp * v34
     v39 = Z1_3_pm * v35
     v40 = Z1_3_mp * v36
@@ -739,25 +739,25 @@ def _regular(pose, q, status):
     v43 = Z2_3_pm * v35
     v44 = Z2_3_mp * v36
     v45 = Z2_3_mm * v37
-    v46 = w3_pp * (m4 * Z2_3_pp)
-    v47 = w3_pp * (m4 * Z1_3_pp)
-    v48 = w3_pm * (m4 * Z2_3_pm)
-    v49 = w3_pm * (m4 * Z1_3_pm)
-    v50 = w3_mp * (m4 * Z2_3_mp)
-    v51 = w3_mp * (m4 * Z1_3_mp)
-    v52 = w3_mm * (m4 * Z2_3_mm)
-    v53 = w3_mm * (m4 * Z1_3_mm)
+    v46 = w3_pp * (m3 * Z2_3_pp)
+    v47 = w3_pp * (m3 * Z1_3_pp)
+    v48 = w3_pm * (m3 * Z2_3_pm)
+    v49 = w3_pm * (m3 * Z1_3_pm)
+    v50 = w3_mp * (m3 * Z2_3_mp)
+    v51 = w3_mp * (m3 * Z1_3_mp)
+    v52 = w3_mm * (m3 * Z2_3_mm)
+    v53 = w3_mm * (m3 * Z1_3_mm)
 
     # joint values
     doubt1 = (
-        N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
-        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= free_limit_squared2 or
-        (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp and
-        N3_mp < longest3_apart) or (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and
-        N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-        (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
-        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v10 <= m2 or (v10 <= m1 or (v9
-        <= m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1)) or v9 <= m1)))))))))))
+        N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
+        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= doubt_limit_squared2
+        or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp
+        and N3_mp < longest3_apart) or (N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm
+        and N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
+        (N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
+        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (-k2 <= D1 and (free1 or not (k3
+        < D1)) or (free1 or (v9 <= m1 or v10 <= m1))))))))))
     )
 
     # angles, side by side
@@ -839,14 +839,14 @@ def _regular(pose, q, status):
     v59 = angle8 - (angle18 - angle11)
     v60 = theta234_mm - (angle12 + angle19)
     v61 = theta234_mm - (angle20 - angle12)
-    q4_ppp = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
-    q4_ppm = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
-    q4_pmp = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
-    q4_pmm = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
-    q4_mpp = v58 - (m6 if half_turn < v58 else 0.0) + (m6 if v58 <= -half_turn else 0.0)
-    q4_mpm = v59 - (m6 if half_turn < v59 else 0.0) + (m6 if v59 <= -half_turn else 0.0)
-    q4_mmp = v60 - (m6 if half_turn < v60 else 0.0) + (m6 if v60 <= -half_turn else 0.0)
-    q4_mmm = v61 - (m6 if half_turn < v61 else 0.0) + (m6 if v61 <= -half_turn else 0.0)
+    q4_ppp = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
+    q4_ppm = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
+    q4_pmp = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
+    q4_pmm = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
+    q4_mpp = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
+    q4_mpm = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
+    q4_mmp = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
+    q4_mmm = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
     q1_ppp = angle1 + v30
     q1_pmp = angle1 + v31
     q1_mpp = angle2 + v32
@@ -1134,7 +1134,7 @@ def _in_tiles(T, q, status):
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
             D1 = N1 - k1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v1 = inverse1 * (d4 * wy)
@@ -1196,10 +1196,10 @@ def _in_tiles(T, q, status):
             v31 = w3_pm - w3_pm
             v32 = w3_mp - w3_mp
             v33 = w3_mm - w3_mm
-            v34 = m5 + m4 * N3_pp
-            v35 = m5 + m4 * N3_pm
-            v36 = m5 + m4 * N3_mp
-            v37 = m5 + m4 * N3_mm
+            v34 = m4 + m3 * N3_pp
+            v35 = m4 + m3 * N3_pm
+            v36 = m4 + m3 * N3_mp
+            v37 = m4 + m3 * N3_mm
             v38 = Z1_3_pp * v34
             v39 = Z1_3_pm * v35
             v40 = Z1_3_mp * v36
@@ -1208,25 +1208,24 @@ def _in_tiles(T, q, status):
             v43 = Z2_3_pm * v35
             v44 = Z2_3_mp * v36
             v45 = Z2_3_mm * v37
-            v46 = w3_pp * (m4 * Z2_3_pp)
-            v47 = w3_pp * (m4 * Z1_3_pp)
-            v48 = w3_pm * (m4 * Z2_3_pm)
-            v49 = w3_pm * (m4 * Z1_3_pm)
-            v50 = w3_mp * (m4 * Z2_3_mp)
-            v51 = w3_mp * (m4 * Z1_3_mp)
-            v52 = w3_mm * (m4 * Z2_3_mm)
-            v53 = w3_mm * (m4 * Z1_3_mm)
+            v46 = w3_pp * (m3 * Z2_3_pp)
+            v47 = w3_pp * (m3 * Z1_3_pp)
+            v48 = w3_pm * (m3 * Z2_3_pm)
+            v49 = w3_pm * (m3 * Z1_3_pm)
+            v50 = w3_mp * (m3 * Z2_3_mp)
+            v51 = w3_mp * (m3 * Z1_3_mp)
+            v52 = w3_mm * (m3 * Z2_3_mm)
+            v53 = w3_mm * (m3 * Z1_3_mm)
             doubt1 = (
-                N3_mm <= free_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
+                N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
                 longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or
-                (N3_mp <= free_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
+                (N3_mp <= doubt_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
                 longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart) or
-                (N3_pm <= free_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
+                (N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
                 longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-                (N3_pp <= free_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
-                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (v10
-                <= m2 or (v10 <= m1 or (v9 <= m2 or (free1 or -k2 <= D1 and (free1 or not (k3 < D1))
-                or v9 <= m1)))))))))))
+                (N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
+                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (-k2
+                <= D1 and (free1 or not (k3 < D1)) or (free1 or (v9 <= m1 or v10 <= m1))))))))))
             )
             work[544 + k] = v7
             work[576 + k] = v8
@@ -1319,14 +1318,14 @@ def _in_tiles(T, q, status):
             v59 = angle8 - (angle18 - angle11)
             v60 = theta234_mm - (angle12 + angle19)
             v61 = theta234_mm - (angle20 - angle12)
-            q4_ppp = v54 - (m6 if half_turn < v54 else 0.0) + (m6 if v54 <= -half_turn else 0.0)
-            q4_ppm = v55 - (m6 if half_turn < v55 else 0.0) + (m6 if v55 <= -half_turn else 0.0)
-            q4_pmp = v56 - (m6 if half_turn < v56 else 0.0) + (m6 if v56 <= -half_turn else 0.0)
-            q4_pmm = v57 - (m6 if half_turn < v57 else 0.0) + (m6 if v57 <= -half_turn else 0.0)
-            q4_mpp = v58 - (m6 if half_turn < v58 else 0.0) + (m6 if v58 <= -half_turn else 0.0)
-            q4_mpm = v59 - (m6 if half_turn < v59 else 0.0) + (m6 if v59 <= -half_turn else 0.0)
-            q4_mmp = v60 - (m6 if half_turn < v60 else 0.0) + (m6 if v60 <= -half_turn else 0.0)
-            q4_mmm = v61 - (m6 if half_turn < v61 else 0.0) + (m6 if v61 <= -half_turn else 0.0)
+            q4_ppp = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
+            q4_ppm = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
+            q4_pmp = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
+            q4_pmm = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
+            q4_mpp = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
+            q4_mpm = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
+            q4_mmp = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
+            q4_mmm = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
             q1_ppp = angle1 + v30
             q1_pmp = angle1 + v31
             q1_mpp = angle2 + v32

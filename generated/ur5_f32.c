@@ -121,13 +121,14 @@ static const float k2 = 2.6032615e-07f; /* reach_slack1 * (2 * d4 + reach_slack1
 static const float k3 = 2.6032486e-08f; /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
 static const float k4 = 0.33448505f; /* a2^2 + a3^2 [m^2] */
 static const float k5 = 2.9992876f; /* 1 / (2 * a3 * a2) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const float doubt_limit_squared2 = 1.4220777e-06f;
 static const float half_turn = 3.1415927f; /* pi [rad] */
-static const float m1 = 4e-10f; /* free_limit^2 */
-static const float m2 = 1e-06f; /* near_limit^2 */
-static const float m4 = 1.1764706f; /* a coefficient of S2 */
-static const float m5 = 0.03148816f; /* a coefficient of S2 */
-static const float m6 = 6.2831855f; /* 2 * half_turn */
-static const float h1 = 1.0f; /* 2 * m3 */
+static const float m1 = 1e-06f; /* doubt_limit^2 */
+static const float m3 = 1.1764706f; /* a coefficient of S2 */
+static const float m4 = 0.03148816f; /* a coefficient of S2 */
+static const float m5 = 6.2831855f; /* 2 * half_turn */
+static const float h1 = 1.0f; /* 2 * m2 */
 
 const char *const ur5_f32_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -321,7 +322,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0f / N1;
     const wide v1 = inverse1 * (d4 * wy);
@@ -407,10 +408,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle12 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v34 = m5 + m4 * N3_pp;
-    const wide v35 = m5 + m4 * N3_pm;
-    const wide v36 = m5 + m4 * N3_mp;
-    const wide v37 = m5 + m4 * N3_mm;
+    const wide v34 = m4 + m3 * N3_pp;
+    const wide v35 = m4 + m3 * N3_pm;
+    const wide v36 = m4 + m3 * N3_mp;
+    const wide v37 = m4 + m3 * N3_mm;
     const wide v38 = Z1_3_pp * v34;
     const wide v39 = Z1_3_pm * v35;
     const wide v40 = Z1_3_mp * v36;
@@ -419,20 +420,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v43 = Z2_3_pm * v35;
     const wide v44 = Z2_3_mp * v36;
     const wide v45 = Z2_3_mm * v37;
-    const wide v46 = w3_pp * (m4 * Z2_3_pp);
-    const wide v47 = w3_pp * (m4 * Z1_3_pp);
+    const wide v46 = w3_pp * (m3 * Z2_3_pp);
+    const wide v47 = w3_pp * (m3 * Z1_3_pp);
     const wide angle13 = atan2_wide(v46 - v38, -(v42 + v47));
     const wide angle14 = atan2_wide(-(v38 + v46), v47 - v42);
-    const wide v48 = w3_pm * (m4 * Z2_3_pm);
-    const wide v49 = w3_pm * (m4 * Z1_3_pm);
+    const wide v48 = w3_pm * (m3 * Z2_3_pm);
+    const wide v49 = w3_pm * (m3 * Z1_3_pm);
     const wide angle15 = atan2_wide(v48 - v39, -(v43 + v49));
     const wide angle16 = atan2_wide(-(v39 + v48), v49 - v43);
-    const wide v50 = w3_mp * (m4 * Z2_3_mp);
-    const wide v51 = w3_mp * (m4 * Z1_3_mp);
+    const wide v50 = w3_mp * (m3 * Z2_3_mp);
+    const wide v51 = w3_mp * (m3 * Z1_3_mp);
     const wide angle17 = atan2_wide(v50 - v40, -(v44 + v51));
     const wide angle18 = atan2_wide(-(v40 + v50), v51 - v44);
-    const wide v52 = w3_mm * (m4 * Z2_3_mm);
-    const wide v53 = w3_mm * (m4 * Z1_3_mm);
+    const wide v52 = w3_mm * (m3 * Z2_3_mm);
+    const wide v53 = w3_mm * (m3 * Z1_3_mm);
     const wide angle19 = atan2_wide(v52 - v41, -(v45 + v53));
     const wide angle20 = atan2_wide(-(v41 + v52), v53 - v45);
 
@@ -445,14 +446,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v59 = angle8 - (angle18 - angle11);
     const wide v60 = theta234_mm - (angle12 + angle19);
     const wide v61 = theta234_mm - (angle20 - angle12);
-    const wide q4_ppp = v54 - only_wide(half_turn < v54, m6) + only_wide(v54 <= -half_turn, m6);
-    const wide q4_ppm = v55 - only_wide(half_turn < v55, m6) + only_wide(v55 <= -half_turn, m6);
-    const wide q4_pmp = v56 - only_wide(half_turn < v56, m6) + only_wide(v56 <= -half_turn, m6);
-    const wide q4_pmm = v57 - only_wide(half_turn < v57, m6) + only_wide(v57 <= -half_turn, m6);
-    const wide q4_mpp = v58 - only_wide(half_turn < v58, m6) + only_wide(v58 <= -half_turn, m6);
-    const wide q4_mpm = v59 - only_wide(half_turn < v59, m6) + only_wide(v59 <= -half_turn, m6);
-    const wide q4_mmp = v60 - only_wide(half_turn < v60, m6) + only_wide(v60 <= -half_turn, m6);
-    const wide q4_mmm = v61 - only_wide(half_turn < v61, m6) + only_wide(v61 <= -half_turn, m6);
+    const wide q4_ppp = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5);
+    const wide q4_ppm = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5);
+    const wide q4_pmp = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5);
+    const wide q4_pmm = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5);
+    const wide q4_mpp = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5);
+    const wide q4_mpm = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5);
+    const wide q4_mmp = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5);
+    const wide q4_mmm = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5);
     const wide q1_ppp = angle1 + v30;
     const wide q1_pmp = angle1 + v31;
     const wide q1_mpp = angle2 + v32;
@@ -465,16 +466,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q6_pmp = v31 + (angle3 - copysign_wide(all_wide(half_turn), -v7) * h1);
     const wide q6_mpp = angle4 + v32;
     const wide q6_mmp = v33 + (angle4 - copysign_wide(all_wide(half_turn), -v8) * h1);
-    const wide_mask doubt1 = (N3_mm <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm
-        <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
-        ((N3_mp <= free_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach))
-        & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mm) &
+        (N3_mm <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0))
+        | ((N3_mp <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <=
+        longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
         (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((N3_pp <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
-        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | ((v10 <= m2) | ((v10 <= m1)
-        | ((v9 <= m2) | ((free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))) | (v9 <=
-        m1))))))))))));
+        doubt_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
+        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (((-k2 <= D1) & (free1 |
+        ((k3 < D1) == 0))) | (free1 | ((v9 <= m1) | (v10 <= m1)))))))))));
 
     q[0] = q1_ppp;
     q[1] = angle13;

@@ -308,13 +308,14 @@ static const double k2 = 3.4985918000017217e-14; /* reach_slack1 * (2 * d4 + rea
 static const double k3 = 3.4985918000001716e-15; /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
 static const double k4 = 0.33444584; /* a2^2 + a3^2 [m^2] */
 static const double k5 = 2.9996700362960076; /* 1 / (2 * a3 * a2) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.7221312899999994e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1e-24; /* free_limit^2 */
-static const double m2 = 1e-06; /* near_limit^2 */
-static const double m4 = 1.1764705882352942; /* a coefficient of S2 */
-static const double m5 = 0.031534305882352925; /* a coefficient of S2 */
-static const double m6 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double m1 = 1e-06; /* doubt_limit^2 */
+static const double m3 = 1.1764705882352942; /* a coefficient of S2 */
+static const double m4 = 0.031534305882352925; /* a coefficient of S2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const ur5e_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -508,7 +509,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
     const wide D1 = N1 - k1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
     const wide v1 = inverse1 * (d4 * wy);
@@ -594,10 +595,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle12 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v34 = m5 + m4 * N3_pp;
-    const wide v35 = m5 + m4 * N3_pm;
-    const wide v36 = m5 + m4 * N3_mp;
-    const wide v37 = m5 + m4 * N3_mm;
+    const wide v34 = m4 + m3 * N3_pp;
+    const wide v35 = m4 + m3 * N3_pm;
+    const wide v36 = m4 + m3 * N3_mp;
+    const wide v37 = m4 + m3 * N3_mm;
     const wide v38 = Z1_3_pp * v34;
     const wide v39 = Z1_3_pm * v35;
     const wide v40 = Z1_3_mp * v36;
@@ -606,20 +607,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v43 = Z2_3_pm * v35;
     const wide v44 = Z2_3_mp * v36;
     const wide v45 = Z2_3_mm * v37;
-    const wide v46 = w3_pp * (m4 * Z2_3_pp);
-    const wide v47 = w3_pp * (m4 * Z1_3_pp);
+    const wide v46 = w3_pp * (m3 * Z2_3_pp);
+    const wide v47 = w3_pp * (m3 * Z1_3_pp);
     const wide angle13 = atan2_wide(v46 - v38, -(v42 + v47));
     const wide angle14 = atan2_wide(-(v38 + v46), v47 - v42);
-    const wide v48 = w3_pm * (m4 * Z2_3_pm);
-    const wide v49 = w3_pm * (m4 * Z1_3_pm);
+    const wide v48 = w3_pm * (m3 * Z2_3_pm);
+    const wide v49 = w3_pm * (m3 * Z1_3_pm);
     const wide angle15 = atan2_wide(v48 - v39, -(v43 + v49));
     const wide angle16 = atan2_wide(-(v39 + v48), v49 - v43);
-    const wide v50 = w3_mp * (m4 * Z2_3_mp);
-    const wide v51 = w3_mp * (m4 * Z1_3_mp);
+    const wide v50 = w3_mp * (m3 * Z2_3_mp);
+    const wide v51 = w3_mp * (m3 * Z1_3_mp);
     const wide angle17 = atan2_wide(v50 - v40, -(v44 + v51));
     const wide angle18 = atan2_wide(-(v40 + v50), v51 - v44);
-    const wide v52 = w3_mm * (m4 * Z2_3_mm);
-    const wide v53 = w3_mm * (m4 * Z1_3_mm);
+    const wide v52 = w3_mm * (m3 * Z2_3_mm);
+    const wide v53 = w3_mm * (m3 * Z1_3_mm);
     const wide angle19 = atan2_wide(v52 - v41, -(v45 + v53));
     const wide angle20 = atan2_wide(-(v41 + v52), v53 - v45);
 
@@ -632,14 +633,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v59 = angle8 - (angle18 - angle11);
     const wide v60 = theta234_mm - (angle12 + angle19);
     const wide v61 = theta234_mm - (angle20 - angle12);
-    const wide q4_ppp = v54 - only_wide(half_turn < v54, m6) + only_wide(v54 <= -half_turn, m6);
-    const wide q4_ppm = v55 - only_wide(half_turn < v55, m6) + only_wide(v55 <= -half_turn, m6);
-    const wide q4_pmp = v56 - only_wide(half_turn < v56, m6) + only_wide(v56 <= -half_turn, m6);
-    const wide q4_pmm = v57 - only_wide(half_turn < v57, m6) + only_wide(v57 <= -half_turn, m6);
-    const wide q4_mpp = v58 - only_wide(half_turn < v58, m6) + only_wide(v58 <= -half_turn, m6);
-    const wide q4_mpm = v59 - only_wide(half_turn < v59, m6) + only_wide(v59 <= -half_turn, m6);
-    const wide q4_mmp = v60 - only_wide(half_turn < v60, m6) + only_wide(v60 <= -half_turn, m6);
-    const wide q4_mmm = v61 - only_wide(half_turn < v61, m6) + only_wide(v61 <= -half_turn, m6);
+    const wide q4_ppp = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5);
+    const wide q4_ppm = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5);
+    const wide q4_pmp = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5);
+    const wide q4_pmm = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5);
+    const wide q4_mpp = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5);
+    const wide q4_mpm = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5);
+    const wide q4_mmp = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5);
+    const wide q4_mmm = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5);
     const wide q1_ppp = angle1 + v30;
     const wide q1_pmp = angle1 + v31;
     const wide q1_mpp = angle2 + v32;
@@ -652,16 +653,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q6_pmp = v31 + (angle3 - copysign_wide(all_wide(half_turn), -v7) * h1);
     const wide q6_mpp = angle4 + v32;
     const wide q6_mmp = v33 + (angle4 - copysign_wide(all_wide(half_turn), -v8) * h1);
-    const wide_mask doubt1 = (N3_mm <= free_limit_squared2) | ((((shortest3_reach <= N3_mm) & (N3_mm
-        <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) |
-        ((N3_mp <= free_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach))
-        & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mm) &
+        (N3_mm <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0))
+        | ((N3_mp <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <=
+        longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
         (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((N3_pp <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
-        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | ((v10 <= m2) | ((v10 <= m1)
-        | ((v9 <= m2) | ((free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)))) | (v9 <=
-        m1))))))))))));
+        doubt_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
+        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (((-k2 <= D1) & (free1 |
+        ((k3 < D1) == 0))) | (free1 | ((v9 <= m1) | (v10 <= m1)))))))))));
 
     q[0] = q1_ppp;
     q[1] = angle13;
@@ -724,7 +724,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 }
 
 #if LANES > 1
-static const double m3 = 0.5; /* 1 / 2 */
+static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
@@ -740,7 +740,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
     const double D1 = N1 - k1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = inverse1 * (d4 * wy);
@@ -753,9 +753,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v5 = v2 * T22 + s1 * T12;
     const four v6 = v4 * v4 + v5 * v5;
     const four w6 = sqrt_four(v6);
+    const four_mask doubt2 = v6 <= m1;
     const four v7 = 1.0 / v6;
     const four v8 = copysign_four(all_four(half_turn), -v5);
-    const four v9 = m3 * (e2 - 1.0);
+    const four v9 = m2 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T13 * s1 + T23 * v2;
@@ -782,17 +783,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v20 = w3 - w3;
 
     /* theta2 */
-    const four v21 = m5 + m4 * N3;
+    const four v21 = m4 + m3 * N3;
     const four v22 = Z1_3 * v21;
     const four v23 = Z2_3 * v21;
-    const four v24 = w3 * (m4 * Z2_3);
-    const four v25 = w3 * (m4 * Z1_3);
+    const four v24 = w3 * (m3 * Z2_3);
+    const four v25 = w3 * (m3 * Z1_3);
 
     /* joint values */
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
-    const four_mask doubt2 = (v6 <= m1) | (v6 <= m2);
     const four_mask doubt3 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle5 = atan2_four(w3, N3 - k4);
     const four angle6 = atan2_four(v24 - v22, -(v23 + v25));
@@ -808,8 +808,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four theta234 = angle4 + v9 * v12;
     const four v26 = theta234 - (angle5 + angle6);
     const four v27 = theta234 - (angle7 - angle5);
-    const four q4_p = v26 - only_four(half_turn < v26, m6) + only_four(v26 <= -half_turn, m6);
-    const four q4_m = v27 - only_four(half_turn < v27, m6) + only_four(v27 <= -half_turn, m6);
+    const four q4_p = v26 - only_four(half_turn < v26, m5) + only_four(v26 <= -half_turn, m5);
+    const four q4_m = v27 - only_four(half_turn < v27, m5) + only_four(v27 <= -half_turn, m5);
     const four q1_p = angle1 + v20;
     const four q5_p = v20 + e2 * angle3;
     const four q6_p = v20 + (angle2 + v8 * v9);

@@ -303,8 +303,10 @@ static const double f4 = 0.3213938048432697; /* ca2 * 1 / 2 */
 static const double g1 = 0.5; /* 1 / 2 */
 static const double g2 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
 static const double g3 = 0.3213938048432697; /* ca2 * 1 / 2 */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.0000000000000002e-08;
 static const double m1 = 0.383022221559489; /* a coefficient of S3 */
-static const double m2 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m2 = 1e-12; /* doubt_limit_squared^2 */
 static const double m3 = 0.6634139481689384; /* a coefficient of v10 */
 static const double m4 = 1.2855752193730787; /* a coefficient of v18 */
 
@@ -443,7 +445,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide Z1 = k1 * (T34 - k2);
     const wide N1 = v1 * v1 + Y1 * Y1;
     const wide D1 = N1 - Z1 * Z1;
-    const wide_mask free1 = N1 <= free_limit_squared2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide v2 = 2.0 * abs_wide(Z1);
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
@@ -613,7 +615,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double Z1 = k1 * (T34 - k2);
     const double N1 = v1 * v1 + Y1 * Y1;
     const double D1 = N1 - Z1 * Z1;
-    const int free1 = N1 <= free_limit_squared2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double v2 = 2.0 * fabs(Z1);
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;

@@ -97,8 +97,9 @@ f4 = 0.3213938048432697  # ca2 * 1 / 2
 g1 = 0.5  # 1 / 2
 g2 = 0.8660254037844386  # 1 / 2 * sqrt3
 g3 = 0.3213938048432697  # ca2 * 1 / 2
+doubt_limit_squared2 = 1.0000000000000002e-08  # square of a length that fixes no angle [m^2]
 m1 = 0.383022221559489  # a coefficient of S3
-m2 = 9.999999999999998e-49  # free_limit_squared^2
+m2 = 1e-12  # doubt_limit_squared^2
 m3 = 0.6634139481689384  # a coefficient of v10
 m4 = 1.2855752193730787  # a coefficient of v18
 
@@ -433,7 +434,7 @@ def _regular(pose, q, status):
     Z1 = k1 * (T34 - k2)
     N1 = v1 * v1 + Y1 * Y1
     D1 = N1 - Z1 * Z1
-    free1 = N1 <= free_limit_squared2
+    free1 = N1 <= doubt_limit_squared2
     v2 = 2.0 * abs(Z1)
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
@@ -825,7 +826,7 @@ def _in_tiles(T, q, status):
             Z1 = k1 * (T34 - k2)
             N1 = v1 * v1 + Y1 * Y1
             D1 = N1 - Z1 * Z1
-            free1 = N1 <= free_limit_squared2
+            free1 = N1 <= doubt_limit_squared2
             v2 = 2.0 * abs(Z1)
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1

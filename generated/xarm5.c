@@ -310,9 +310,11 @@ static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 1.080646614543747e-05; /* a pose may be rounded by this [m] */
 static const double k1 = 0.20711584560000001; /* a2^2 + a3^2 [m^2] */
 static const double k2 = 4.918543046385274; /* 1 / (2 * a3 * a2) [m^-2] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.1677971055248617e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1.1677971055248615e-24; /* free_limit1^2 [m^2] */
-static const double m2 = 9.999999999999998e-49; /* free_limit_squared^2 */
+static const double m1 = 1.1677971055248613e-06; /* doubt_limit1^2 [m^2] */
+static const double m2 = 1e-12; /* doubt_limit_squared^2 */
 static const double m4 = 0.076; /* a coefficient of v6 */
 static const double m5 = 0.097; /* a coefficient of v8 */
 static const double m6 = 1.727195576168653; /* a coefficient of S2 */
@@ -633,9 +635,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide q5_pm = v43 + v67;
     const wide q5_mp = v45 + v68;
     const wide q5_mm = v46 + v68;
-    const wide_mask doubt1 = (v4 <= m2) | ((v1 <= m1) | ((N3_m <= free_limit_squared2) |
+    const wide_mask doubt1 = (v4 <= m2) | ((v1 <= m1) | ((N3_m <= doubt_limit_squared2) |
         ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((N3_p <= free_limit_squared2) | ((v5 <= m2) |
+        (N3_m < longest3_apart)) == 0)) | ((N3_p <= doubt_limit_squared2) | ((v5 <= m2) |
         (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p
         < longest3_apart)) == 0)))))));
 
@@ -747,7 +749,7 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     /* joint values */
     const double v32 = copysign(half_turn, T24);
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
     const int doubt1 = (v4 <= m2) | ((v5 <= m2) | (v1 <= m1));
 
     const four angle4 = atan2_four(S2, v21 + w3 * (m6 * (e2 * Z1_3)));

@@ -100,9 +100,10 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 1.080646614543747e-05  # a pose may be rounded by this [m]
 k1 = 0.20711584560000001  # a2^2 + a3^2 [m^2]
 k2 = 4.918543046385274  # 1 / (2 * a3 * a2) [m^-2]
+doubt_limit_squared2 = 1.1677971055248617e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 1.1677971055248615e-24  # free_limit1^2 [m^2]
-m2 = 9.999999999999998e-49  # free_limit_squared^2
+m1 = 1.1677971055248613e-06  # doubt_limit1^2 [m^2]
+m2 = 1e-12  # doubt_limit_squared^2
 m4 = 0.076  # a coefficient of v6
 m5 = 0.097  # a coefficient of v8
 m6 = 1.727195576168653  # a coefficient of S2
@@ -739,9 +740,9 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v4 <= m2 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m
+        v4 <= m2 or (v1 <= m1 or (N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m
         <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-        free_limit_squared2 or (v5 <= m2 or shortest3_reach <= N3_p and N3_p <= longest3_reach and
+        doubt_limit_squared2 or (v5 <= m2 or shortest3_reach <= N3_p and N3_p <= longest3_reach and
         not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
     )
 
@@ -1143,9 +1144,9 @@ def _in_tiles(T, q, status):
                 factor2_m)))))) <= pose_slack1 else v36
             )
             doubt1 = (
-                v4 <= m2 or (v1 <= m1 or (N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m
+                v4 <= m2 or (v1 <= m1 or (N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m
                 and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart) or (N3_p <= free_limit_squared2 or (v5 <= m2 or shortest3_reach <=
+                longest3_apart) or (N3_p <= doubt_limit_squared2 or (v5 <= m2 or shortest3_reach <=
                 N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
                 longest3_apart))))))
             )

@@ -311,6 +311,8 @@ static const double k1 = 0.3916; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.0356; /* 2 * a3 * a2 [m^2] */
 static const double k3 = 0.393225; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k4 = 6.467555636500607; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+/* square of a length that fixes no angle [m^2] */
+static const double doubt_limit_squared2 = 1.890625e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double turn1 = -1.4801364395941514; /* a constant angle [rad] */
 static const double low1 = -2.967000001; /* lowest value of joint 1 */
@@ -322,14 +324,14 @@ static const double low3 = -1.221700001; /* lowest value of joint 3 */
 static const double high3 = 3.316100001; /* highest value of joint 3 */
 static const double low5 = -2.356100001; /* lowest value of joint 5 */
 static const double high5 = 2.356100001; /* highest value of joint 5 */
-static const double m1 = 1.8906249999999995e-24; /* free_limit1^2 [m^2] */
+static const double m1 = 1.8906249999999998e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1.1235955056179774; /* a coefficient of Y1_2 */
 static const double m4 = 0.003174157303370838; /* a coefficient of Y1_2 */
 static const double m5 = 0.10245901639344261; /* a coefficient of c2m3 */
 static const double m6 = 1.1270491803278688; /* a coefficient of c2m3 */
 static const double m7 = 0.0031839139344262803; /* a coefficient of c2m3 */
 static const double m8 = 0.00028944672131148006; /* a coefficient of c2m3 */
-static const double m9 = 1e-24; /* free_limit^2 */
+static const double m9 = 1e-06; /* doubt_limit^2 */
 static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -703,9 +705,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mpm = v82 | ((q5_mpm < low5) | (high5 < q5_mpm));
     const wide_mask outside_mmp = v83 | ((q5_mmp < low5) | (high5 < q5_mmp));
     const wide_mask outside_mmm = v83 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (N3_m <= free_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        free_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
+        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
+        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v34 <= m9) | ((v33 <= m9) |
         ((v32 <= m9) | ((v1 <= m1) | (v31 <= m9))))))));
 
@@ -832,7 +834,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const four v29 = e1 * (-X4 * v24 - v18 * (e1 * (c2m3 * v25) - s2m3 * T31));
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= free_limit_squared2);
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle3 = atan2_four(-(e1 * v18), -X4);
     const four angle4 = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), w3 * v8 - v7);

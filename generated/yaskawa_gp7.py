@@ -105,6 +105,7 @@ k1 = 0.3916  # 2 * d4 * a2 [m^2]
 k2 = 0.0356  # 2 * a3 * a2 [m^2]
 k3 = 0.393225  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 6.467555636500607  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+doubt_limit_squared2 = 1.890625e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4801364395941514  # a constant angle [rad]
 low1 = -2.967000001  # lowest value of joint 1
@@ -116,14 +117,14 @@ low3 = -1.221700001  # lowest value of joint 3
 high3 = 3.316100001  # highest value of joint 3
 low5 = -2.356100001  # lowest value of joint 5
 high5 = 2.356100001  # highest value of joint 5
-m1 = 1.8906249999999995e-24  # free_limit1^2 [m^2]
+m1 = 1.8906249999999998e-06  # doubt_limit1^2 [m^2]
 m3 = 1.1235955056179774  # a coefficient of Y1_2
 m4 = 0.003174157303370838  # a coefficient of Y1_2
 m5 = 0.10245901639344261  # a coefficient of c2m3
 m6 = 1.1270491803278688  # a coefficient of c2m3
 m7 = 0.0031839139344262803  # a coefficient of c2m3
 m8 = 0.00028944672131148006  # a coefficient of c2m3
-m9 = 1e-24  # free_limit^2
+m9 = 1e-06  # doubt_limit^2
 m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -633,8 +634,8 @@ def _regular(pose, q, status):
     v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
     v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
     doubt1 = (
-        N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= free_limit_squared2 or
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <= doubt_limit_squared2 or
         (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
         < longest3_apart) or (v34 <= m9 or (v33 <= m9 or (v32 <= m9 or (v1 <= m1 or v31 <= m9)))))))
     )
@@ -1129,9 +1130,9 @@ def _in_tiles(T, q, status):
             v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
             v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
             doubt1 = (
-                N3_m <= free_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-                free_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart) or (v34 <= m9 or (v33 <= m9 or
                 (v32 <= m9 or (v1 <= m1 or v31 <= m9)))))))
             )

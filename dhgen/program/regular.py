@@ -31,11 +31,13 @@ from dhgen.program.ir import (
 )
 from dhgen.program.limits import Limiting
 from dhgen.program.signed import Signed, SignedArithmetic
+from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.program.graph import Node
-    from dhgen.program.ir import Expression, Program
+    from dhgen.program.ir import Expression, NamedConstant, Program
     from dhgen.program.limits import Limits
+    from dhgen.program.tolerances import Tolerances
 
 FOLDED = "m"  # what the names of constants made here begin with
 
@@ -58,27 +60,33 @@ class Regular:
     doubts: tuple[Expression, ...]
 
 
-def regular(program: Program, limits: tuple[Limits | None, ...] = ()) -> Regular | None:
+def regular(
+    program: Program,
+    limits: tuple[Limits | None, ...] = (),
+    tolerances: Tolerances = TOLERANCES,
+) -> Regular | None:
     """The program of regular poses.
 
     Args:
         program: The whole program.
         limits: Of every joint, None for one without; empty if they don't matter.
+        tolerances: The table that the program was made with.
 
     Returns:
         None where branches are the roots of a polynomial.
     """
     if any(isinstance(statement, AllJoints | Roots) for statement in program.body):
         return None
-    return _cheapest(program, limits or (None,) * len(program.outputs))
+    wider = tolerances.near / tolerances.free
+    return _cheapest(program, limits or (None,) * len(program.outputs), wider)
 
 
 @cache  # every target asks for it
-def _cheapest(program: Program, limits: tuple[Limits | None, ...]) -> Regular:
+def _cheapest(program: Program, limits: tuple[Limits | None, ...], wider: float) -> Regular:
     """With the inverses of lengths in front that make it so."""
     inverses = [s.name for s in program.body if isinstance(s, Let) and _is_inverse(s.expression)]
     found = (
-        _Regular(program, limits, frozenset(kept)).run()
+        _Regular(program, limits, frozenset(kept), wider).run()
         for count in range(len(inverses) + 1)
         for kept in combinations(inverses, count)
     )
@@ -87,11 +95,16 @@ def _cheapest(program: Program, limits: tuple[Limits | None, ...]) -> Regular:
 
 class _Regular:
     def __init__(
-        self, program: Program, limits: tuple[Limits | None, ...], kept: frozenset[str]
+        self,
+        program: Program,
+        limits: tuple[Limits | None, ...],
+        kept: frozenset[str],
+        wider: float,
     ) -> None:
         self._program = program
         self._kept = kept  # the inverse lengths that stay in front as long as they can
         self._limits = limits
+        self._wider = wider
         self._exact = _compared(program)
         self._builder = Builder(reserved=set(), folded=FOLDED)
         self._arithmetic = SignedArithmetic(self._builder)
@@ -104,7 +117,7 @@ class _Regular:
     def run(self) -> Regular:
         builder = self._builder
         for c in self._program.constants:
-            node = builder.constant(c.name, c.value, c.meaning, c.power, derived=c.derived)
+            node = builder.constant(*self._widened(c), c.meaning, c.power, derived=c.derived)
             self._values[c.name] = Signed(node)
         for axis in self._program.axes:
             sign = builder.sign(axis.meaning, axis.step)
@@ -132,6 +145,17 @@ class _Regular:
             outside=None if outside is None else outputs[len(joints)],
             doubts=outputs[count:],
         )
+
+    def _widened(self, constant: NamedConstant) -> tuple[str, float]:
+        """A constant's name and value: near to where a joint is free a pose is doubtful, too.
+
+        The whole program takes a direction and all that follows from it from the same few digits;
+        here an identity may bring in others.
+        """
+        if not constant.name.startswith("free_limit"):
+            return constant.name, constant.value
+        factor = self._wider**2 if "squared" in constant.name else self._wider
+        return constant.name.replace("free", "doubt", 1), factor * constant.value
 
     def _assume(self) -> None:
         """No joint is free, no two branches meet."""

@@ -213,7 +213,7 @@ def _task_text(module: SolverModule) -> str:
 
 def regular_solver(module: SolverModule) -> Regular | None:
     """The program of regular poses, with limits."""
-    return regular(module.solver, tuple(_limits(module)))
+    return regular(module.solver, tuple(_limits(module)), module.precision.tolerances)
 
 
 def _limits(module: SolverModule) -> list[Limits | None]:

@@ -83,6 +83,8 @@ def apart(name: str, rows: FloatArray, q: FloatArray) -> FloatArray:
 
 def test_every_robot_has_its_files() -> None:
     wanted = {f"{name}.{end}" for name in NAMES for end in ("py", "c", "h", "md")}
+    single = [name for name in NAMES if robot(name).float32]
+    wanted |= {f"{name}_f32.{end}" for name in single for end in ("c", "h")}
     wanted |= {f"dhgen_pose.{end}" for end in ("py", "c", "h")}
     assert {path.name for path in GENERATED.iterdir() if path.is_file()} == wanted
 

@@ -78,18 +78,7 @@ def test_beside_singular_poses(name: str) -> None:
     assert flips or name not in {"puma560", "kuka_kr6_r900", "stanford", "wrist_zyz"}
 
 
-# Beside a family of solutions, where its polynomial vanishes identically, the general algorithm
-# still loses some of the isolated ones.
-LOSSY = {"yaskawa_hc10"}
-
-
-@pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param(name, marks=[pytest.mark.xfail(strict=True)] if name in LOSSY else [])
-        for name in NAMES
-    ],
-)
+@pytest.mark.parametrize("name", NAMES)
 def test_every_solution_at_right_angles(name: str) -> None:
     """What everyone tries first: all isolated solutions are there, whatever else is singular."""
     asked = trial(name)
