@@ -1246,20 +1246,13 @@ static inline void xarm7_invert(const double A[12], double B[12])
     }
 }
 
-/* T, three rows of four, becomes T Rz or T Tz. */
+/* T, three rows of four, becomes T Rz. */
 static inline void xarm7_then_turn(double T[12], double c, double s)
 {
     for (int i = 0; i < 12; i += 4) {
         const double x = T[i];
         T[i] = x * c + T[i + 1] * s;
         T[i + 1] = T[i + 1] * c - x * s;
-    }
-}
-
-static inline void xarm7_then_slide(double T[12], double d)
-{
-    for (int i = 0; i < 12; i += 4) {
-        T[i + 3] += T[i + 2] * d;
     }
 }
 

@@ -106,6 +106,8 @@ def _c_values(kernel: GeneralKernel, name: str) -> dict[str, object]:
         **_c_free(kernel),
         **partners,
         "given": _given(kernel, "free_joints"),
+        "has_turned": any(not held.slides for held in _held(kernel)),
+        "has_slid": any(held.slides for held in _held(kernel)),
         "links": _links(kernel, [*places, "P", "right"]),
         "sine_of_start": "sin(angle)" if slide is None else f"i == {slide} ? angle : sin(angle)",
     }
@@ -169,6 +171,11 @@ def _links(kernel: GeneralKernel, to: Sequence[str]) -> list[dict[str, object]]:
         count += 1
         result.append({"to": place, "first": first, "rest": rest})
     return result
+
+
+def _held(kernel: GeneralKernel) -> list[Held]:
+    """The joints between links whose values the caller gives."""
+    return [held for link in _every_link(kernel) for held, _ in link.rest]
 
 
 def _motion(held: Held) -> dict[str, str]:
