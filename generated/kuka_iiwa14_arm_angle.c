@@ -351,9 +351,10 @@ static const double low6 = -2.0943951033931953; /* lowest value of joint 6 */
 static const double high6 = 2.0943951033931953; /* highest value of joint 6 */
 static const double low7 = -3.054326191990077; /* lowest value of joint 7 */
 static const double high7 = 3.054326191990077; /* highest value of joint 7 */
-static const double m1 = 1e-06; /* doubt_limit^2 */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
+static const double m1 = 1e-24; /* free_limit^2 */
+static const double m2 = 1e-06; /* doubt_limit^2 */
+static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const kuka_iiwa14_arm_angle_branches[8] = {
     "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
@@ -767,25 +768,25 @@ HELPER wide_mask solve_wide(
     const wide v76 = angle7 - h1 * copysign_wide(all_wide(half_turn), b22_p) - offset1;
     const wide v77 = angle8 - offset1;
     const wide v78 = angle8 - h1 * copysign_wide(all_wide(half_turn), b22_m) - offset1;
-    const wide q1_ppp = v75 + only_wide(v75 <= -half_turn, m3);
-    const wide q1_pmp = v76 + only_wide(v76 <= -half_turn, m3);
-    const wide q1_mpp = v77 + only_wide(v77 <= -half_turn, m3);
-    const wide q1_mmp = v78 + only_wide(v78 <= -half_turn, m3);
+    const wide q1_ppp = v75 + only_wide(v75 <= -half_turn, m4);
+    const wide q1_pmp = v76 + only_wide(v76 <= -half_turn, m4);
+    const wide q1_mpp = v77 + only_wide(v77 <= -half_turn, m4);
+    const wide q1_mmp = v78 + only_wide(v78 <= -half_turn, m4);
     const wide angle9 = atan2_wide(w1_p, v39);
     const wide angle10 = atan2_wide(w1_m, -v40);
     const wide v79 = angle9 - offset2;
     const wide v80 = offset2 + angle9;
     const wide v81 = angle10 - offset2;
     const wide v82 = offset2 + angle10;
-    const wide q2_ppp = v79 + only_wide(v79 <= -half_turn, m3);
-    const wide q2_pmp = only_wide(-v80 <= -half_turn, m3) - v80;
-    const wide q2_mpp = v81 + only_wide(v81 <= -half_turn, m3);
-    const wide q2_mmp = only_wide(-v82 <= -half_turn, m3) - v82;
+    const wide q2_ppp = v79 + only_wide(v79 <= -half_turn, m4);
+    const wide q2_pmp = only_wide(-v80 <= -half_turn, m4) - v80;
+    const wide q2_mpp = v81 + only_wide(v81 <= -half_turn, m4);
+    const wide q2_mmp = only_wide(-v82 <= -half_turn, m4) - v82;
     const wide angle11 = atan2_wide(-v6, -v4);
     const wide v83 = angle11 - offset4;
     const wide v84 = offset4 + angle11;
-    const wide q4_ppp = v83 + only_wide(v83 <= -half_turn, m3);
-    const wide q4_mpp = only_wide(-v84 <= -half_turn, m3) - v84;
+    const wide q4_ppp = v83 + only_wide(v83 <= -half_turn, m4);
+    const wide q4_mpp = only_wide(-v84 <= -half_turn, m4) - v84;
     const wide angle12 = atan2_wide(sqrt_wide(v57), v20 * (factor1_p * (c3_p * (v7 * v43) + v49 *
         (v7 * v45)) - v5 * v47));
     const wide angle13 = atan2_wide(sqrt_wide(v58), -(v20 * (factor1_m * (c3_m * (v7 * v44) + v50 *
@@ -794,10 +795,10 @@ HELPER wide_mask solve_wide(
     const wide v86 = offset6 + angle12;
     const wide v87 = angle13 - offset6;
     const wide v88 = offset6 + angle13;
-    const wide q6_ppp = v85 + only_wide(v85 <= -half_turn, m3);
-    const wide q6_ppm = only_wide(-v86 <= -half_turn, m3) - v86;
-    const wide q6_mpp = v87 + only_wide(v87 <= -half_turn, m3);
-    const wide q6_mpm = only_wide(-v88 <= -half_turn, m3) - v88;
+    const wide q6_ppp = v85 + only_wide(v85 <= -half_turn, m4);
+    const wide q6_ppm = only_wide(-v86 <= -half_turn, m4) - v86;
+    const wide q6_mpp = v87 + only_wide(v87 <= -half_turn, m4);
+    const wide q6_mpm = only_wide(-v88 <= -half_turn, m4) - v88;
     const wide_mask v89 = (q4_ppp < low4) | (high4 < q4_ppp);
     const wide_mask v90 = (q4_mpp < low4) | (high4 < q4_mpp);
     const wide_mask v91 = (angle3 < low5) | (high5 < angle3);
@@ -828,9 +829,9 @@ HELPER wide_mask solve_wide(
     const wide_mask outside_mpm = v102 | (v98 | (v94 | v105));
     const wide_mask outside_mmp = v101 | (v97 | (v93 | v106));
     const wide_mask outside_mmm = v102 | (v98 | (v94 | v106));
-    const wide_mask doubt1 = (v58 <= m1) | ((v32 <= m1) | ((v57 <= m1) | (((-(reach_slack2 *
+    const wide_mask doubt1 = (v58 <= m2) | ((v32 <= m2) | ((v57 <= m2) | (((-(reach_slack2 *
         (reach_slack2 + v3)) <= D4) & ((merge_slack2 * (merge_slack2 + v3) < D4) == 0)) | (v31 <=
-        m1))));
+        m2))));
 
     q[0] = q1_ppp;
     q[1] = q2_ppp;
@@ -901,7 +902,7 @@ HELPER wide_mask solve_wide(
 }
 
 #if LANES > 1
-static const double m2 = 0.5; /* 1 / 2 */
+static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 HELPER int solve_regular(
@@ -979,7 +980,7 @@ HELPER int solve_regular(
     const four s3 = -X1 * (v20 * (uy * v22 + e1 * v25)) - b22 * (v20 * (ux * v22 + e1 * v24));
     const four c3 = -X1 * (ny * side) - b22 * (nx * side);
     const four v31 = copysign_four(all_four(half_turn), s3);
-    const four v32 = m2 * (e2 - 1.0);
+    const four v32 = m3 * (e2 - 1.0);
 
     /* theta5 */
     const four v33 = T13 * -X1 + T23 * b22;
@@ -1010,7 +1011,7 @@ HELPER int solve_regular(
 
     /* joint values */
     const four v52 = copysign_four(all_four(half_turn), b22);
-    const four_mask doubt2 = (v28 <= m1) | (v43 <= m1);
+    const four_mask doubt2 = (v28 <= m2) | (v43 <= m2);
 
     const four packed1 = atan2_four(__builtin_shufflevector(s3, v44, 0, 5, 2, 7),
         __builtin_shufflevector(c3, -X5, 0, 5, 2, 7));
@@ -1033,15 +1034,15 @@ HELPER int solve_regular(
     const four q5_m = angle2 - copysign_four(all_four(half_turn), v44) * h1;
     const four q7_m = angle3 - h1 * copysign_four(all_four(half_turn), v51);
     const four v53 = angle4 + v32 * v52 - offset1;
-    const four q1_p = v53 + only_four(v53 <= -half_turn, m3);
+    const four q1_p = v53 + only_four(v53 <= -half_turn, m4);
     const four v54 = e2 * angle5 - offset2;
-    const four q2_p = v54 + only_four(v54 <= -half_turn, m3);
+    const four q2_p = v54 + only_four(v54 <= -half_turn, m4);
     const four v55 = e1 * angle6 - offset4;
-    const four q4_p = v55 + only_four(v55 <= -half_turn, m3);
+    const four q4_p = v55 + only_four(v55 <= -half_turn, m4);
     const four v56 = angle7 - offset6;
     const four v57 = offset6 + angle7;
-    const four q6_p = v56 + only_four(v56 <= -half_turn, m3);
-    const four q6_m = only_four(-v57 <= -half_turn, m3) - v57;
+    const four q6_p = v56 + only_four(v56 <= -half_turn, m4);
+    const four q6_m = only_four(-v57 <= -half_turn, m4) - v57;
     const four_mask v58 = (q4_p < low4) | (high4 < q4_p);
     const four_mask v59 = (angle2 < low5) | (high5 < angle2);
     const four_mask v60 = (q5_m < low5) | (high5 < q5_m);

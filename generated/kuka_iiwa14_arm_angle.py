@@ -117,9 +117,10 @@ low6 = -2.0943951033931953  # lowest value of joint 6
 high6 = 2.0943951033931953  # highest value of joint 6
 low7 = -3.054326191990077  # lowest value of joint 7
 high7 = 3.054326191990077  # highest value of joint 7
-m1 = 1e-06  # doubt_limit^2
-m3 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
+m1 = 1e-24  # free_limit^2
+m2 = 1e-06  # doubt_limit^2
+m4 = 6.283185307179586  # 2 * half_turn
+h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -812,13 +813,13 @@ def _regular(pose, q_free, q, status):
     # joint values
     v83 = angle11 - offset4
     v84 = offset4 + angle11
-    q4_ppp = v83 + (m3 if v83 <= -half_turn else 0.0)
-    q4_mpp = (m3 if -v84 <= -half_turn else 0.0) - v84
+    q4_ppp = v83 + (m4 if v83 <= -half_turn else 0.0)
+    q4_mpp = (m4 if -v84 <= -half_turn else 0.0) - v84
     v89 = q4_ppp < low4 or high4 < q4_ppp
     v90 = q4_mpp < low4 or high4 < q4_mpp
     doubt1 = (
-        v58 <= m1 or (v32 <= m1 or (v57 <= m1 or (-(reach_slack2 * (reach_slack2 + v3)) <= D4 and
-        not (merge_slack2 * (merge_slack2 + v3) < D4) or v31 <= m1)))
+        v58 <= m2 or (v32 <= m2 or (v57 <= m2 or (-(reach_slack2 * (reach_slack2 + v3)) <= D4 and
+        not (merge_slack2 * (merge_slack2 + v3) < D4) or v31 <= m2)))
     )
 
     # angles, side by side
@@ -888,26 +889,26 @@ def _regular(pose, q_free, q, status):
     v76 = angle7 - h1 * math.copysign(half_turn, b22_p) - offset1
     v77 = angle8 - offset1
     v78 = angle8 - h1 * math.copysign(half_turn, b22_m) - offset1
-    q1_ppp = v75 + (m3 if v75 <= -half_turn else 0.0)
-    q1_pmp = v76 + (m3 if v76 <= -half_turn else 0.0)
-    q1_mpp = v77 + (m3 if v77 <= -half_turn else 0.0)
-    q1_mmp = v78 + (m3 if v78 <= -half_turn else 0.0)
+    q1_ppp = v75 + (m4 if v75 <= -half_turn else 0.0)
+    q1_pmp = v76 + (m4 if v76 <= -half_turn else 0.0)
+    q1_mpp = v77 + (m4 if v77 <= -half_turn else 0.0)
+    q1_mmp = v78 + (m4 if v78 <= -half_turn else 0.0)
     v79 = angle9 - offset2
     v80 = offset2 + angle9
     v81 = angle10 - offset2
     v82 = offset2 + angle10
-    q2_ppp = v79 + (m3 if v79 <= -half_turn else 0.0)
-    q2_pmp = (m3 if -v80 <= -half_turn else 0.0) - v80
-    q2_mpp = v81 + (m3 if v81 <= -half_turn else 0.0)
-    q2_mmp = (m3 if -v82 <= -half_turn else 0.0) - v82
+    q2_ppp = v79 + (m4 if v79 <= -half_turn else 0.0)
+    q2_pmp = (m4 if -v80 <= -half_turn else 0.0) - v80
+    q2_mpp = v81 + (m4 if v81 <= -half_turn else 0.0)
+    q2_mmp = (m4 if -v82 <= -half_turn else 0.0) - v82
     v85 = angle12 - offset6
     v86 = offset6 + angle12
     v87 = angle13 - offset6
     v88 = offset6 + angle13
-    q6_ppp = v85 + (m3 if v85 <= -half_turn else 0.0)
-    q6_ppm = (m3 if -v86 <= -half_turn else 0.0) - v86
-    q6_mpp = v87 + (m3 if v87 <= -half_turn else 0.0)
-    q6_mpm = (m3 if -v88 <= -half_turn else 0.0) - v88
+    q6_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
+    q6_ppm = (m4 if -v86 <= -half_turn else 0.0) - v86
+    q6_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
+    q6_mpm = (m4 if -v88 <= -half_turn else 0.0) - v88
     v91 = angle3 < low5 or high5 < angle3
     v92 = q5_ppm < low5 or high5 < q5_ppm
     v93 = angle4 < low5 or high5 < angle4
@@ -1410,13 +1411,13 @@ def _in_tiles(T, q_free, q, status):
             )
             v83 = angle11 - offset4
             v84 = offset4 + angle11
-            q4_ppp = v83 + (m3 if v83 <= -half_turn else 0.0)
-            q4_mpp = (m3 if -v84 <= -half_turn else 0.0) - v84
+            q4_ppp = v83 + (m4 if v83 <= -half_turn else 0.0)
+            q4_mpp = (m4 if -v84 <= -half_turn else 0.0) - v84
             v89 = q4_ppp < low4 or high4 < q4_ppp
             v90 = q4_mpp < low4 or high4 < q4_mpp
             doubt1 = (
-                v58 <= m1 or (v32 <= m1 or (v57 <= m1 or (-(reach_slack2 * (reach_slack2 + v3)) <=
-                D4 and not (merge_slack2 * (merge_slack2 + v3) < D4) or v31 <= m1)))
+                v58 <= m2 or (v32 <= m2 or (v57 <= m2 or (-(reach_slack2 * (reach_slack2 + v3)) <=
+                D4 and not (merge_slack2 * (merge_slack2 + v3) < D4) or v31 <= m2)))
             )
             work[1408 + k] = b22_p
             work[1440 + k] = b22_m
@@ -1503,26 +1504,26 @@ def _in_tiles(T, q_free, q, status):
             v76 = angle7 - h1 * math.copysign(half_turn, b22_p) - offset1
             v77 = angle8 - offset1
             v78 = angle8 - h1 * math.copysign(half_turn, b22_m) - offset1
-            q1_ppp = v75 + (m3 if v75 <= -half_turn else 0.0)
-            q1_pmp = v76 + (m3 if v76 <= -half_turn else 0.0)
-            q1_mpp = v77 + (m3 if v77 <= -half_turn else 0.0)
-            q1_mmp = v78 + (m3 if v78 <= -half_turn else 0.0)
+            q1_ppp = v75 + (m4 if v75 <= -half_turn else 0.0)
+            q1_pmp = v76 + (m4 if v76 <= -half_turn else 0.0)
+            q1_mpp = v77 + (m4 if v77 <= -half_turn else 0.0)
+            q1_mmp = v78 + (m4 if v78 <= -half_turn else 0.0)
             v79 = angle9 - offset2
             v80 = offset2 + angle9
             v81 = angle10 - offset2
             v82 = offset2 + angle10
-            q2_ppp = v79 + (m3 if v79 <= -half_turn else 0.0)
-            q2_pmp = (m3 if -v80 <= -half_turn else 0.0) - v80
-            q2_mpp = v81 + (m3 if v81 <= -half_turn else 0.0)
-            q2_mmp = (m3 if -v82 <= -half_turn else 0.0) - v82
+            q2_ppp = v79 + (m4 if v79 <= -half_turn else 0.0)
+            q2_pmp = (m4 if -v80 <= -half_turn else 0.0) - v80
+            q2_mpp = v81 + (m4 if v81 <= -half_turn else 0.0)
+            q2_mmp = (m4 if -v82 <= -half_turn else 0.0) - v82
             v85 = angle12 - offset6
             v86 = offset6 + angle12
             v87 = angle13 - offset6
             v88 = offset6 + angle13
-            q6_ppp = v85 + (m3 if v85 <= -half_turn else 0.0)
-            q6_ppm = (m3 if -v86 <= -half_turn else 0.0) - v86
-            q6_mpp = v87 + (m3 if v87 <= -half_turn else 0.0)
-            q6_mpm = (m3 if -v88 <= -half_turn else 0.0) - v88
+            q6_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
+            q6_ppm = (m4 if -v86 <= -half_turn else 0.0) - v86
+            q6_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
+            q6_mpm = (m4 if -v88 <= -half_turn else 0.0) - v88
             v91 = angle3 < low5 or high5 < angle3
             v92 = q5_ppm < low5 or high5 < q5_ppm
             v93 = angle4 < low5 or high5 < angle4

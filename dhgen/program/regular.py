@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from dhgen.program.limits import Limits
     from dhgen.program.tolerances import Tolerances
 
+FREE = "free_limit"  # what the names of limits begin with below which a joint is free
 FOLDED = "m"  # what the names of constants made here begin with
 
 
@@ -117,8 +118,10 @@ class _Regular:
     def run(self) -> Regular:
         builder = self._builder
         for c in self._program.constants:
-            node = builder.constant(*self._widened(c), c.meaning, c.power, derived=c.derived)
+            node = builder.constant(c.name, c.value, c.meaning, c.power, derived=c.derived)
             self._values[c.name] = Signed(node)
+            if c.name.startswith(FREE):
+                self._widen(c)
         for axis in self._program.axes:
             sign = builder.sign(axis.meaning, axis.step)
             self._values[axis.name] = Signed(builder.integer(1), frozenset({sign}))
@@ -146,16 +149,18 @@ class _Regular:
             doubts=outputs[count:],
         )
 
-    def _widened(self, constant: NamedConstant) -> tuple[str, float]:
-        """A constant's name and value: near to where a joint is free a pose is doubtful, too.
+    def _widen(self, limit: NamedConstant) -> None:
+        """Near to where a joint is free a pose is doubtful, too.
 
         The whole program takes a direction and all that follows from it from the same few digits;
         here an identity may bring in others.
         """
-        if not constant.name.startswith("free_limit"):
-            return constant.name, constant.value
-        factor = self._wider**2 if "squared" in constant.name else self._wider
-        return constant.name.replace("free", "doubt", 1), factor * constant.value
+        factor = self._wider**2 if "squared" in limit.name else self._wider
+        name, value = _wide(limit.name), factor * limit.value
+        node = self._builder.constant(
+            name, value, limit.meaning, limit.power, derived=limit.derived
+        )
+        self._values[name] = Signed(node)
 
     def _assume(self) -> None:
         """No joint is free, no two branches meet."""
@@ -188,13 +193,14 @@ class _Regular:
             case Let(name, expression) if self._foreseen(name, expression):
                 pass
             case Let(name, expression):
-                value = self._value(expression)
+                doubt = statement.truth and self._assumed.get(name) is False
+                value = self._value(_widened(expression) if doubt else expression)
                 if not statement.truth and name not in self._exact:
                     value = self._arithmetic.sooner(value, name)
                 self._values[name] = value
                 if not (name[0] == "v" and name[1:].isdigit()):
                     self._builder.hint(value.node, name)
-                if self._assumed.get(name) is False and statement.truth:
+                if doubt:
                     self._doubts.append(value.node)
             case Guard():
                 self._guard(statement)
@@ -386,3 +392,15 @@ def _met(guard: Guard) -> Expression:
         case Apply("or", (Apply("not", (met,)), Apply("less", _))):
             return met
     raise AssertionError(guard)
+
+
+def _wide(name: str) -> str:
+    return name.replace("free", "doubt", 1)
+
+
+def _widened(condition: Expression) -> Expression:
+    """x <= limit with a wider limit, where it is one below which a joint is free."""
+    match condition:
+        case Apply("at_most", (value, Variable(name))) if name.startswith(FREE):
+            return Apply("at_most", (value, Variable(_wide(name))))
+    return condition
