@@ -106,8 +106,8 @@ class _Parser:
             raise self._error(node, f"nested more than {MAX_DEPTH} deep")
         match node:
             case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
-                literal = ast.get_source_segment(self.body, node) or ""
-                number = Number(Fraction(literal))
+                # Tokens are ASCII and on one line; ast.get_source_segment would split lines again.
+                number = Number(Fraction(self.body[node.col_offset : node.end_col_offset]))
                 return _Part(number, float(number.value))
             case ast.Name(id=name):
                 return self._name(node, name)

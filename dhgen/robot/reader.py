@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from ruamel.yaml.error import StreamMark
     from ruamel.yaml.events import Event
 
-MAX_BYTES = 256 * 1024
+MAX_BYTES = 128 * 1024
 MAX_EVENTS = 5_000  # 64 joints with every cell and limit, 128 parameters, all frames: about 2 000
 MAX_DEPTH = 12
 
