@@ -95,10 +95,14 @@ class Arm:
 
     def random_poses(self, count: int) -> Array:
         """Poses (count, 4, 4) of joint values spread evenly over whole turns and limits."""
+        return self.model.pose(self.random_joints(count))
+
+    def random_joints(self, count: int) -> Array:
+        """The joint values (count, n) of these poses."""
         draw = np.random.default_rng(SEED)
         spans = [_span(joint.kind, joint.limits) for joint in self.robot.joints]
         low, high = np.array(spans).T
-        return self.model.pose(draw.uniform(low, high, (count, self.dof)))
+        return np.asarray(draw.uniform(low, high, (count, self.dof)))
 
     def aligned_poses(self, count: int) -> Array:
         """Poses (count, 4, 4) whose revolute joints stand at multiples of a quarter turn."""

@@ -4,7 +4,8 @@
 
 CPU time of one process, the generated C at -O3 -march=native, all solutions of random poses within
 reach. Every pose is solved five times, in five passes over all of them; its least time counts, and
-the quantiles are taken over the poses. `--write` puts the table into docs/benchmarks.md.
+the quantiles are taken over the poses. Joints whose values the caller gives stand at zero, as they
+mostly do, and once more at one radian. `--write` puts the table into docs/benchmarks.md.
 """
 
 from __future__ import annotations
@@ -28,6 +29,15 @@ if TYPE_CHECKING:
     from dhgen.kinematics.numeric import Array
 
 PASSES = 5
+GIVEN = (0.0, 1.0)  # [rad]
+GIVEN_SHIM = """#include "{name}.h"
+static int solve(const double *T, double *q)
+{{
+    static const double given[] = {{ {given} }};
+    unsigned char status[{rows}];
+    return {name}_ik(T, given, NULL, (double (*)[{dof}])q, status);
+}}
+"""
 HEAD = ("arm", "solutions", "mean", "median", "99 %", "slowest")
 
 
@@ -38,10 +48,13 @@ def main(arguments: list[str]) -> None:
     chosen = options.parse_args(arguments)
     rows = []
     for name in chosen.arms:
-        seconds, solutions = measure(read_arm(Case(name, "general 6R")), chosen.poses)
-        times = [seconds.mean(), *np.quantile(seconds, [0.5, 0.99, 1.0])]
-        rows.append((name, f"{solutions:.2f}", *(time_text(1e9 * each) for each in times)))
-        print(*rows[-1], flush=True)
+        arm = read_arm(Case(name, "general 6R"))
+        for value in GIVEN if arm.robot.free else (0.0,):
+            seconds, solutions = measure(arm, chosen.poses, value)
+            times = [seconds.mean(), *np.quantile(seconds, [0.5, 0.99, 1.0])]
+            title = f"{name}, joint {arm.robot.free[0]} at {value:g}" if arm.robot.free else name
+            rows.append((title, f"{solutions:.2f}", *(time_text(1e9 * each) for each in times)))
+            print(*rows[-1], flush=True)
     show(table(HEAD, rows), "general6r", write=chosen.write)
 
 
@@ -55,11 +68,22 @@ def general_arms() -> list[str]:
     ]
 
 
-def measure(arm: Arm, count: int) -> tuple[Array, float]:
-    """The time of every pose [s], and how many solutions there are on the mean."""
-    name, T = arm.case.name, np.ascontiguousarray(arm.random_poses(count))
+def measure(arm: Arm, count: int, value: float) -> tuple[Array, float]:
+    """The time of every pose [s], and how many solutions there are on the mean.
+
+    Args:
+        arm: The arm.
+        count: How many poses.
+        value: Of the joints whose values the caller gives.
+    """
+    name, q = arm.case.name, arm.random_joints(count)
+    q[:, [number - 1 for number in arm.robot.free]] = value
+    T = np.ascontiguousarray(arm.model.pose(q))
     rows = generated(name).MAX_SOLUTIONS
-    interface = Interface(ONE_SHIM.format(name=name, rows=rows, dof=arm.dof), rows, arm.dof)
+    given = ", ".join([repr(value)] * len(arm.robot.free))
+    shim = GIVEN_SHIM if given else ONE_SHIM
+    text = shim.format(name=name, rows=rows, dof=arm.dof, given=given)
+    interface = Interface(text, rows, arm.dof)
     seconds = np.full((PASSES, count), np.inf)
     with tempfile.TemporaryDirectory(prefix="dhgen-bench-") as folder:
         native = compiled(GENERATED / f"{name}.c", interface, NATIVE, Path(folder))

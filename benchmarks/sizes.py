@@ -3,8 +3,9 @@
     python -m benchmarks.sizes [--arms NAME ...] [--numba NAME ...] [--write]
 
 C is compiled with -O3 -march=native, the object is measured without symbols. numba starts from an
-empty cache; `ik_all` is the first call of one pose, `ik_batch` the first call of a batch after it.
-That takes seconds and is done for the arms of `python -m benchmarks`, or those named.
+empty cache; `ik_all` is the first call of one pose, `ik_into` and `ik_batch` the first calls of
+theirs after it, `all` what `warm_up` adds to these, and `cached` all of it in another process. That
+takes seconds and is done for the arms of `python -m benchmarks`, or those named.
 `--write` puts the table into docs/benchmarks.md.
 """
 
@@ -33,15 +34,22 @@ sys.path.insert(0, sys.argv[1])
 import numpy, numba
 from importlib import import_module
 solver = import_module(sys.argv[2])
-free = [numpy.zeros(len(solver.FREE_JOINTS))] if hasattr(solver, "FREE_JOINTS") else []
+count = 1 if hasattr(solver, "arm_angle") else len(getattr(solver, "FREE_JOINTS", ()))
+free = [numpy.zeros(count)] if count else []
 T = solver.fk(numpy.full(solver.DOF, 0.3))
-start = time.process_time()
-solver.ik_all(T, *free)
-middle = time.process_time()
+times = [time.process_time()]
+q, status = solver.ik_all(T, *free)
+times.append(time.process_time())
+solver.ik_into(T, *free, q, status)
+times.append(time.process_time())
 solver.ik_batch(T[None], *(each[None] for each in free))
-print(middle - start, time.process_time() - middle)
+times.append(time.process_time())
+solver.warm_up()
+times.append(time.process_time())
+print(*numpy.diff(times))
 """
-HEAD = ("arm", "C source", "gcc", "object", "Python source", "ik_all", "ik_batch")
+CALLS = ("ik_all", "ik_into", "ik_batch", "all", "cached")
+HEAD = ("arm", "C source", "gcc", "object", "Python source", *CALLS)
 
 
 def main(arguments: list[str]) -> None:
@@ -60,7 +68,7 @@ def main(arguments: list[str]) -> None:
 
 
 def measure(name: str, *, with_numba: bool) -> tuple[float, ...]:
-    """Bytes of C, seconds of gcc, bytes of machine code, bytes of Python, seconds of numba (2).
+    """Bytes of C, seconds of gcc, bytes of machine code, bytes of Python, seconds of numba.
 
     NaN stands for what is not measured.
     """
@@ -69,7 +77,7 @@ def measure(name: str, *, with_numba: bool) -> tuple[float, ...]:
             float((GENERATED / f"{name}.c").stat().st_size),
             *_compiled(name, Path(folder)),
             float((GENERATED / f"{name}.py").stat().st_size),
-            *(_first_calls(name, folder) if with_numba else (math.nan, math.nan)),
+            *(_first_calls(name, folder) if with_numba else (math.nan,) * len(CALLS)),
         )
 
 
@@ -87,6 +95,12 @@ def _compiled(name: str, folder: Path) -> tuple[float, float]:
 
 
 def _first_calls(name: str, folder: str) -> tuple[float, ...]:
+    """Seconds of the first calls without a cache, and of all of them with one."""
+    made, kept = (_in_a_process(name, folder) for _ in range(2))
+    return *made, sum(kept)
+
+
+def _in_a_process(name: str, folder: str) -> tuple[float, ...]:
     done = subprocess.run(
         [sys.executable, "-c", FIRST_CALLS, str(GENERATED), name],
         env={**os.environ, "NUMBA_CACHE_DIR": folder},
@@ -101,7 +115,9 @@ def _texts(values: tuple[float, ...]) -> tuple[str, ...]:
     units = (("kB", 1e3, 1), ("s", 1.0, 2), ("kB", 1e3, 1), ("kB", 1e3, 1), ("s", 1.0, 1))
     return tuple(
         "-" if math.isnan(value) else f"{value / size:.{digits}f} {unit}"
-        for value, (unit, size, digits) in zip(values, [*units, units[-1]], strict=True)
+        for value, (unit, size, digits) in zip(
+            values, [*units[:-1], *[units[-1]] * len(CALLS)], strict=True
+        )
     )
 
 

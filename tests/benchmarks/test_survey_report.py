@@ -25,6 +25,7 @@ BOUNDS = {
     "quartic": 1e-11,
     "general 6R": 1e-9,
     "general 5R1P": 1e-9,
+    "general 4R2P": 1e-9,
     "numerical": 1e-9,
 }
 
