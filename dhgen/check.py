@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhgen.compiler import compile_robot
+from dhgen.errors import about
 from dhgen.program.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
@@ -55,7 +56,8 @@ def _compile_all(files: tuple[Path, ...], *, numerical: bool = False) -> list[di
 
 
 def _files_of(path: Path, *, numerical: bool) -> dict[str, str]:
-    return compile_robot(path, numerical=numerical).files
+    with about(path):
+        return compile_robot(path, numerical=numerical).files
 
 
 def _difference(path: Path, text: str) -> str | None:

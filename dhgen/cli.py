@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhgen.errors import DhgenError, VerificationError
+from dhgen.errors import DhgenError, VerificationError, about
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -132,7 +132,8 @@ def _tell(text: str) -> None:
 def _compile(path: Path, options: argparse.Namespace) -> Compilation:
     from dhgen.compiler import compile_robot  # noqa: PLC0415 - errors and --help need no sympy
 
-    return compile_robot(path, _tell, numerical=options.numerical)
+    with about(path):
+        return compile_robot(path, _tell, numerical=options.numerical)
 
 
 def _write(options: argparse.Namespace) -> int:

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,3 +72,12 @@ class PrecisionError(DhgenError):
 
 class VerificationError(DhgenError):
     """The written files do not do what they promise: a fault of the compiler, never the user's."""
+
+
+@contextmanager
+def about(file: Path) -> Iterator[None]:
+    """Puts a file's name before what is said of the arm in it."""
+    try:
+        yield
+    except (UnsolvedError, PrecisionError) as error:
+        raise type(error)(f"{file}: {error}") from error

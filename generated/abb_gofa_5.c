@@ -406,7 +406,7 @@ static inline abb_gofa_5_lane abb_gofa_5_with_sign(abb_gofa_5_lane x, abb_gofa_5
 
 static inline abb_gofa_5_lane abb_gofa_5_sqrt(abb_gofa_5_lane x)
 {
-    abb_gofa_5_lane r;
+    abb_gofa_5_lane r = x;
     for (int k = 0; k < ABB_GOFA_5_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
@@ -1282,6 +1282,81 @@ static void abb_gofa_5_close(const double T[16], abb_gofa_5_loop *loop)
     }
 }
 
+/* a rigid transform for each lane */
+typedef abb_gofa_5_lane abb_gofa_5_rigid[3][4];
+
+/* T Rz */
+static inline void abb_gofa_5_turn(abb_gofa_5_rigid T, abb_gofa_5_lane c, abb_gofa_5_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const abb_gofa_5_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void abb_gofa_5_move(abb_gofa_5_rigid T, int joint, abb_gofa_5_lane c, abb_gofa_5_lane
+    s)
+{
+    (void)joint;
+    abb_gofa_5_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void abb_gofa_5_follow(abb_gofa_5_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const abb_gofa_5_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void abb_gofa_5_begin(abb_gofa_5_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = abb_gofa_5_all(K[i]);
+    }
+}
+
+static inline void abb_gofa_5_to_unit(abb_gofa_5_lane *c, abb_gofa_5_lane *s)
+{
+    const abb_gofa_5_lane square = *c * *c + *s * *s, factor = 1.0 / abb_gofa_5_sqrt(square +
+        1e-300);
+    *c = abb_gofa_5_select(square > 1e-300, *c * factor, abb_gofa_5_all(1.0));
+    *s = abb_gofa_5_select(square > 1e-300, *s * factor, abb_gofa_5_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline abb_gofa_5_lane abb_gofa_5_reflect(abb_gofa_5_lane *const *row, int rows, int column,
+    int columns)
+{
+    abb_gofa_5_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = abb_gofa_5_with_sign(abb_gofa_5_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        abb_gofa_5_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
  * and
  * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
@@ -1457,33 +1532,6 @@ static void abb_gofa_5_equations(const abb_gofa_5_formulation *form, double link
             ABB_GOFA_5_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
-static inline abb_gofa_5_lane abb_gofa_5_reflect(abb_gofa_5_lane *const *row, int rows, int column,
-    int columns)
-{
-    abb_gofa_5_lane axis[6], square = {0}, length, factor;
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        square += axis[i] * axis[i];
-    }
-    length = abb_gofa_5_with_sign(abb_gofa_5_sqrt(square), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        abb_gofa_5_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
-        }
-        sum *= factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
 }
 
 /* The determinant at hidden angles, and the upper triangular factor whose null vectors are
@@ -1986,6 +2034,71 @@ static void abb_gofa_5_find_roots(const abb_gofa_5_trigonometric *f, abb_gofa_5_
     }
 }
 
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} abb_gofa_5_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline abb_gofa_5_lane abb_gofa_5_through(const abb_gofa_5_lens *a, abb_gofa_5_lane *c,
+    abb_gofa_5_lane *s)
+{
+    const abb_gofa_5_lane u = *c + a->x, v = *s + a->y;
+    const abb_gofa_5_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const abb_gofa_5_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline abb_gofa_5_lane abb_gofa_5_weighted(abb_gofa_5_lane f, abb_gofa_5_lane square)
+{
+    const abb_gofa_5_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int abb_gofa_5_spread(const double samples[24], abb_gofa_5_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * abb_gofa_5_sample_c[k];
+        y += ratio * abb_gofa_5_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void abb_gofa_5_behind(const abb_gofa_5_lens *a, int count, double *cosine, double *sine)
+{
+    for (int i = 0; i < count; i += ABB_GOFA_5_LANES) {
+        abb_gofa_5_lane c = ABB_GOFA_5_LOAD(cosine + i), s = ABB_GOFA_5_LOAD(sine + i);
+        (void)abb_gofa_5_through(a, &c, &s);
+        ABB_GOFA_5_STORE(cosine + i, c);
+        ABB_GOFA_5_STORE(sine + i, s);
+    }
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
@@ -1994,9 +2107,6 @@ typedef struct {
     int count, groups, group[ABB_GOFA_5_CANDIDATES];
     double c[ABB_GOFA_5_CANDIDATES], s[ABB_GOFA_5_CANDIDATES], n[6][ABB_GOFA_5_CANDIDATES];
 } abb_gofa_5_candidates;
-
-/* a rigid transform for each lane */
-typedef abb_gofa_5_lane abb_gofa_5_rigid[3][4];
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
 static inline void abb_gofa_5_inverse_iteration(abb_gofa_5_lane U[6][6], const abb_gofa_5_lane
@@ -2182,43 +2292,6 @@ static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_
     out->groups++;
 }
 
-/* T Rz */
-static inline void abb_gofa_5_turn(abb_gofa_5_rigid T, abb_gofa_5_lane c, abb_gofa_5_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const abb_gofa_5_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void abb_gofa_5_move(abb_gofa_5_rigid T, int joint, abb_gofa_5_lane c, abb_gofa_5_lane
-    s)
-{
-    (void)joint;
-    abb_gofa_5_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void abb_gofa_5_follow(abb_gofa_5_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const abb_gofa_5_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void abb_gofa_5_begin(abb_gofa_5_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = abb_gofa_5_all(K[i]);
-    }
-}
-
 /* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
  * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
 static void abb_gofa_5_invariants(const double K[12], const double M[12], double w[5],
@@ -2258,14 +2331,6 @@ static void abb_gofa_5_invariants(const double K[12], const double M[12], double
         solve[0][i] = (bb * a[i] - ab * b[i]) / det;
         solve[1][i] = (aa * b[i] - ab * a[i]) / det;
     }
-}
-
-static inline void abb_gofa_5_to_unit(abb_gofa_5_lane *c, abb_gofa_5_lane *s)
-{
-    const abb_gofa_5_lane square = *c * *c + *s * *s, factor = 1.0 / abb_gofa_5_sqrt(square +
-        1e-300);
-    *c = abb_gofa_5_select(square > 1e-300, *c * factor, abb_gofa_5_all(1.0));
-    *s = abb_gofa_5_select(square > 1e-300, *s * factor, abb_gofa_5_all(0.0));
 }
 
 /* phi_2 and phi_3 from the null vector */
@@ -2577,22 +2642,6 @@ static unsigned abb_gofa_5_offer(const abb_gofa_5_loop *loop, abb_gofa_5_lane c[
     return met;
 }
 
-/* Roots that nearly meet are tried as one double root too. */
-static void abb_gofa_5_close_roots(const double *E, const abb_gofa_5_roots *roots,
-    abb_gofa_5_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                abb_gofa_5_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
-}
-
 static int abb_gofa_5_bits(unsigned set)
 {
     int count = 0;
@@ -2622,6 +2671,289 @@ static void abb_gofa_5_around(const abb_gofa_5_formulation *form, const abb_gofa
             abb_gofa_5_invert(loop->link[joint - 1], link[i]);
         } else {
             abb_gofa_5_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Ways to solve at roots of the hidden angle, by its cosine and sine: two signs that choose among
+ * square
+ * roots; `group` is the number of the root, and `far` how many more ways it has that lead to
+ * infinity. */
+typedef struct {
+    int count, group[ABB_GOFA_5_CANDIDATES], far[2 * ABB_GOFA_5_ROOTS];
+    double c[ABB_GOFA_5_CANDIDATES], s[ABB_GOFA_5_CANDIDATES], sign[2][ABB_GOFA_5_CANDIDATES];
+} abb_gofa_5_ways;
+
+/* The offset wrist: axes 1 and 2 meet at right angles in S, 2 and 3 are parallel, 4 and 5 meet at
+ * right
+ * angles in W, axis 4 lies in the plane through S across axis 2. With q6 given, W and z5 are known,
+ * and
+ * S, the elbow E and W form a triangle; axis 4 has to be at right angles to z5. The signs of a way
+ * are those of the plane and of the elbow. */
+typedef struct {
+    const abb_gofa_5_loop *loop;
+    double back[12]; /* from frame 6 to frame 5 */
+} abb_gofa_5_setting;
+
+static void abb_gofa_5_prepare(abb_gofa_5_setting *set, int which, const abb_gofa_5_loop *loop)
+{
+    (void)which;
+    set->loop = loop;
+    abb_gofa_5_invert(loop->link[4], set->back);
+}
+
+/* What a sixth angle fixes: frame 5 before its own turn, W from S. */
+static inline void abb_gofa_5_wrist_at(const abb_gofa_5_setting *set, abb_gofa_5_lane c,
+    abb_gofa_5_lane s,
+                                    abb_gofa_5_rigid frame, abb_gofa_5_lane W[3])
+{
+    abb_gofa_5_begin(frame, set->loop->link[5]);
+    abb_gofa_5_turn(frame, c, -s);
+    abb_gofa_5_follow(frame, set->back);
+    for (int i = 0; i < 3; i++) {
+        W[i] = frame[i][3] + -0.0 * frame[i][2];
+    }
+    W[2] -= 5.203881545049196e-10;
+}
+
+static inline abb_gofa_5_lane abb_gofa_5_discriminant(abb_gofa_5_lane w)
+{
+    const abb_gofa_5_lane twice = w + 0.7602018549320725 - 0.8985017054174421;
+    return 4.0 * 0.7602018549320725 * w - twice * twice;
+}
+
+/* The polynomial of q6: of degree 8. */
+static inline abb_gofa_5_lane abb_gofa_5_closed_polynomial(const abb_gofa_5_setting *set,
+    abb_gofa_5_lane c6, abb_gofa_5_lane s6)
+{
+    abb_gofa_5_rigid frame;
+    abb_gofa_5_lane W[3];
+    abb_gofa_5_wrist_at(set, c6, s6, frame, W);
+    const abb_gofa_5_lane z5[3] = {frame[0][2], frame[1][2], frame[2][2]};
+    const abb_gofa_5_lane w = W[0] * W[0] + W[1] * W[1] + W[2] * W[2];
+    const abb_gofa_5_lane along = W[0] * z5[0] + W[1] * z5[1] + W[2] * z5[2];
+    const abb_gofa_5_lane m = z5[2] * w - W[2] * along, D = abb_gofa_5_discriminant(w);
+    const abb_gofa_5_lane part = w - 0.7602018549320725 + 0.8985017054174421;
+    const abb_gofa_5_lane first = along * along * (W[0] * W[0] + W[1] * W[1]), second = m * m;
+    const double C = 0.973688178796424, S = 0.22788446737788648;
+    const abb_gofa_5_lane U = first * (C * C * part * part + S * S * D) -
+                     second * (S * S * part * part + C * C * D);
+    const abb_gofa_5_lane V = 2.0 * C * S * part * (first + second);
+    return (U * U - V * V * D) / (w * w + 1e-300);
+}
+
+/* The ways at a root for which axis 4 is nearly at right angles to z5. */
+static void abb_gofa_5_add_ways(const abb_gofa_5_setting *set, double c, double s, int group,
+    abb_gofa_5_ways *out)
+{
+    abb_gofa_5_rigid frame;
+    abb_gofa_5_lane W[3], D;
+    double v[3], z5[3], w, along, m, across, part, root;
+    abb_gofa_5_wrist_at(set, abb_gofa_5_all(c), abb_gofa_5_all(s), frame, W);
+    D = abb_gofa_5_discriminant(W[0] * W[0] + W[1] * W[1] + W[2] * W[2]);
+    for (int i = 0; i < 3; i++) {
+        v[i] = abb_gofa_5_largest(W[i]);
+        z5[i] = abb_gofa_5_largest(frame[i][2]);
+    }
+    w = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    along = v[0] * z5[0] + v[1] * z5[1] + v[2] * z5[2];
+    m = z5[2] * w - v[2] * along;
+    across = sqrt(v[0] * v[0] + v[1] * v[1]);
+    if (across < 1e-12) {
+        return; /* W is on axis 1 */
+    }
+    part = w - 0.7602018549320725 + 0.8985017054174421;
+    root = abb_gofa_5_largest(D);
+    root = root > 0.0 ? sqrt(root) : 0.0;
+    for (int way = 0; way < 4; way++) {
+        const double tau = way & 1 ? 1.0 : -1.0, elbow = way & 2 ? 1.0 : -1.0;
+        const double C = 0.973688178796424, S = 0.22788446737788648, r = 0.9478932985402113;
+        const double one = along * across * (C * part + S * elbow * root);
+        const double other = tau * m * (S * part - C * elbow * root);
+        if (fabs(one + other) < 2.0 * w * r * across * 0.01 &&
+            out->count < ABB_GOFA_5_CANDIDATES) {
+            out->group[out->count] = group;
+            out->c[out->count] = c;
+            out->s[out->count] = s;
+            out->sign[0][out->count] = tau;
+            out->sign[1][out->count] = elbow;
+            out->count++;
+        }
+    }
+}
+
+/* Turn from (x, y), a constant, to (u, v), as cosine and sine. */
+static inline void abb_gofa_5_turn_to(double x, double y, abb_gofa_5_lane u, abb_gofa_5_lane v,
+    abb_gofa_5_lane *c,
+                                   abb_gofa_5_lane *s)
+{
+    *c = x * u + y * v;
+    *s = x * v - y * u;
+    abb_gofa_5_to_unit(c, s);
+}
+
+/* The cosines and sines of all joints, from q6 and the way. */
+static inline void abb_gofa_5_way_joints(const abb_gofa_5_setting *set, abb_gofa_5_lane c6,
+    abb_gofa_5_lane s6, abb_gofa_5_lane tau,
+                                      abb_gofa_5_lane elbow, abb_gofa_5_lane c[6], abb_gofa_5_lane
+                                          s[6])
+{
+    static const double source[8] = { 0.0, -1.0, 0.8718955527653943, 0.0, 0.216010159468904,
+        0.9229524995489534, 0.0, -1.0 };
+    static const double identity[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
+    abb_gofa_5_rigid frame, T;
+    abb_gofa_5_lane W[3], target[4][3], x[2], up[3], w, rho, part, side;
+    abb_gofa_5_wrist_at(set, c6, s6, frame, W);
+    rho = W[0] * W[0] + W[1] * W[1];
+    w = rho + W[2] * W[2];
+    rho = abb_gofa_5_sqrt(rho);
+    x[0] = tau * W[0] / rho;
+    x[1] = tau * W[1] / rho;
+    part = 0.5 * (w - 0.7602018549320725 + 0.8985017054174421) / w;
+    side = abb_gofa_5_sqrt(abb_gofa_5_max(abb_gofa_5_discriminant(w), abb_gofa_5_all(0.0))) * elbow
+        * 0.5 / w;
+    up[0] = -W[2] * x[0]; /* W turned about axis 3 */
+    up[1] = -W[2] * x[1];
+    up[2] = tau * rho;
+    target[0][0] = 1.0 * x[1];
+    target[0][1] = 1.0 * -x[0];
+    target[0][2] = abb_gofa_5_all(0.0);
+    for (int i = 0; i < 3; i++) {
+        const abb_gofa_5_lane shoulder = abb_gofa_5_all(i == 2 ? 5.203881545049196e-10 : 0.0);
+        target[2][i] = W[i] + shoulder;
+        target[1][i] = target[2][i] - part * W[i] + side * up[i];
+        target[3][i] = frame[i][2];
+    }
+    abb_gofa_5_begin(T, identity);
+    for (int k = 0; k < 4; k++) {
+        abb_gofa_5_lane v[3], local[2];
+        for (int i = 0; i < 3; i++) {
+            v[i] = k == 1 || k == 2 ? target[k][i] - T[i][3] : target[k][i];
+        }
+        for (int j = 0; j < 2; j++) {
+            local[j] = T[0][j] * v[0] + T[1][j] * v[1] + T[2][j] * v[2];
+        }
+        abb_gofa_5_turn_to(source[2 * k], source[2 * k + 1], local[0], local[1], &c[k], &s[k]);
+        abb_gofa_5_turn(T, c[k], s[k]);
+        abb_gofa_5_follow(T, set->loop->link[k]);
+    }
+    c[4] = s[4] = abb_gofa_5_all(0.0);
+    for (int i = 0; i < 3; i++) {
+        c[4] += T[i][0] * frame[i][0] + T[i][1] * frame[i][1];
+        s[4] += T[i][1] * frame[i][0] - T[i][0] * frame[i][1];
+    }
+    abb_gofa_5_to_unit(&c[4], &s[4]);
+    c[5] = c6;
+    s[5] = s6;
+}
+
+static void abb_gofa_5_find_ways(const abb_gofa_5_setting *set, const double *c, const double *s,
+    int count, int group,
+                              abb_gofa_5_ways *out)
+{
+    for (int i = 0; i < count; i++) {
+        abb_gofa_5_add_ways(set, c[i], s[i], group + i, out);
+    }
+}
+
+/* Polish the ways; the certificate is that of the formulations, with 1 solution(s) a root. */
+static int abb_gofa_5_settle_ways(const abb_gofa_5_loop *loop, const abb_gofa_5_setting *set, const
+    abb_gofa_5_ways *ways,
+                               int simple, int doubles, abb_gofa_5_found *found)
+{
+    unsigned met = 0, of_group[2 * ABB_GOFA_5_ROOTS] = {0};
+    int complete = 1, expected = 0;
+    for (int from = 0; from < ways->count; from += ABB_GOFA_5_LANES) {
+        const int count = ways->count - from < ABB_GOFA_5_LANES ? ways->count - from :
+            ABB_GOFA_5_LANES;
+        double in[4][ABB_GOFA_5_LANES];
+        abb_gofa_5_lane c[6], s[6];
+        int place[ABB_GOFA_5_LANES];
+        for (int k = 0; k < ABB_GOFA_5_LANES; k++) {
+            const int i = k < count ? from + k : from;
+            in[0][k] = ways->c[i];
+            in[1][k] = ways->s[i];
+            in[2][k] = ways->sign[0][i];
+            in[3][k] = ways->sign[1][i];
+        }
+        abb_gofa_5_way_joints(set, ABB_GOFA_5_LOAD(in[0]), ABB_GOFA_5_LOAD(in[1]),
+            ABB_GOFA_5_LOAD(in[2]), ABB_GOFA_5_LOAD(in[3]), c, s);
+        met |= abb_gofa_5_offer(loop, c, s, count, 4, doubles > 0, found, place);
+        for (int k = 0; k < count; k++) {
+            if (place[k] >= 0) {
+                of_group[ways->group[from + k]] |= 1u << place[k];
+            }
+        }
+    }
+    for (int i = 0; i < simple + doubles; i++) {
+        if (ways->far[i] && !of_group[i]) {
+            continue;
+        }
+        complete &= abb_gofa_5_bits(of_group[i]) >= 1;
+        expected += i < simple || of_group[i] & found->singular ? 1 : 2;
+        expected -= ways->far[i];
+    }
+    return complete && abb_gofa_5_bits(met) >= expected && abb_gofa_5_paired(found);
+}
+
+/* The polynomial at the sample angles, through a lens. */
+static void abb_gofa_5_sample_closed(const abb_gofa_5_setting *set, const abb_gofa_5_lens *lens,
+    double samples[24])
+{
+    for (int k = 0; k < 24; k += ABB_GOFA_5_LANES) {
+        abb_gofa_5_lane c = ABB_GOFA_5_LOAD(abb_gofa_5_sample_c + k), s =
+            ABB_GOFA_5_LOAD(abb_gofa_5_sample_s + k);
+        const abb_gofa_5_lane square = abb_gofa_5_through(lens, &c, &s);
+        ABB_GOFA_5_STORE(samples + k, abb_gofa_5_weighted(abb_gofa_5_closed_polynomial(set, c, s),
+            square));
+    }
+}
+
+/* Find what a polynomial in closed form finds; whether that is certainly everything. */
+static int abb_gofa_5_attempt_closed(int which, const abb_gofa_5_loop *loop, abb_gofa_5_found
+    *found)
+{
+    double samples[24];
+    abb_gofa_5_setting set;
+    abb_gofa_5_trigonometric f;
+    abb_gofa_5_roots roots;
+    abb_gofa_5_ways ways;
+    abb_gofa_5_lens lens = {0.0, 0.0};
+    abb_gofa_5_prepare(&set, which, loop);
+    abb_gofa_5_sample_closed(&set, &lens, samples);
+    if (abb_gofa_5_spread(samples, &lens)) {
+        abb_gofa_5_sample_closed(&set, &lens, samples);
+    }
+    abb_gofa_5_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    abb_gofa_5_find_roots(&f, &roots);
+    abb_gofa_5_behind(&lens, roots.simple, roots.c, roots.s);
+    abb_gofa_5_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
+    ways.count = 0;
+    for (int i = 0; i < 2 * ABB_GOFA_5_ROOTS; i++) {
+        ways.far[i] = 0;
+    }
+    abb_gofa_5_find_ways(&set, roots.c, roots.s, roots.simple, 0, &ways);
+    abb_gofa_5_find_ways(&set, roots.double_c, roots.double_s, roots.doubles, roots.simple, &ways);
+    found->doubles += roots.doubles;
+    return abb_gofa_5_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
+        roots.complete;
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void abb_gofa_5_close_roots(const double *E, const abb_gofa_5_roots *roots,
+    abb_gofa_5_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                abb_gofa_5_null_plane(E, c * factor, s * factor, out);
+            }
         }
     }
 }
@@ -2669,6 +3001,19 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
     return complete && abb_gofa_5_bits(met) >= expected && abb_gofa_5_paired(found);
 }
 
+/* The determinant at the sample angles, through a lens. */
+static void abb_gofa_5_sample(const double *E, const abb_gofa_5_lens *lens, double samples[24])
+{
+    for (int k = 0; k < 24; k += ABB_GOFA_5_LANES) {
+        abb_gofa_5_lane factor[6][6];
+        abb_gofa_5_lane c = ABB_GOFA_5_LOAD(abb_gofa_5_sample_c + k), s =
+            ABB_GOFA_5_LOAD(abb_gofa_5_sample_s + k);
+        const abb_gofa_5_lane square = abb_gofa_5_through(lens, &c, &s);
+        ABB_GOFA_5_STORE(samples + k, abb_gofa_5_weighted(abb_gofa_5_fold(E, c, s, factor),
+            square));
+    }
+}
+
 /* Find what a formulation finds; whether that is certainly everything. */
 static int abb_gofa_5_attempt(const abb_gofa_5_formulation *form, const abb_gofa_5_loop *loop,
                            abb_gofa_5_found *found)
@@ -2677,18 +3022,20 @@ static int abb_gofa_5_attempt(const abb_gofa_5_formulation *form, const abb_gofa
     abb_gofa_5_trigonometric f;
     abb_gofa_5_roots roots;
     abb_gofa_5_candidates all;
+    abb_gofa_5_lens lens = {0.0, 0.0};
     abb_gofa_5_around(form, loop, link);
     abb_gofa_5_equations(form, link, E);
-    for (int k = 0; k < 24; k += ABB_GOFA_5_LANES) {
-        abb_gofa_5_lane factor[6][6];
-        ABB_GOFA_5_STORE(samples + k, abb_gofa_5_fold(E, ABB_GOFA_5_LOAD(abb_gofa_5_sample_c + k),
-                                   ABB_GOFA_5_LOAD(abb_gofa_5_sample_s + k), factor));
+    abb_gofa_5_sample(E, &lens, samples);
+    if (abb_gofa_5_spread(samples, &lens)) {
+        abb_gofa_5_sample(E, &lens, samples);
     }
     abb_gofa_5_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }
     abb_gofa_5_find_roots(&f, &roots);
+    abb_gofa_5_behind(&lens, roots.simple, roots.c, roots.s);
+    abb_gofa_5_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     abb_gofa_5_null_vectors(E, &roots, &all);
     abb_gofa_5_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
@@ -2699,238 +3046,13 @@ static int abb_gofa_5_attempt(const abb_gofa_5_formulation *form, const abb_gofa
         roots.complete;
 }
 
-/* The offset wrist: axes 1 and 2 meet at right angles in S, 2 and 3 are parallel, 4 and 5 meet at
- * right
- * angles in W, axis 4 lies in the plane through S across axis 2. With q6 given, W and z5 are known,
- * and
- * S, the elbow E and W form a triangle; axis 4 has to be at right angles to z5. */
-
-/* Ways to place plane and elbow at roots; `group` is the number of the root. */
-typedef struct {
-    int count, group[ABB_GOFA_5_CANDIDATES];
-    double c[ABB_GOFA_5_CANDIDATES], s[ABB_GOFA_5_CANDIDATES]; /* of q6 */
-    double tau[ABB_GOFA_5_CANDIDATES], elbow[ABB_GOFA_5_CANDIDATES];
-} abb_gofa_5_ways;
-
-/* What a sixth angle fixes: frame 5 before its own turn, W from S. */
-static inline void abb_gofa_5_wrist_at(const abb_gofa_5_loop *loop, const double back[12],
-    abb_gofa_5_lane c,
-                                    abb_gofa_5_lane s, abb_gofa_5_rigid frame, abb_gofa_5_lane W[3])
-{
-    abb_gofa_5_begin(frame, loop->link[5]);
-    abb_gofa_5_turn(frame, c, -s);
-    abb_gofa_5_follow(frame, back);
-    for (int i = 0; i < 3; i++) {
-        W[i] = frame[i][3] + -0.0 * frame[i][2];
-    }
-    W[2] -= 5.203881545049196e-10;
-}
-
-static inline abb_gofa_5_lane abb_gofa_5_discriminant(abb_gofa_5_lane w)
-{
-    const abb_gofa_5_lane twice = w + 0.7602018549320725 - 0.8985017054174421;
-    return 4.0 * 0.7602018549320725 * w - twice * twice;
-}
-
-/* The polynomial of q6: of degree 8. */
-static inline abb_gofa_5_lane abb_gofa_5_wrist_polynomial(const abb_gofa_5_lane W[3], const
-    abb_gofa_5_lane z5[3])
-{
-    const abb_gofa_5_lane w = W[0] * W[0] + W[1] * W[1] + W[2] * W[2];
-    const abb_gofa_5_lane along = W[0] * z5[0] + W[1] * z5[1] + W[2] * z5[2];
-    const abb_gofa_5_lane m = z5[2] * w - W[2] * along, D = abb_gofa_5_discriminant(w);
-    const abb_gofa_5_lane part = w - 0.7602018549320725 + 0.8985017054174421;
-    const abb_gofa_5_lane first = along * along * (W[0] * W[0] + W[1] * W[1]), second = m * m;
-    const double C = 0.973688178796424, S = 0.22788446737788648;
-    const abb_gofa_5_lane U = first * (C * C * part * part + S * S * D) -
-                     second * (S * S * part * part + C * C * D);
-    const abb_gofa_5_lane V = 2.0 * C * S * part * (first + second);
-    return (U * U - V * V * D) / (w * w + 1e-300);
-}
-
-/* The ways at a root for which axis 4 is nearly at right angles to z5. */
-static void abb_gofa_5_add_ways(const abb_gofa_5_loop *loop, const double back[12], double c, double
-    s, int group,
-                             abb_gofa_5_ways *out)
-{
-    abb_gofa_5_rigid frame;
-    abb_gofa_5_lane W[3], D;
-    double v[3], z5[3], w, along, m, across, part, root;
-    abb_gofa_5_wrist_at(loop, back, abb_gofa_5_all(c), abb_gofa_5_all(s), frame, W);
-    D = abb_gofa_5_discriminant(W[0] * W[0] + W[1] * W[1] + W[2] * W[2]);
-    for (int i = 0; i < 3; i++) {
-        v[i] = abb_gofa_5_largest(W[i]);
-        z5[i] = abb_gofa_5_largest(frame[i][2]);
-    }
-    w = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    along = v[0] * z5[0] + v[1] * z5[1] + v[2] * z5[2];
-    m = z5[2] * w - v[2] * along;
-    across = sqrt(v[0] * v[0] + v[1] * v[1]);
-    if (across < 1e-12) {
-        return; /* W is on axis 1 */
-    }
-    part = w - 0.7602018549320725 + 0.8985017054174421;
-    root = abb_gofa_5_largest(D);
-    root = root > 0.0 ? sqrt(root) : 0.0;
-    for (int way = 0; way < 4; way++) {
-        const double tau = way & 1 ? 1.0 : -1.0, elbow = way & 2 ? 1.0 : -1.0;
-        const double C = 0.973688178796424, S = 0.22788446737788648, r = 0.9478932985402113;
-        const double one = along * across * (C * part + S * elbow * root);
-        const double other = tau * m * (S * part - C * elbow * root);
-        if (fabs(one + other) < 2.0 * w * r * across * 0.01 &&
-            out->count < ABB_GOFA_5_CANDIDATES) {
-            out->group[out->count] = group;
-            out->c[out->count] = c;
-            out->s[out->count] = s;
-            out->tau[out->count] = tau;
-            out->elbow[out->count] = elbow;
-            out->count++;
-        }
-    }
-}
-
-/* Turn from (x, y), a constant, to (u, v), as cosine and sine. */
-static inline void abb_gofa_5_turn_to(double x, double y, abb_gofa_5_lane u, abb_gofa_5_lane v,
-    abb_gofa_5_lane *c,
-                                   abb_gofa_5_lane *s)
-{
-    *c = x * u + y * v;
-    *s = x * v - y * u;
-    abb_gofa_5_to_unit(c, s);
-}
-
-/* The cosines and sines of all joints, from q6 and the way. */
-static inline void abb_gofa_5_wrist_angles(const abb_gofa_5_loop *loop, const double back[12],
-    abb_gofa_5_lane tau,
-                                        abb_gofa_5_lane elbow, abb_gofa_5_lane c[6], abb_gofa_5_lane
-                                            s[6])
-{
-    static const double source[8] = { 0.0, -1.0, 0.8718955527653943, 0.0, 0.216010159468904,
-        0.9229524995489534, 0.0, -1.0 };
-    static const double identity[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
-    abb_gofa_5_rigid frame, T;
-    abb_gofa_5_lane W[3], target[4][3], x[2], up[3], w, rho, part, side;
-    abb_gofa_5_wrist_at(loop, back, c[5], s[5], frame, W);
-    rho = W[0] * W[0] + W[1] * W[1];
-    w = rho + W[2] * W[2];
-    rho = abb_gofa_5_sqrt(rho);
-    x[0] = tau * W[0] / rho;
-    x[1] = tau * W[1] / rho;
-    part = 0.5 * (w - 0.7602018549320725 + 0.8985017054174421) / w;
-    side = abb_gofa_5_sqrt(abb_gofa_5_max(abb_gofa_5_discriminant(w), abb_gofa_5_all(0.0))) * elbow
-        * 0.5 / w;
-    up[0] = -W[2] * x[0]; /* W turned about axis 3 */
-    up[1] = -W[2] * x[1];
-    up[2] = tau * rho;
-    target[0][0] = 1.0 * x[1];
-    target[0][1] = 1.0 * -x[0];
-    target[0][2] = abb_gofa_5_all(0.0);
-    for (int i = 0; i < 3; i++) {
-        const abb_gofa_5_lane shoulder = abb_gofa_5_all(i == 2 ? 5.203881545049196e-10 : 0.0);
-        target[2][i] = W[i] + shoulder;
-        target[1][i] = target[2][i] - part * W[i] + side * up[i];
-        target[3][i] = frame[i][2];
-    }
-    abb_gofa_5_begin(T, identity);
-    for (int k = 0; k < 4; k++) {
-        abb_gofa_5_lane v[3], local[2];
-        for (int i = 0; i < 3; i++) {
-            v[i] = k == 1 || k == 2 ? target[k][i] - T[i][3] : target[k][i];
-        }
-        for (int j = 0; j < 2; j++) {
-            local[j] = T[0][j] * v[0] + T[1][j] * v[1] + T[2][j] * v[2];
-        }
-        abb_gofa_5_turn_to(source[2 * k], source[2 * k + 1], local[0], local[1], &c[k], &s[k]);
-        abb_gofa_5_turn(T, c[k], s[k]);
-        abb_gofa_5_follow(T, loop->link[k]);
-    }
-    c[4] = s[4] = abb_gofa_5_all(0.0);
-    for (int i = 0; i < 3; i++) {
-        c[4] += T[i][0] * frame[i][0] + T[i][1] * frame[i][1];
-        s[4] += T[i][1] * frame[i][0] - T[i][0] * frame[i][1];
-    }
-    abb_gofa_5_to_unit(&c[4], &s[4]);
-}
-
-/* Polish the ways; the certificate is that of the formulations, with 1 solution(s) a root. */
-static int abb_gofa_5_settle_wrist(const abb_gofa_5_loop *loop, const double back[12], const
-    abb_gofa_5_ways *ways,
-                                int simple, int doubles, abb_gofa_5_found *found)
-{
-    unsigned met = 0, of_group[2 * ABB_GOFA_5_ROOTS] = {0};
-    int complete = 1, expected = 1 * simple;
-    for (int from = 0; from < ways->count; from += ABB_GOFA_5_LANES) {
-        const int count = ways->count - from < ABB_GOFA_5_LANES ? ways->count - from :
-            ABB_GOFA_5_LANES;
-        double in[4][ABB_GOFA_5_LANES];
-        abb_gofa_5_lane c[6], s[6];
-        int place[ABB_GOFA_5_LANES];
-        for (int k = 0; k < ABB_GOFA_5_LANES; k++) {
-            const int i = k < count ? from + k : from;
-            in[0][k] = ways->c[i];
-            in[1][k] = ways->s[i];
-            in[2][k] = ways->tau[i];
-            in[3][k] = ways->elbow[i];
-        }
-        c[5] = ABB_GOFA_5_LOAD(in[0]);
-        s[5] = ABB_GOFA_5_LOAD(in[1]);
-        abb_gofa_5_wrist_angles(loop, back, ABB_GOFA_5_LOAD(in[2]), ABB_GOFA_5_LOAD(in[3]), c, s);
-        met |= abb_gofa_5_offer(loop, c, s, count, 4, doubles > 0, found, place);
-        for (int k = 0; k < count; k++) {
-            if (place[k] >= 0) {
-                of_group[ways->group[from + k]] |= 1u << place[k];
-            }
-        }
-    }
-    for (int i = 0; i < simple + doubles; i++) {
-        complete &= abb_gofa_5_bits(of_group[i]) >= 1;
-        if (i >= simple) {
-            expected += of_group[i] & found->singular ? 1 : 2;
-        }
-    }
-    return complete && abb_gofa_5_bits(met) >= expected && abb_gofa_5_paired(found);
-}
-
-static int abb_gofa_5_attempt_wrist(const abb_gofa_5_loop *loop, abb_gofa_5_found *found)
-{
-    double samples[24], back[12];
-    abb_gofa_5_trigonometric f;
-    abb_gofa_5_roots roots;
-    abb_gofa_5_ways ways;
-    abb_gofa_5_invert(loop->link[4], back);
-    for (int k = 0; k < 24; k += ABB_GOFA_5_LANES) {
-        abb_gofa_5_rigid frame;
-        abb_gofa_5_lane W[3], z5[3];
-        abb_gofa_5_wrist_at(loop, back, ABB_GOFA_5_LOAD(abb_gofa_5_sample_c + k),
-            ABB_GOFA_5_LOAD(abb_gofa_5_sample_s + k),
-                         frame, W);
-        for (int i = 0; i < 3; i++) {
-            z5[i] = frame[i][2];
-        }
-        ABB_GOFA_5_STORE(samples + k, abb_gofa_5_wrist_polynomial(W, z5));
-    }
-    abb_gofa_5_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
-        return 0;
-    }
-    abb_gofa_5_find_roots(&f, &roots);
-    ways.count = 0;
-    for (int i = 0; i < roots.simple; i++) {
-        abb_gofa_5_add_ways(loop, back, roots.c[i], roots.s[i], i, &ways);
-    }
-    for (int i = 0; i < roots.doubles; i++) {
-        abb_gofa_5_add_ways(loop, back, roots.double_c[i], roots.double_s[i], roots.simple + i,
-            &ways);
-    }
-    found->doubles += roots.doubles;
-    return abb_gofa_5_settle_wrist(loop, back, &ways, roots.simple, roots.doubles, found) &&
-        roots.complete;
-}
-
 /* Find what the methods find, one after the other, until that is certainly everything. */
 static int abb_gofa_5_try(const abb_gofa_5_loop *loop, abb_gofa_5_found *found)
 {
-    int complete = abb_gofa_5_attempt_wrist(loop, found);
+    int complete = 0;
+    for (int i = 0; i < 1 && !complete; i++) {
+        complete = abb_gofa_5_attempt_closed(i, loop, found);
+    }
     for (int i = 0; i < 2 && !complete; i++) {
         complete = abb_gofa_5_attempt(&abb_gofa_5_formulations[i], loop, found);
     }
@@ -3001,7 +3123,7 @@ static int abb_gofa_5_from_nearby(const abb_gofa_5_loop *loop, abb_gofa_5_found 
 static void abb_gofa_5_from_anywhere(const abb_gofa_5_loop *loop, abb_gofa_5_found *found)
 {
     unsigned long long seed = 1;
-    for (int batch = 0; batch < 8; batch++) {
+    for (int batch = 0; batch < 16; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
@@ -3056,7 +3178,8 @@ static int abb_gofa_5_before(const double a[6], const double b[6])
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
  * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
-static int abb_gofa_5_general(const double T[16], double q[16][6], double residual[16])
+static int abb_gofa_5_general(const double T[16], double q[16][6],
+                         double residual[16])
 {
     abb_gofa_5_found found;
     abb_gofa_5_loop whole;

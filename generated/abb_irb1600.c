@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -527,74 +525,38 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v4 = a1 + w1;
-    const wide v5 = a1 - w1;
-    const wide v6 = Z1_3 * Z1_3;
-    const wide N3_p = v6 + v4 * v4;
-    const wide N3_m = v6 + v5 * v5;
+    const wide v4 = a1 + w1, v5 = a1 - w1, v6 = Z1_3 * Z1_3;
+    const wide N3_p = v6 + v4 * v4, N3_m = v6 + v5 * v5;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v7 = k1 * (N3_p - k2);
-    const wide v8 = k1 * (N3_m - k2);
+    const wide v7 = k1 * (N3_p - k2), v8 = k1 * (N3_m - k2);
 
     /* theta2 */
-    const wide v9 = m4 + m3 * N3_p;
-    const wide v10 = m4 + m3 * N3_m;
-    const wide v11 = Z1_3 * v9;
-    const wide v12 = Z1_3 * v10;
-    const wide v13 = m3 * Z1_3;
-    const wide v14 = m3 * -Z1_3;
-    const wide v15 = v4 * v9;
-    const wide v16 = v5 * v10;
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
+    const wide v9 = m4 + m3 * N3_p, v10 = m4 + m3 * N3_m, v11 = Z1_3 * v9, v12 = Z1_3 * v10;
+    const wide v13 = m3 * Z1_3, v14 = m3 * -Z1_3, v15 = v4 * v9, v16 = v5 * v10;
+    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v17 = m6 - m5 * N3_p;
-    const wide v18 = m6 - m5 * N3_m;
-    const wide v19 = T23 * s1 - T13 * v3;
-    const wide v20 = T33 * Z1_3;
-    const wide v21 = v20 - v4 * v19;
-    const wide v22 = v20 - v19 * -v5;
-    const wide v23 = Z1_3 * v17;
-    const wide v24 = Z1_3 * -v18;
-    const wide v25 = T33 * v17;
-    const wide v26 = T33 * v18;
-    const wide v27 = v19 * v23 + v4 * v25;
+    const wide v17 = m6 - m5 * N3_p, v18 = m6 - m5 * N3_m, v19 = T23 * s1 - T13 * v3;
+    const wide v20 = T33 * Z1_3, v21 = v20 - v4 * v19, v22 = v20 - v19 * -v5, v23 = Z1_3 * v17;
+    const wide v24 = Z1_3 * -v18, v25 = T33 * v17, v26 = T33 * v18, v27 = v19 * v23 + v4 * v25;
     const wide v28 = v19 * v24 + v5 * v26;
-    const wide X4_pp = v27 + w3_p * (m5 * v21);
-    const wide X4_pm = v27 + w3_p * (m5 * -v21);
-    const wide X4_mp = v28 + w3_m * (m5 * v22);
-    const wide X4_mm = v28 + w3_m * (m5 * -v22);
-    const wide v29 = w1 * (v2 * (T13 * Y1 + wx * T23));
-    const wide v30 = v29 * v29;
-    const wide v31 = factor2_p * X4_pp;
-    const wide v32 = factor2_p * X4_pm;
-    const wide v33 = factor2_m * X4_mp;
-    const wide v34 = factor2_m * X4_mm;
-    const wide v35 = v30 + factor2_p * (X4_pp * v31);
-    const wide v36 = v30 + factor2_p * (X4_pm * v32);
-    const wide v37 = v30 + factor2_m * (X4_mp * v33);
-    const wide v38 = v30 + factor2_m * (X4_mm * v34);
+    const wide X4_pp = v27 + w3_p * (m5 * v21), X4_pm = v27 + w3_p * (m5 * -v21);
+    const wide X4_mp = v28 + w3_m * (m5 * v22), X4_mm = v28 + w3_m * (m5 * -v22);
+    const wide v29 = w1 * (v2 * (T13 * Y1 + wx * T23)), v30 = v29 * v29, v31 = factor2_p * X4_pp;
+    const wide v32 = factor2_p * X4_pm, v33 = factor2_m * X4_mp, v34 = factor2_m * X4_mm;
+    const wide v35 = v30 + factor2_p * (X4_pp * v31), v36 = v30 + factor2_p * (X4_pm * v32);
+    const wide v37 = v30 + factor2_m * (X4_mp * v33), v38 = v30 + factor2_m * (X4_mm * v34);
 
     /* theta5 */
-    const wide v39 = v19 * (v4 * -v17) + Z1_3 * v25;
-    const wide v40 = v19 * (v5 * v18) + Z1_3 * v26;
+    const wide v39 = v19 * (v4 * -v17) + Z1_3 * v25, v40 = v19 * (v5 * v18) + Z1_3 * v26;
 
     /* theta6 */
-    const wide v41 = w1 * (v2 * (wx * T22 + Y1 * T12));
-    const wide v42 = s1 * T22 - v3 * T12;
-    const wide v43 = Z1_3 * T32;
-    const wide v44 = v43 - v4 * v42;
-    const wide v45 = v43 - -v5 * v42;
-    const wide v46 = v23 * v42 + v4 * (v17 * T32);
-    const wide v47 = v24 * v42 + v5 * (v18 * T32);
-    const wide v48 = w1 * (v2 * (wx * T21 + Y1 * T11));
-    const wide v49 = s1 * T21 - v3 * T11;
-    const wide v50 = Z1_3 * T31;
-    const wide v51 = v50 - v4 * v49;
-    const wide v52 = v50 - -v5 * v49;
-    const wide v53 = v23 * v49 + v4 * (v17 * T31);
+    const wide v41 = w1 * (v2 * (wx * T22 + Y1 * T12)), v42 = s1 * T22 - v3 * T12, v43 = Z1_3 * T32;
+    const wide v44 = v43 - v4 * v42, v45 = v43 - -v5 * v42, v46 = v23 * v42 + v4 * (v17 * T32);
+    const wide v47 = v24 * v42 + v5 * (v18 * T32), v48 = w1 * (v2 * (wx * T21 + Y1 * T11));
+    const wide v49 = s1 * T21 - v3 * T11, v50 = Z1_3 * T31, v51 = v50 - v4 * v49;
+    const wide v52 = v50 - -v5 * v49, v53 = v23 * v49 + v4 * (v17 * T31);
     const wide v54 = v24 * v49 + v5 * (v18 * T31);
     const wide v55 = v29 * (v53 + w3_p * (m5 * v51)) - X4_pp * v48;
     const wide v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48;
@@ -623,8 +585,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q2_pmp = v61 - only_wide(half_turn < v61, m8);
     const wide q2_mpp = v62 - only_wide(half_turn < v62, m8);
     const wide q2_mmp = v63 - only_wide(half_turn < v63, m8);
-    const wide angle10 = atan2_wide(v7, -(k1 * w3_p));
-    const wide angle11 = atan2_wide(v8, -(k1 * w3_m));
+    const wide angle10 = atan2_wide(v7, -(k1 * w3_p)), angle11 = atan2_wide(v8, -(k1 * w3_m));
     const wide v64 = angle10 - offset3;
     const wide v65 = h1 * copysign_wide(all_wide(half_turn), v7) - angle10 - offset3;
     const wide v66 = angle11 - offset3;
@@ -633,19 +594,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q3_pmp = v65 + only_wide(v65 <= -half_turn, m8);
     const wide q3_mpp = v66 + only_wide(v66 <= -half_turn, m8);
     const wide q3_mmp = v67 + only_wide(v67 <= -half_turn, m8);
-    const wide angle12 = atan2_wide(-v29, -v31);
-    const wide angle13 = atan2_wide(-v29, -v32);
-    const wide angle14 = atan2_wide(v29, -v33);
-    const wide angle15 = atan2_wide(v29, -v34);
+    const wide angle12 = atan2_wide(-v29, -v31), angle13 = atan2_wide(-v29, -v32);
+    const wide angle14 = atan2_wide(v29, -v33), angle15 = atan2_wide(v29, -v34);
     const wide v68 = h1 * copysign_wide(all_wide(half_turn), -v29);
-    const wide v69 = h1 * copysign_wide(all_wide(half_turn), v29);
-    const wide v70 = angle12 - offset4;
-    const wide v71 = angle12 - v68 - offset4;
-    const wide v72 = angle13 - offset4;
-    const wide v73 = angle13 - v68 - offset4;
-    const wide v74 = angle14 - offset4;
-    const wide v75 = angle14 - v69 - offset4;
-    const wide v76 = angle15 - offset4;
+    const wide v69 = h1 * copysign_wide(all_wide(half_turn), v29), v70 = angle12 - offset4;
+    const wide v71 = angle12 - v68 - offset4, v72 = angle13 - offset4;
+    const wide v73 = angle13 - v68 - offset4, v74 = angle14 - offset4;
+    const wide v75 = angle14 - v69 - offset4, v76 = angle15 - offset4;
     const wide v77 = angle15 - v69 - offset4;
     const wide q4_ppp = v70 + only_wide(v70 <= -half_turn, m8);
     const wide q4_ppm = v71 + only_wide(v71 <= -half_turn, m8);
@@ -661,14 +616,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5));
     const wide angle18 = atan2_wide(sqrt_wide(v37), factor2_m * (v40 - v79));
     const wide angle19 = atan2_wide(sqrt_wide(v38), factor2_m * (v40 + v79));
-    const wide v80 = angle16 - offset5;
-    const wide v81 = offset5 + angle16;
-    const wide v82 = angle17 - offset5;
-    const wide v83 = offset5 + angle17;
-    const wide v84 = angle18 - offset5;
-    const wide v85 = offset5 + angle18;
-    const wide v86 = angle19 - offset5;
-    const wide v87 = offset5 + angle19;
+    const wide v80 = angle16 - offset5, v81 = offset5 + angle16, v82 = angle17 - offset5;
+    const wide v83 = offset5 + angle17, v84 = angle18 - offset5, v85 = offset5 + angle18;
+    const wide v86 = angle19 - offset5, v87 = offset5 + angle19;
     const wide q5_ppp = v80 + only_wide(v80 <= -half_turn, m8);
     const wide q5_ppm = only_wide(-v81 <= -half_turn, m8) - v81;
     const wide q5_pmp = v82 + only_wide(v82 <= -half_turn, m8);
@@ -685,61 +635,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v38 <= m7) | ((v37 <= m7) |
         ((v36 <= m7) | ((v1 <= m1) | (v35 <= m7))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = angle2;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = angle2;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = angle3;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = angle3;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_mpp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = angle4;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = angle4;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_mpp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_mmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = angle5;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = angle5;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_mmp;
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -778,10 +688,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v7 = k1 * (N3 - k2);
 
     /* theta2 */
-    const four v8 = m4 + m3 * N3;
-    const four v9 = Z1_3 * v8;
-    const four v10 = m3 * (e2 * Z1_3);
-    const four v11 = v5 * v8;
+    const four v8 = m4 + m3 * N3, v9 = Z1_3 * v8, v10 = m3 * (e2 * Z1_3), v11 = v5 * v8;
     const four factor2 = 1.0 / N3;
 
     /* theta4 */
@@ -789,37 +696,27 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v13 = T23 * s1 - T13 * v3;
     const four v14 = e1 * v5;
     const double v15 = T33 * Z1_3;
-    const four v16 = v15 - v13 * v14;
-    const four v17 = Z1_3 * (e1 * v12);
-    const four v18 = T33 * v12;
+    const four v16 = v15 - v13 * v14, v17 = Z1_3 * (e1 * v12), v18 = T33 * v12;
     const four v19 = v13 * v17 + v5 * v18;
     const four X4 = v19 + w3 * (m5 * (e2 * v16));
-    const double v20 = w1 * (v2 * (T13 * Y1 + wx * T23));
-    const double v21 = v20 * v20;
-    const four v22 = factor2 * X4;
-    const four v23 = v21 + factor2 * (X4 * v22);
+    const double v20 = w1 * (v2 * (T13 * Y1 + wx * T23)), v21 = v20 * v20;
+    const four v22 = factor2 * X4, v23 = v21 + factor2 * (X4 * v22);
     const four_mask doubt3 = v23 <= m7;
 
     /* theta5 */
-    const four v24 = v13 * (e1 * Z1_3) + T33 * v5;
-    const four v25 = v13 * (v5 * (e1 * -v12)) + Z1_3 * v18;
+    const four v24 = v13 * (e1 * Z1_3) + T33 * v5, v25 = v13 * (v5 * (e1 * -v12)) + Z1_3 * v18;
 
     /* theta6 */
-    const double v26 = w1 * (v2 * (wx * T22 + Y1 * T12));
-    const double v27 = s1 * T22 - v3 * T12;
+    const double v26 = w1 * (v2 * (wx * T22 + Y1 * T12)), v27 = s1 * T22 - v3 * T12;
     const double v28 = Z1_3 * T32;
-    const four v29 = v28 - v14 * v27;
-    const four v30 = v17 * v27 + v5 * (v12 * T32);
-    const double v31 = w1 * (v2 * (wx * T21 + Y1 * T11));
-    const double v32 = s1 * T21 - v3 * T11;
+    const four v29 = v28 - v14 * v27, v30 = v17 * v27 + v5 * (v12 * T32);
+    const double v31 = w1 * (v2 * (wx * T21 + Y1 * T11)), v32 = s1 * T21 - v3 * T11;
     const double v33 = Z1_3 * T31;
-    const four v34 = v33 - v14 * v32;
-    const four v35 = v17 * v32 + v5 * (v12 * T31);
+    const four v34 = v33 - v14 * v32, v35 = v17 * v32 + v5 * (v12 * T31);
     const four v36 = e1 * (v20 * (v35 + w3 * (m5 * (e2 * v34))) - X4 * v31);
 
     /* joint values */
-    const four v38 = copysign_four(all_four(half_turn), v7);
-    const four v39 = m2 * (1.0 - e2);
+    const four v38 = copysign_four(all_four(half_turn), v7), v39 = m2 * (1.0 - e2);
     const four v41 = h1 * copysign_four(all_four(half_turn), -(e1 * v20));
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
@@ -837,12 +734,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q2_p = v37 - only_four(half_turn < v37, m8);
     const four v40 = e2 * angle4 + v38 * v39 - offset3;
     const four q3_p = v40 + only_four(v40 <= -half_turn, m8);
-    const four v42 = angle5 - offset4;
-    const four v43 = angle5 - v41 - offset4;
+    const four v42 = angle5 - offset4, v43 = angle5 - v41 - offset4;
     const four q4_p = v42 + only_four(v42 <= -half_turn, m8);
     const four q4_m = v43 + only_four(v43 <= -half_turn, m8);
-    const four v44 = angle6 - offset5;
-    const four v45 = offset5 + angle6;
+    const four v44 = angle6 - offset5, v45 = offset5 + angle6;
     const four q5_p = v44 + only_four(v44 <= -half_turn, m8);
     const four q5_m = only_four(-v45 <= -half_turn, m8) - v45;
     const four q1_p = angle1 + v4 * (m2 * (e1 - 1.0)) + (w3 - w3);

@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -526,31 +524,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v3 = a1 + w1;
-    const wide v4 = a1 - w1;
-    const wide v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3;
-    const wide N3_m = v5 + v4 * v4;
+    const wide v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3;
+    const wide N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle2 = atan2_wide(w3_p, N3_p - k3);
-    const wide angle3 = atan2_wide(w3_m, N3_m - k3);
+    const wide angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3);
     const wide q3__pp = angle2 - turn1;
     const wide v6 = turn1 + angle2;
     const wide q3__mp = angle3 - turn1;
     const wide v7 = turn1 + angle3;
 
     /* theta2 */
-    const wide X1_2_p = m3 * N3_p - m4;
-    const wide X1_2_m = m3 * N3_m - m4;
-    const wide v8 = v3 * X1_2_p;
-    const wide v9 = v4 * X1_2_m;
-    const wide v10 = m3 * Z1_3;
-    const wide v11 = m3 * -Z1_3;
-    const wide v12 = Z1_3 * X1_2_p;
-    const wide v13 = Z1_3 * X1_2_m;
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
+    const wide X1_2_p = m3 * N3_p - m4, X1_2_m = m3 * N3_m - m4;
+    const wide v8 = v3 * X1_2_p, v9 = v4 * X1_2_m, v10 = m3 * Z1_3, v11 = m3 * -Z1_3;
+    const wide v12 = Z1_3 * X1_2_p, v13 = Z1_3 * X1_2_m;
+    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
     const wide v14 = w3_p * (m3 * v3);
     const wide angle4 = atan2_wide(-(v8 + w3_p * v10), v12 - v14);
     const wide angle5 = atan2_wide(-(v8 + w3_p * v11), v12 + v14);
@@ -558,48 +546,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle7 = atan2_wide(-(v9 + w3_m * v11), v13 - w3_m * (m3 * -v4));
 
     /* theta4 */
-    const wide v15 = m5 * Z1_3;
-    const wide v16 = m6 + m7 * factor2_p;
-    const wide v17 = m6 + m7 * factor2_m;
-    const wide v18 = m5 + m8 * factor2_p;
-    const wide v19 = m5 + m8 * factor2_m;
-    const wide v20 = Z1_3 * v16 - v3 * v18;
-    const wide v21 = Z1_3 * v17 - v4 * v19;
-    const wide v22 = w3_p * (factor2_p * (v15 + m6 * v3));
-    const wide c23_pp = v20 + v22;
-    const wide c23_pm = v20 - v22;
+    const wide v15 = m5 * Z1_3, v16 = m6 + m7 * factor2_p, v17 = m6 + m7 * factor2_m;
+    const wide v18 = m5 + m8 * factor2_p, v19 = m5 + m8 * factor2_m, v20 = Z1_3 * v16 - v3 * v18;
+    const wide v21 = Z1_3 * v17 - v4 * v19, v22 = w3_p * (factor2_p * (v15 + m6 * v3));
+    const wide c23_pp = v20 + v22, c23_pm = v20 - v22;
     const wide v23 = w3_m * (factor2_m * (v15 + m6 * v4));
-    const wide c23_mp = v21 + v23;
-    const wide c23_mm = v21 - v23;
-    const wide v24 = m6 * Z1_3;
-    const wide v25 = v24 - m5 * v3;
-    const wide v26 = v24 - m5 * v4;
-    const wide v27 = Z1_3 * v18 + v3 * v16;
-    const wide v28 = Z1_3 * v19 + v4 * v17;
-    const wide s23_pp = w3_p * (factor2_p * v25) - v27;
-    const wide s23_pm = w3_p * (factor2_p * -v25) - v27;
-    const wide s23_mp = w3_m * (factor2_m * v26) - v28;
-    const wide s23_mm = w3_m * (factor2_m * -v26) - v28;
+    const wide c23_mp = v21 + v23, c23_mm = v21 - v23;
+    const wide v24 = m6 * Z1_3, v25 = v24 - m5 * v3, v26 = v24 - m5 * v4;
+    const wide v27 = Z1_3 * v18 + v3 * v16, v28 = Z1_3 * v19 + v4 * v17;
+    const wide s23_pp = w3_p * (factor2_p * v25) - v27, s23_pm = w3_p * (factor2_p * -v25) - v27;
+    const wide s23_mp = w3_m * (factor2_m * v26) - v28, s23_mm = w3_m * (factor2_m * -v26) - v28;
     const wide v29 = w1 * (v2 * (T23 * Y1 - T13 * t14));
-    const wide X4_pp = T33 * c23_pp + s23_pp * v29;
-    const wide X4_pm = T33 * c23_pm + s23_pm * v29;
-    const wide X4_mp = T33 * c23_mp - s23_mp * v29;
-    const wide X4_mm = T33 * c23_mm - s23_mm * v29;
-    const wide v30 = w1 * (v2 * (T13 * Y1 + t14 * T23));
-    const wide v31 = v30 * v30;
-    const wide v32 = v31 + X4_pp * X4_pp;
-    const wide v33 = v31 + X4_pm * X4_pm;
-    const wide v34 = v31 + X4_mp * X4_mp;
-    const wide v35 = v31 + X4_mm * X4_mm;
-    const wide angle8 = atan2_wide(-v30, -X4_pp);
-    const wide angle9 = atan2_wide(-v30, -X4_pm);
-    const wide angle10 = atan2_wide(v30, -X4_mp);
-    const wide angle11 = atan2_wide(v30, -X4_mm);
+    const wide X4_pp = T33 * c23_pp + s23_pp * v29, X4_pm = T33 * c23_pm + s23_pm * v29;
+    const wide X4_mp = T33 * c23_mp - s23_mp * v29, X4_mm = T33 * c23_mm - s23_mm * v29;
+    const wide v30 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v31 = v30 * v30, v32 = v31 + X4_pp * X4_pp;
+    const wide v33 = v31 + X4_pm * X4_pm, v34 = v31 + X4_mp * X4_mp, v35 = v31 + X4_mm * X4_mm;
+    const wide angle8 = atan2_wide(-v30, -X4_pp), angle9 = atan2_wide(-v30, -X4_pm);
+    const wide angle10 = atan2_wide(v30, -X4_mp), angle11 = atan2_wide(v30, -X4_mm);
     const wide v36 = copysign_wide(all_wide(half_turn), -v30) * h1;
     const wide v37 = copysign_wide(all_wide(half_turn), v30) * h1;
-    const wide q4_ppm = angle8 - v36;
-    const wide q4_pmm = angle9 - v36;
-    const wide q4_mpm = angle10 - v37;
+    const wide q4_ppm = angle8 - v36, q4_pmm = angle9 - v36, q4_mpm = angle10 - v37;
     const wide q4_mmm = angle11 - v37;
 
     /* theta5 */
@@ -609,10 +575,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle15 = atan2_wide(sqrt_wide(v35), -(c23_mm * v29 + T33 * s23_mm));
 
     /* theta6 */
-    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12));
-    const wide v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const wide v40 = w1 * (v2 * (t14 * T21 + Y1 * T11));
-    const wide v41 = w1 * (v2 * (Y1 * T21 - t14 * T11));
+    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const wide v40 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v41 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const wide v42 = X4_pp * v40 - v30 * (c23_pp * T31 + s23_pp * v41);
     const wide v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41);
     const wide v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40;
@@ -635,14 +599,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v51 = v47 - only_wide(high3 < v47, whole_turn);
     const wide v52 = v48 - only_wide(high3 < v48, whole_turn);
     const wide v53 = v49 - only_wide(high3 < v49, whole_turn);
-    const wide_mask v54 = (v50 < low3) | (high3 < v50);
-    const wide_mask v55 = (v51 < low3) | (high3 < v51);
-    const wide_mask v56 = (v52 < low3) | (high3 < v52);
-    const wide_mask v57 = (v53 < low3) | (high3 < v53);
-    const wide q3_ppp = pick_wide(v54, v46, v50);
-    const wide q3_pmp = pick_wide(v55, v47, v51);
-    const wide q3_mpp = pick_wide(v56, v48, v52);
-    const wide q3_mmp = pick_wide(v57, v49, v53);
+    const wide_mask v54 = (v50 < low3) | (high3 < v50), v55 = (v51 < low3) | (high3 < v51);
+    const wide_mask v56 = (v52 < low3) | (high3 < v52), v57 = (v53 < low3) | (high3 < v53);
+    const wide q3_ppp = pick_wide(v54, v46, v50), q3_pmp = pick_wide(v55, v47, v51);
+    const wide q3_mpp = pick_wide(v56, v48, v52), q3_mmp = pick_wide(v57, v49, v53);
     const wide q1_ppp = angle1 + (w3_p - w3_p);
     const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
     const wide_mask v58 = v54 | ((angle4 < low2) | (high2 < angle4));
@@ -663,60 +623,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v34 <= m9) |
         ((v33 <= m9) | ((v1 <= m1) | (v32 <= m9))))))));
 
-    q[0] = q1_ppp;
-    q[1] = angle4;
-    q[2] = q3_ppp;
-    q[3] = angle8;
-    q[4] = angle12;
-    q[5] = angle16;
+    q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = angle4;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = -angle12;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle12; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp;
-    q[13] = angle5;
-    q[14] = q3_pmp;
-    q[15] = angle9;
-    q[16] = angle13;
+    q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
     q[17] = angle17;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp;
-    q[19] = angle5;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = -angle13;
+    q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle13;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = angle6;
-    q[26] = q3_mpp;
-    q[27] = angle10;
-    q[28] = angle14;
+    q[24] = q1_mpp; q[25] = angle6; q[26] = q3_mpp; q[27] = angle10; q[28] = angle14;
     q[29] = angle18;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = angle6;
-    q[32] = q3_mpp;
-    q[33] = q4_mpm;
-    q[34] = -angle14;
+    q[30] = q1_mpp; q[31] = angle6; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = -angle14;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp;
-    q[37] = angle7;
-    q[38] = q3_mmp;
-    q[39] = angle11;
-    q[40] = angle15;
+    q[36] = q1_mpp; q[37] = angle7; q[38] = q3_mmp; q[39] = angle11; q[40] = angle15;
     q[41] = angle19;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp;
-    q[43] = angle7;
-    q[44] = q3_mmp;
-    q[45] = q4_mmm;
-    q[46] = -angle15;
+    q[42] = q1_mpp; q[43] = angle7; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = -angle15;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -741,8 +667,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = t14 * t14 + Y1 * Y1;
     const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1;
-    const double v3 = copysign(half_turn, Y1);
+    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
@@ -753,35 +678,27 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta2 */
     const four X1_2 = m3 * N3 - m4;
-    const four v6 = v4 * X1_2;
-    const four v7 = m3 * (e2 * Z1_3);
-    const four v8 = Z1_3 * X1_2;
+    const four v6 = v4 * X1_2, v7 = m3 * (e2 * Z1_3), v8 = Z1_3 * X1_2;
     const four factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m5 * Z1_3;
-    const four v10 = v9 + m6 * v4;
-    const four v11 = m6 + m7 * factor2;
-    const four v12 = m5 + m8 * factor2;
+    const four v10 = v9 + m6 * v4, v11 = m6 + m7 * factor2, v12 = m5 + m8 * factor2;
     const four v13 = Z1_3 * v11 - v4 * v12;
     const four c23 = v13 + w3 * (factor2 * (e2 * v10));
     const double v14 = m6 * Z1_3;
-    const four v15 = v14 - m5 * v4;
-    const four v16 = Z1_3 * v12 + v4 * v11;
+    const four v15 = v14 - m5 * v4, v16 = Z1_3 * v12 + v4 * v11;
     const four s23 = w3 * (factor2 * (e2 * v15)) - v16;
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const four X4 = T33 * c23 + e1 * (s23 * v17);
-    const double v18 = w1 * (v2 * (T13 * Y1 + t14 * T23));
-    const double v19 = v18 * v18;
+    const double v18 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v19 = v18 * v18;
     const four v20 = v19 + X4 * X4;
     const four_mask doubt3 = v20 <= m9;
     const four v21 = copysign_four(all_four(half_turn), -(e1 * v18)) * h1;
 
     /* theta6 */
-    const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12));
-    const double v23 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const double v24 = w1 * (v2 * (t14 * T21 + Y1 * T11));
-    const double v25 = w1 * (v2 * (Y1 * T21 - t14 * T11));
+    const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const double v24 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const four v26 = e1 * (X4 * v24 - v18 * (c23 * T31 + e1 * (s23 * v25)));
 
     /* joint values */

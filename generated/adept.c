@@ -85,8 +85,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -111,8 +110,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -412,18 +410,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     /* theta12 */
     const wide v1 = T32 * T32 + T22 * T22;
     const wide w12 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide v3 = w12 * v2;
+    const wide v2 = 1.0 / v1, v3 = w12 * v2;
     const wide c12 = T22 * v3;
     const wide s12 = T32 * v3;
 
     /* theta1 */
     const wide t14 = T24 - ez * T23;
     const wide t24 = T34 - ez * T33 - zz;
-    const wide v4 = m3 * t24 - w12 * (m2 * (T32 * v2));
-    const wide v5 = m3 * t14 - w12 * (m2 * (T22 * v2));
-    const wide v6 = v4 * v4 + v5 * v5;
-    const wide v7 = sqrt_wide(v6) * (1.0 / v6);
+    const wide v4 = m3 * t24 - w12 * (m2 * (T32 * v2)), v5 = m3 * t14 - w12 * (m2 * (T22 * v2));
+    const wide v6 = v4 * v4 + v5 * v5, v7 = sqrt_wide(v6) * (1.0 / v6);
     const wide angle1 = atan2_wide(v4, v5);
 
     /* is the pose one that the arm can take? */
@@ -445,9 +440,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
         m5)));
     const wide q3 = v10 + (r3 + v9);
 
-    q[0] = q1;
-    q[1] = q2;
-    q[2] = q3;
+    q[0] = q1; q[1] = q2; q[2] = q3;
     kind[0] = kind_of(q[0] != q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -469,18 +462,15 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     /* theta12 */
     const double v1 = T32 * T32 + T22 * T22;
     const double w12 = sqrt(v1);
-    const double v2 = 1.0 / v1;
-    const double v3 = w12 * v2;
+    const double v2 = 1.0 / v1, v3 = w12 * v2;
     const double c12 = T22 * v3;
     const double s12 = T32 * v3;
 
     /* theta1 */
     const double t14 = T24 - ez * T23;
     const double t24 = T34 - ez * T33 - zz;
-    const double v4 = m3 * t24 - w12 * (m2 * (T32 * v2));
-    const double v5 = m3 * t14 - w12 * (m2 * (T22 * v2));
-    const double v6 = v4 * v4 + v5 * v5;
-    const double v7 = sqrt(v6) * (1.0 / v6);
+    const double v4 = m3 * t24 - w12 * (m2 * (T32 * v2)), v5 = m3 * t14 - w12 * (m2 * (T22 * v2));
+    const double v6 = v4 * v4 + v5 * v5, v7 = sqrt(v6) * (1.0 / v6);
 
     /* is the pose one that the arm can take? */
     const double v8 = sqrt(-1.0);

@@ -87,8 +87,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -113,8 +112,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -429,8 +427,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide r3 = d1 - T34;
 
     /* theta12m4 */
-    const wide v1 = T21 * T21 + T11 * T11;
-    const wide v2 = sqrt_wide(v1) * (1.0 / v1);
+    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1);
     const wide c12m4 = T11 * v2;
     const wide s12m4 = T21 * v2;
     const wide angle1 = atan2_wide(T21, T11);
@@ -441,13 +438,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v3 = m3 + m2 * N2;
-    const wide v4 = T24 * v3;
-    const wide v5 = T14 * v3;
-    const wide v6 = w2 * (m2 * T14);
+    const wide v3 = m3 + m2 * N2, v4 = T24 * v3, v5 = T14 * v3, v6 = w2 * (m2 * T14);
     const wide v7 = w2 * (m2 * T24);
-    const wide angle3 = atan2_wide(v4 - v6, v5 + v7);
-    const wide angle4 = atan2_wide(v4 + v6, v5 - v7);
+    const wide angle3 = atan2_wide(v4 - v6, v5 + v7), angle4 = atan2_wide(v4 + v6, v5 - v7);
 
     /* is the pose one that the arm can take? */
     const double v8 = sqrt(-1.0);
@@ -460,12 +453,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         all_wide(v8));
 
     /* joint values */
-    const wide v11 = angle2 + angle3 - angle1;
-    const wide v12 = angle4 - angle2 - angle1;
-    const wide q1_p = v10 + (angle3 + v9);
-    const wide q1_m = v10 + (angle4 + v9);
-    const wide q2_p = v10 + (angle2 + v9);
-    const wide q2_m = v10 + (v9 - angle2);
+    const wide v11 = angle2 + angle3 - angle1, v12 = angle4 - angle2 - angle1;
+    const wide q1_p = v10 + (angle3 + v9), q1_m = v10 + (angle4 + v9);
+    const wide q2_p = v10 + (angle2 + v9), q2_m = v10 + (v9 - angle2);
     const wide q3_p = v10 + (v9 + (r3 + (w2 - w2)));
     const wide q4_p = v10 + (v9 + (v11 - only_wide(half_turn < v11, m4) + only_wide(v11 <=
         -half_turn, m4)));
@@ -475,15 +465,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
         (v1 <= m1));
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
-    q[3] = q4_p;
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_m;
-    q[5] = q2_m;
-    q[6] = q3_p;
-    q[7] = q4_m;
+    q[4] = q1_m; q[5] = q2_m; q[6] = q3_p; q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -503,8 +487,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double r3 = d1 - T34;
 
     /* theta12m4 */
-    const double v1 = T21 * T21 + T11 * T11;
-    const double v2 = sqrt(v1) * (1.0 / v1);
+    const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
     const double c12m4 = T11 * v2;
     const double s12m4 = T21 * v2;
 
@@ -513,13 +496,10 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
 
     /* theta1 */
-    const double v3 = m3 + m2 * N2;
-    const double v4 = T24 * v3;
-    const double v5 = T14 * v3;
+    const double v3 = m3 + m2 * N2, v4 = T24 * v3, v5 = T14 * v3;
 
     /* is the pose one that the arm can take? */
-    const double v6 = sqrt(-1.0);
-    const double v7 = (fabs(T34 - (d1 - r3)) <= pose_slack1) ? 0.0 : v6;
+    const double v6 = sqrt(-1.0), v7 = (fabs(T34 - (d1 - r3)) <= pose_slack1) ? 0.0 : v6;
     const double v8 = (maximum_double(fabs(T12 - s12m4), maximum_double(fabs(T11 - c12m4),
         maximum_double(fabs(T13), maximum_double(fabs(T21 - s12m4), maximum_double(fabs(c12m4 +
         T22), maximum_double(fabs(T23), maximum_double(fabs(T31), maximum_double(fabs(1.0 + T33),
@@ -537,8 +517,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v9 = e1 * angle2;
-    const four v10 = angle3 + v9 - angle1;
+    const four v9 = e1 * angle2, v10 = angle3 + v9 - angle1;
     const four q1 = v8 + (angle3 + v7);
     const four q2 = v8 + (v7 + v9);
     const four q4 = v8 + (v7 + (v10 - only_four(half_turn < v10, m4) + only_four(v10 <= -half_turn,

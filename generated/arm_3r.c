@@ -79,8 +79,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -105,8 +104,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -376,24 +374,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide q3_pm = copysign_wide(all_wide(half_turn), -(k1 * (N3 - k2))) * h1 - angle2;
 
     /* theta2 */
-    const wide v3 = m4 + m3 * N3;
-    const wide v4 = Z1_3 * v3;
-    const wide v5 = w3 * (m3 * w1);
+    const wide v3 = m4 + m3 * N3, v4 = Z1_3 * v3, v5 = w3 * (m3 * w1);
     const wide S2_pp = v5 - v4;
-    const wide v6 = v4 + v5;
-    const wide v7 = w3 * (m3 * Z1_3);
-    const wide v8 = w3 * (m3 * -Z1_3);
-    const wide v9 = w1 * v3;
-    const wide v10 = v7 + v9;
-    const wide v11 = v8 + v9;
-    const wide v12 = v7 - v9;
-    const wide v13 = v8 - v9;
-    const wide v14 = S2_pp * S2_pp;
+    const wide v6 = v4 + v5, v7 = w3 * (m3 * Z1_3), v8 = w3 * (m3 * -Z1_3), v9 = w1 * v3;
+    const wide v10 = v7 + v9, v11 = v8 + v9, v12 = v7 - v9, v13 = v8 - v9, v14 = S2_pp * S2_pp;
     const wide v15 = v6 * v6;
-    const wide angle3 = atan2_wide(S2_pp, -v10);
-    const wide angle4 = atan2_wide(-v6, -v11);
-    const wide angle5 = atan2_wide(-v6, -v12);
-    const wide angle6 = atan2_wide(S2_pp, -v13);
+    const wide angle3 = atan2_wide(S2_pp, -v10), angle4 = atan2_wide(-v6, -v11);
+    const wide angle5 = atan2_wide(-v6, -v12), angle6 = atan2_wide(S2_pp, -v13);
 
     /* joint values */
     const wide q1_pp = angle1 + v2;
@@ -402,21 +389,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v1 <= m1) | ((v14 + v13 * v13
         <= m5) | ((v15 + v12 * v12 <= m5) | ((v14 + v10 * v10 <= m5) | (v15 + v11 * v11 <= m5)))));
 
-    q[0] = q1_pp;
-    q[1] = angle3;
-    q[2] = angle2;
+    q[0] = q1_pp; q[1] = angle3; q[2] = angle2;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_pp;
-    q[4] = angle4;
-    q[5] = q3_pm;
+    q[3] = q1_pp; q[4] = angle4; q[5] = q3_pm;
     kind[1] = kind_of(q[3] != q[3], 0);
-    q[6] = q1_mp;
-    q[7] = angle5;
-    q[8] = angle2;
+    q[6] = q1_mp; q[7] = angle5; q[8] = angle2;
     kind[2] = kind_of(q[6] != q[6], 0);
-    q[9] = q1_mp;
-    q[10] = angle6;
-    q[11] = q3_pm;
+    q[9] = q1_mp; q[10] = angle6; q[11] = q3_pm;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -443,16 +422,12 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double Z1_3 = T34 - d1;
     const double N3 = v1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v3 = w3 - w3;
-    const double v4 = copysign(half_turn, -(k1 * (N3 - k2)));
+    const double v3 = w3 - w3, v4 = copysign(half_turn, -(k1 * (N3 - k2)));
 
     /* theta2 */
-    const double v5 = m4 + m3 * N3;
-    const double v6 = Z1_3 * v5;
+    const double v5 = m4 + m3 * N3, v6 = Z1_3 * v5;
     const four S2 = w3 * (m3 * (w1 * (e1 * e2))) - v6;
-    const four v7 = w3 * (m3 * (e2 * Z1_3));
-    const four v8 = w1 * (e1 * v5);
-    const four v9 = v7 + v8;
+    const four v7 = w3 * (m3 * (e2 * Z1_3)), v8 = w1 * (e1 * v5), v9 = v7 + v8;
     const four_mask doubt2 = S2 * S2 + v9 * v9 <= m5;
 
     /* joint values */

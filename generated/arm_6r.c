@@ -79,8 +79,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -105,8 +104,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -499,10 +497,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Z1_3 = T34 - d6 * T33 - d1;
     const wide N3 = v1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v3 = w3 - w3;
-    const wide v4 = k1 * (N3 - k2);
-    const wide v5 = k3 * v4;
-    const wide v6 = k1 * w3;
+    const wide v3 = w3 - w3, v4 = k1 * (N3 - k2), v5 = k3 * v4, v6 = k1 * w3;
     const wide c3 = k3 * v6;
     const wide angle2 = atan2_wide(-v4, v6);
     const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle2;
@@ -510,44 +505,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta2 */
     const wide v7 = d4 * c3;
     const wide Y1_2 = a2 + d4 * v5;
-    const wide v8 = Z1_3 * Y1_2;
-    const wide v9 = w1 * v7;
-    const wide v10 = v9 - v8;
-    const wide v11 = v8 + v9;
-    const wide v12 = m4 + m3 * N3;
-    const wide v13 = Z1_3 * v12;
-    const wide v14 = w3 * (m3 * w1);
+    const wide v8 = Z1_3 * Y1_2, v9 = w1 * v7, v10 = v9 - v8, v11 = v8 + v9, v12 = m4 + m3 * N3;
+    const wide v13 = Z1_3 * v12, v14 = w3 * (m3 * w1);
     const wide S2_pp = v14 - v13;
-    const wide v15 = v13 + v14;
-    const wide v16 = w1 * Y1_2;
-    const wide v17 = Z1_3 * v7;
-    const wide v18 = v16 + v17;
-    const wide v19 = v16 - v17;
-    const wide v20 = w3 * (m3 * Z1_3);
-    const wide v21 = w3 * (m3 * -Z1_3);
-    const wide v22 = w1 * v12;
-    const wide v23 = v20 + v22;
-    const wide v24 = v21 + v22;
-    const wide v25 = v20 - v22;
-    const wide v26 = v21 - v22;
-    const wide v27 = S2_pp * S2_pp;
-    const wide v28 = v27 + v23 * v23;
-    const wide v29 = v15 * v15;
-    const wide v30 = v29 + v24 * v24;
-    const wide v31 = v29 + v25 * v25;
+    const wide v15 = v13 + v14, v16 = w1 * Y1_2, v17 = Z1_3 * v7, v18 = v16 + v17, v19 = v16 - v17;
+    const wide v20 = w3 * (m3 * Z1_3), v21 = w3 * (m3 * -Z1_3), v22 = w1 * v12, v23 = v20 + v22;
+    const wide v24 = v21 + v22, v25 = v20 - v22, v26 = v21 - v22, v27 = S2_pp * S2_pp;
+    const wide v28 = v27 + v23 * v23, v29 = v15 * v15, v30 = v29 + v24 * v24, v31 = v29 + v25 * v25;
     const wide v32 = v27 + v26 * v26;
-    const wide w2_pp = sqrt_wide(v28);
-    const wide w2_pm = sqrt_wide(v30);
-    const wide w2_mp = sqrt_wide(v31);
+    const wide w2_pp = sqrt_wide(v28), w2_pm = sqrt_wide(v30), w2_mp = sqrt_wide(v31);
     const wide w2_mm = sqrt_wide(v32);
-    const wide v33 = 1.0 / v28;
-    const wide v34 = 1.0 / v30;
-    const wide v35 = 1.0 / v31;
-    const wide v36 = 1.0 / v32;
-    const wide angle3 = atan2_wide(S2_pp, -v23);
-    const wide angle4 = atan2_wide(-v15, -v24);
-    const wide angle5 = atan2_wide(-v15, -v25);
-    const wide angle6 = atan2_wide(S2_pp, -v26);
+    const wide v33 = 1.0 / v28, v34 = 1.0 / v30, v35 = 1.0 / v31, v36 = 1.0 / v32;
+    const wide angle3 = atan2_wide(S2_pp, -v23), angle4 = atan2_wide(-v15, -v24);
+    const wide angle5 = atan2_wide(-v15, -v25), angle6 = atan2_wide(S2_pp, -v26);
 
     /* theta4 */
     const wide v37 = v5 * v10 - c3 * v18;
@@ -561,27 +531,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v41 = c3 * v11;
     const wide s23_pm = w2_pm * (v34 * (v41 + v5 * v19));
     const wide s23_mp = w2_mp * (v35 * (v5 * -v19 - v41));
-    const wide v42 = w2_mm * (v36 * v40);
-    const wide v43 = w1 * (v2 * (T23 * Y1 - T13 * wx));
-    const wide X4_pp = T33 * s23_pp - c23_pp * v43;
-    const wide X4_pm = T33 * s23_pm - c23_pm * v43;
-    const wide X4_mp = T33 * s23_mp - v39 * v43;
-    const wide X4_mm = c23_mm * v43 - T33 * v42;
+    const wide v42 = w2_mm * (v36 * v40), v43 = w1 * (v2 * (T23 * Y1 - T13 * wx));
+    const wide X4_pp = T33 * s23_pp - c23_pp * v43, X4_pm = T33 * s23_pm - c23_pm * v43;
+    const wide X4_mp = T33 * s23_mp - v39 * v43, X4_mm = c23_mm * v43 - T33 * v42;
     const wide Y4 = w1 * (v2 * (T13 * Y1 + wx * T23));
-    const wide v44 = Y4 * Y4;
-    const wide v45 = v44 + X4_pp * X4_pp;
-    const wide v46 = v44 + X4_pm * X4_pm;
-    const wide v47 = v44 + X4_mp * X4_mp;
-    const wide v48 = v44 + X4_mm * X4_mm;
-    const wide angle7 = atan2_wide(Y4, -X4_pp);
-    const wide angle8 = atan2_wide(Y4, -X4_pm);
-    const wide angle9 = atan2_wide(-Y4, -X4_mp);
-    const wide angle10 = atan2_wide(-Y4, -X4_mm);
+    const wide v44 = Y4 * Y4, v45 = v44 + X4_pp * X4_pp, v46 = v44 + X4_pm * X4_pm;
+    const wide v47 = v44 + X4_mp * X4_mp, v48 = v44 + X4_mm * X4_mm;
+    const wide angle7 = atan2_wide(Y4, -X4_pp), angle8 = atan2_wide(Y4, -X4_pm);
+    const wide angle9 = atan2_wide(-Y4, -X4_mp), angle10 = atan2_wide(-Y4, -X4_mm);
     const wide v49 = h1 * copysign_wide(all_wide(half_turn), Y4);
     const wide v50 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle7 - v49;
-    const wide q4_pmm = angle8 - v49;
-    const wide q4_mpm = angle9 - v50;
+    const wide q4_ppm = angle7 - v49, q4_pmm = angle8 - v49, q4_mpm = angle9 - v50;
     const wide q4_mmm = angle10 - v50;
 
     /* theta5 */
@@ -591,10 +551,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle14 = atan2_wide(-sqrt_wide(v48), -(T33 * c23_mm + v42 * v43));
 
     /* theta6 */
-    const wide v51 = w1 * (v2 * (wx * T22 + Y1 * T12));
-    const wide v52 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const wide v53 = w1 * (v2 * (wx * T21 + Y1 * T11));
-    const wide v54 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const wide v51 = w1 * (v2 * (wx * T22 + Y1 * T12)), v52 = w1 * (v2 * (Y1 * T22 - wx * T12));
+    const wide v53 = w1 * (v2 * (wx * T21 + Y1 * T11)), v54 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const wide v55 = -X4_pp * v53 - Y4 * (c23_pp * v54 - s23_pp * T31);
     const wide v56 = -X4_pm * v53 - Y4 * (c23_pm * v54 - s23_pm * T31);
     const wide v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53;
@@ -616,60 +574,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v28 <=
         m5))))))));
 
-    q[0] = q1_ppp;
-    q[1] = angle3;
-    q[2] = angle2;
-    q[3] = angle7;
-    q[4] = angle11;
-    q[5] = angle15;
+    q[0] = q1_ppp; q[1] = angle3; q[2] = angle2; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = angle3;
-    q[8] = angle2;
-    q[9] = q4_ppm;
-    q[10] = -angle11;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle3; q[8] = angle2; q[9] = q4_ppm; q[10] = -angle11; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
-    q[13] = angle4;
-    q[14] = q3_pmp;
-    q[15] = angle8;
-    q[16] = angle12;
+    q[12] = q1_ppp; q[13] = angle4; q[14] = q3_pmp; q[15] = angle8; q[16] = angle12;
     q[17] = angle16;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
-    q[19] = angle4;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = -angle12;
+    q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle12;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = angle5;
-    q[26] = angle2;
-    q[27] = angle9;
-    q[28] = angle13;
+    q[24] = q1_mpp; q[25] = angle5; q[26] = angle2; q[27] = angle9; q[28] = angle13;
     q[29] = angle17;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = angle5;
-    q[32] = angle2;
-    q[33] = q4_mpm;
-    q[34] = -angle13;
+    q[30] = q1_mpp; q[31] = angle5; q[32] = angle2; q[33] = q4_mpm; q[34] = -angle13;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = angle6;
-    q[38] = q3_pmp;
-    q[39] = angle10;
-    q[40] = angle14;
+    q[36] = q1_mpp; q[37] = angle6; q[38] = q3_pmp; q[39] = angle10; q[40] = angle14;
     q[41] = angle18;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = angle6;
-    q[44] = q3_pmp;
-    q[45] = q4_mmm;
-    q[46] = -angle14;
+    q[42] = q1_mpp; q[43] = angle6; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle14;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -693,39 +617,26 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Y1 = d6 * T23 - T24;
     const double v1 = wx * wx + Y1 * Y1;
     const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1;
-    const double v3 = copysign(half_turn, Y1);
+    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
     const double N3 = v1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = w3 - w3;
-    const double v5 = k1 * (N3 - k2);
-    const double v6 = k3 * v5;
-    const double v7 = k1 * w3;
+    const double v4 = w3 - w3, v5 = k1 * (N3 - k2), v6 = k3 * v5, v7 = k1 * w3;
     const double c3 = k3 * v7;
     const double v8 = copysign(half_turn, -v5);
 
     /* theta2 */
     const double v9 = d4 * c3;
     const double Y1_2 = a2 + d4 * v6;
-    const double v10 = Z1_3 * Y1_2;
-    const double v11 = w1 * v9;
-    const four v12 = e1 * e2;
-    const four v13 = v11 * v12 - v10;
-    const double v14 = m4 + m3 * N3;
-    const double v15 = Z1_3 * v14;
+    const double v10 = Z1_3 * Y1_2, v11 = w1 * v9;
+    const four v12 = e1 * e2, v13 = v11 * v12 - v10;
+    const double v14 = m4 + m3 * N3, v15 = Z1_3 * v14;
     const four S2 = w3 * (m3 * (w1 * v12)) - v15;
-    const double v16 = w1 * Y1_2;
-    const double v17 = Z1_3 * v9;
-    const four v18 = e2 * v17;
-    const four v19 = e1 * v16;
-    const four v20 = v18 + v19;
-    const four v21 = w3 * (m3 * (e2 * Z1_3));
-    const four v22 = w1 * (e1 * v14);
-    const four v23 = v21 + v22;
-    const four v24 = S2 * S2 + v23 * v23;
+    const double v16 = w1 * Y1_2, v17 = Z1_3 * v9;
+    const four v18 = e2 * v17, v19 = e1 * v16, v20 = v18 + v19, v21 = w3 * (m3 * (e2 * Z1_3));
+    const four v22 = w1 * (e1 * v14), v23 = v21 + v22, v24 = S2 * S2 + v23 * v23;
     const four w2 = sqrt_four(v24);
     const four v25 = 1.0 / v24;
 
@@ -737,15 +648,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four X4 = T33 * s23 - e1 * (c23 * v27);
     const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23));
     const double v28 = Y4 * Y4;
-    const four v29 = v28 + X4 * X4;
-    const four v30 = e1 * Y4;
+    const four v29 = v28 + X4 * X4, v30 = e1 * Y4;
     const four v31 = copysign_four(all_four(half_turn), v30) * h1;
 
     /* theta6 */
-    const double v32 = w1 * (v2 * (wx * T22 + Y1 * T12));
-    const double v33 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const double v34 = w1 * (v2 * (wx * T21 + Y1 * T11));
-    const double v35 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const double v32 = w1 * (v2 * (wx * T22 + Y1 * T12)), v33 = w1 * (v2 * (Y1 * T22 - wx * T12));
+    const double v34 = w1 * (v2 * (wx * T21 + Y1 * T11)), v35 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const four v36 = e1 * (-X4 * v34 - Y4 * (e1 * (c23 * v35) - s23 * T31));
 
     /* joint values */
@@ -753,8 +661,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
     const four_mask doubt2 = (v24 <= m5) | (v29 <= m6);
 
-    const four angle3 = atan2_four(S2, -v23);
-    const four angle4 = atan2_four(v30, -X4);
+    const four angle3 = atan2_four(S2, -v23), angle4 = atan2_four(v30, -X4);
     const four angle5 = atan2_four(-sqrt_four(v29), -(T33 * c23 + e1 * (s23 * v27)));
     const four angle6 = atan2_four(v36, e1 * (-X4 * v32 - Y4 * (e1 * (c23 * v33) - s23 * T32)));
     const four packed5 = atan2_four((four){ Y1, -v5, Y1, Y1 }, (four){ -wx, v7, -wx, -wx });

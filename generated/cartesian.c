@@ -79,8 +79,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -105,8 +104,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -312,9 +310,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide_mask outside = ((T14 < low3) | (high3 < T14)) | (((T34 < low1) | (high1 < T34)) |
         ((T24 < low2) | (high2 < T24)));
 
-    q[0] = T34;
-    q[1] = T24;
-    q[2] = T14;
+    q[0] = T34; q[1] = T24; q[2] = T14;
     kind[0] = kind_of(q[0] != q[0], outside);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0);

@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -540,87 +538,53 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide X1 = d6 * T13 - T14;
     const wide wy = d6 * T23 - T24;
     const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
     const wide v1 = inverse1 * (k1 * wy);
-    const wide c1_p = v1 - w1 * (X1 * inverse1);
-    const wide c1_m = v1 - w1 * (inverse1 * -X1);
+    const wide c1_p = v1 - w1 * (X1 * inverse1), c1_m = v1 - w1 * (inverse1 * -X1);
     const wide v2 = inverse1 * (k1 * X1);
-    const wide s1_p = v2 + w1 * (wy * inverse1);
-    const wide s1_m = v2 + w1 * (inverse1 * -wy);
-    const wide angle1 = atan2_wide(s1_p, c1_p);
-    const wide angle2 = atan2_wide(s1_m, c1_m);
+    const wide s1_p = v2 + w1 * (wy * inverse1), s1_m = v2 + w1 * (inverse1 * -wy);
+    const wide angle1 = atan2_wide(s1_p, c1_p), angle2 = atan2_wide(s1_m, c1_m);
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34);
     const wide Z2_3_p = w1 - a1;
-    const wide v3 = a1 + w1;
-    const wide v4 = Z1_3 * Z1_3;
-    const wide N3_p = v4 + Z2_3_p * Z2_3_p;
-    const wide N3_m = v4 + v3 * v3;
+    const wide v3 = a1 + w1, v4 = Z1_3 * Z1_3;
+    const wide N3_p = v4 + Z2_3_p * Z2_3_p, N3_m = v4 + v3 * v3;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
 
     /* theta2 */
-    const wide X1_2_p = m2 + m1 * N3_p;
-    const wide X1_2_m = m2 + m1 * N3_m;
-    const wide v5 = Z1_3 * X1_2_p;
-    const wide v6 = Z1_3 * X1_2_m;
-    const wide v7 = Z2_3_p * X1_2_p;
-    const wide v8 = v3 * X1_2_m;
+    const wide X1_2_p = m2 + m1 * N3_p, X1_2_m = m2 + m1 * N3_m;
+    const wide v5 = Z1_3 * X1_2_p, v6 = Z1_3 * X1_2_m, v7 = Z2_3_p * X1_2_p, v8 = v3 * X1_2_m;
     const wide v9 = m1 * Z1_3;
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
+    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v10 = m3 * Z1_3;
-    const wide v11 = v10 - m4 * Z2_3_p;
-    const wide v12 = m4 - m5 * factor2_p;
-    const wide v13 = m4 - m5 * factor2_m;
-    const wide v14 = m3 - m6 * factor2_p;
-    const wide v15 = m3 - m6 * factor2_m;
-    const wide v16 = Z1_3 * v12 + Z2_3_p * v14;
-    const wide v17 = Z1_3 * v13 - v3 * v15;
-    const wide c2m3_pp = v16 + w3_p * (factor2_p * v11);
-    const wide c2m3_pm = v16 + w3_p * (factor2_p * -v11);
+    const wide v10 = m3 * Z1_3, v11 = v10 - m4 * Z2_3_p, v12 = m4 - m5 * factor2_p;
+    const wide v13 = m4 - m5 * factor2_m, v14 = m3 - m6 * factor2_p, v15 = m3 - m6 * factor2_m;
+    const wide v16 = Z1_3 * v12 + Z2_3_p * v14, v17 = Z1_3 * v13 - v3 * v15;
+    const wide c2m3_pp = v16 + w3_p * (factor2_p * v11), c2m3_pm = v16 + w3_p * (factor2_p * -v11);
     const wide v18 = w3_m * (factor2_m * (v10 + m4 * v3));
-    const wide c2m3_mp = v17 + v18;
-    const wide c2m3_mm = v17 - v18;
-    const wide v19 = m4 * Z1_3;
-    const wide v20 = v19 - m3 * v3;
-    const wide v21 = Z1_3 * v14 + Z2_3_p * -v12;
-    const wide v22 = Z1_3 * v15 - v3 * -v13;
-    const wide v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p));
-    const wide s2m3_pp = v21 - v23;
-    const wide s2m3_pm = v21 + v23;
-    const wide s2m3_mp = v22 - w3_m * (factor2_m * v20);
+    const wide c2m3_mp = v17 + v18, c2m3_mm = v17 - v18;
+    const wide v19 = m4 * Z1_3, v20 = v19 - m3 * v3, v21 = Z1_3 * v14 + Z2_3_p * -v12;
+    const wide v22 = Z1_3 * v15 - v3 * -v13, v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p));
+    const wide s2m3_pp = v21 - v23, s2m3_pm = v21 + v23, s2m3_mp = v22 - w3_m * (factor2_m * v20);
     const wide s2m3_mm = v22 - w3_m * (factor2_m * -v20);
-    const wide v24 = T13 * c1_p - T23 * s1_p;
-    const wide v25 = T13 * c1_m - T23 * s1_m;
-    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v24;
-    const wide X4_pm = T33 * s2m3_pm - c2m3_pm * v24;
-    const wide X4_mp = T33 * s2m3_mp - c2m3_mp * v25;
-    const wide X4_mm = T33 * s2m3_mm - c2m3_mm * v25;
-    const wide Y4_p = T23 * c1_p + T13 * s1_p;
-    const wide Y4_m = T23 * c1_m + T13 * s1_m;
-    const wide v26 = Y4_p * Y4_p;
-    const wide v27 = Y4_m * Y4_m;
-    const wide v28 = v26 + X4_pp * X4_pp;
-    const wide v29 = v26 + X4_pm * X4_pm;
-    const wide v30 = v27 + X4_mp * X4_mp;
-    const wide v31 = v27 + X4_mm * X4_mm;
+    const wide v24 = T13 * c1_p - T23 * s1_p, v25 = T13 * c1_m - T23 * s1_m;
+    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v24, X4_pm = T33 * s2m3_pm - c2m3_pm * v24;
+    const wide X4_mp = T33 * s2m3_mp - c2m3_mp * v25, X4_mm = T33 * s2m3_mm - c2m3_mm * v25;
+    const wide Y4_p = T23 * c1_p + T13 * s1_p, Y4_m = T23 * c1_m + T13 * s1_m;
+    const wide v26 = Y4_p * Y4_p, v27 = Y4_m * Y4_m, v28 = v26 + X4_pp * X4_pp;
+    const wide v29 = v26 + X4_pm * X4_pm, v30 = v27 + X4_mp * X4_mp, v31 = v27 + X4_mm * X4_mm;
 
     /* theta6 */
-    const wide v32 = c1_p * T22 + s1_p * T12;
-    const wide v33 = c1_m * T22 + s1_m * T12;
-    const wide v34 = c1_p * T12 - s1_p * T22;
-    const wide v35 = c1_m * T12 - s1_m * T22;
-    const wide v36 = c1_p * T21 + s1_p * T11;
-    const wide v37 = c1_m * T21 + s1_m * T11;
-    const wide v38 = c1_p * T11 - s1_p * T21;
-    const wide v39 = c1_m * T11 - s1_m * T21;
+    const wide v32 = c1_p * T22 + s1_p * T12, v33 = c1_m * T22 + s1_m * T12;
+    const wide v34 = c1_p * T12 - s1_p * T22, v35 = c1_m * T12 - s1_m * T22;
+    const wide v36 = c1_p * T21 + s1_p * T11, v37 = c1_m * T21 + s1_m * T11;
+    const wide v38 = c1_p * T11 - s1_p * T21, v39 = c1_m * T11 - s1_m * T21;
     const wide s6_pp = Y4_p * (c2m3_pp * v38 - s2m3_pp * T31) - v36 * -X4_pp;
     const wide s6_pm = Y4_p * (c2m3_pm * v38 - s2m3_pm * T31) - v36 * -X4_pm;
     const wide s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp;
@@ -631,9 +595,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle3 = atan2_wide(v5 + w3_p * (m1 * Z2_3_p), v7 - v40);
     const wide v41 = angle3 - offset2;
     const wide angle4 = atan2_wide(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40);
-    const wide v42 = angle4 - offset2;
-    const wide v43 = w3_m * (m1 * v3);
-    const wide v44 = w3_m * v9;
+    const wide v42 = angle4 - offset2, v43 = w3_m * (m1 * v3), v44 = w3_m * v9;
     const wide angle5 = atan2_wide(v6 - v43, -(v8 + v44));
     const wide v45 = angle5 - offset2;
     const wide angle6 = atan2_wide(v6 + v43, v44 - v8);
@@ -642,29 +604,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q2_pmp = v42 - only_wide(half_turn < v42, m8);
     const wide q2_mpp = v45 - only_wide(half_turn < v45, m8);
     const wide q2_mmp = v46 - only_wide(half_turn < v46, m8);
-    const wide angle7 = atan2_wide(w3_p, N3_p - k6);
-    const wide angle8 = atan2_wide(w3_m, N3_m - k6);
-    const wide v47 = angle7 - turn1 - offset3;
-    const wide v48 = offset3 + (turn1 + angle7);
-    const wide v49 = angle8 - turn1 - offset3;
-    const wide v50 = offset3 + (turn1 + angle8);
+    const wide angle7 = atan2_wide(w3_p, N3_p - k6), angle8 = atan2_wide(w3_m, N3_m - k6);
+    const wide v47 = angle7 - turn1 - offset3, v48 = offset3 + (turn1 + angle7);
+    const wide v49 = angle8 - turn1 - offset3, v50 = offset3 + (turn1 + angle8);
     const wide q3_ppp = v47 + only_wide(v47 <= -half_turn, m8);
     const wide q3_pmp = only_wide(-v48 <= -half_turn, m8) - v48;
     const wide q3_mpp = v49 + only_wide(v49 <= -half_turn, m8);
     const wide q3_mmp = only_wide(-v50 <= -half_turn, m8) - v50;
-    const wide angle9 = atan2_wide(Y4_p, -X4_pp);
-    const wide angle10 = atan2_wide(Y4_p, -X4_pm);
-    const wide angle11 = atan2_wide(Y4_m, -X4_mp);
-    const wide angle12 = atan2_wide(Y4_m, -X4_mm);
+    const wide angle9 = atan2_wide(Y4_p, -X4_pp), angle10 = atan2_wide(Y4_p, -X4_pm);
+    const wide angle11 = atan2_wide(Y4_m, -X4_mp), angle12 = atan2_wide(Y4_m, -X4_mm);
     const wide v51 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
-    const wide v52 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
-    const wide v53 = angle9 - offset4;
-    const wide v54 = angle9 - v51 - offset4;
-    const wide v55 = angle10 - offset4;
-    const wide v56 = angle10 - v51 - offset4;
-    const wide v57 = angle11 - offset4;
-    const wide v58 = angle11 - v52 - offset4;
-    const wide v59 = angle12 - offset4;
+    const wide v52 = copysign_wide(all_wide(half_turn), Y4_m) * h1, v53 = angle9 - offset4;
+    const wide v54 = angle9 - v51 - offset4, v55 = angle10 - offset4, v56 = angle10 - v51 - offset4;
+    const wide v57 = angle11 - offset4, v58 = angle11 - v52 - offset4, v59 = angle12 - offset4;
     const wide v60 = angle12 - v52 - offset4;
     const wide q4_ppp = v53 + only_wide(v53 <= -half_turn, m8);
     const wide q4_ppm = v54 + only_wide(v54 <= -half_turn, m8);
@@ -678,14 +630,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle14 = atan2_wide(-sqrt_wide(v29), T33 * c2m3_pm + s2m3_pm * v24);
     const wide angle15 = atan2_wide(-sqrt_wide(v30), T33 * c2m3_mp + s2m3_mp * v25);
     const wide angle16 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_mm + s2m3_mm * v25);
-    const wide v61 = angle13 - offset5;
-    const wide v62 = offset5 + angle13;
-    const wide v63 = angle14 - offset5;
-    const wide v64 = offset5 + angle14;
-    const wide v65 = angle15 - offset5;
-    const wide v66 = offset5 + angle15;
-    const wide v67 = angle16 - offset5;
-    const wide v68 = offset5 + angle16;
+    const wide v61 = angle13 - offset5, v62 = offset5 + angle13, v63 = angle14 - offset5;
+    const wide v64 = offset5 + angle14, v65 = angle15 - offset5, v66 = offset5 + angle15;
+    const wide v67 = angle16 - offset5, v68 = offset5 + angle16;
     const wide q5_ppp = v61 + only_wide(v61 <= -half_turn, m8);
     const wide q5_ppm = only_wide(-v62 <= -half_turn, m8) - v62;
     const wide q5_pmp = v63 + only_wide(v63 <= -half_turn, m8);
@@ -716,8 +663,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q6_mmm = v76 + only_wide(v76 <= -half_turn, m8);
     const wide_mask v77 = (angle1 < low1) | (high1 < angle1);
     const wide_mask v78 = (angle2 < low1) | (high1 < angle2);
-    const wide q1_ppp = angle1 + (w3_p - w3_p);
-    const wide q1_mpp = angle2 + (w3_m - w3_m);
+    const wide q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = angle2 + (w3_m - w3_m);
     const wide_mask v79 = ((q3_ppp < low3) | (high3 < q3_ppp)) | (v77 | ((q2_ppp < low2) | (high2 <
         q2_ppp)));
     const wide_mask v80 = ((q3_pmp < low3) | (high3 < q3_pmp)) | (v77 | ((q2_pmp < low2) | (high2 <
@@ -740,61 +686,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((-k2 <= D1) & (free1 | ((k3
         < D1) == 0))) | (free1 | ((v31 <= m7) | ((v30 <= m7) | ((v28 <= m7) | (v29 <= m7)))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_mpp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_mpp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_mmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_mmp;
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -815,8 +721,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double X1 = d6 * T13 - T14;
     const double wy = d6 * T23 - T24;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = inverse1 * (k1 * wy);
@@ -833,33 +739,25 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta2 */
     const four X1_2 = m2 + m1 * N3;
-    const four v4 = Z1_3 * X1_2;
-    const four v5 = Z2_3 * X1_2;
-    const four v6 = m1 * (e2 * Z1_3);
+    const four v4 = Z1_3 * X1_2, v5 = Z2_3 * X1_2, v6 = m1 * (e2 * Z1_3);
     const four factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v7 = m3 * Z1_3;
-    const four v8 = v7 - m4 * Z2_3;
-    const four v9 = m4 - m5 * factor2;
-    const four v10 = m3 - m6 * factor2;
+    const four v8 = v7 - m4 * Z2_3, v9 = m4 - m5 * factor2, v10 = m3 - m6 * factor2;
     const four v11 = Z1_3 * v9 + Z2_3 * v10;
     const four c2m3 = v11 + w3 * (factor2 * (e2 * v8));
     const double v12 = m4 * Z1_3;
-    const four v13 = v12 + m3 * Z2_3;
-    const four v14 = Z1_3 * v10 + Z2_3 * -v9;
+    const four v13 = v12 + m3 * Z2_3, v14 = Z1_3 * v10 + Z2_3 * -v9;
     const four s2m3 = v14 - w3 * (factor2 * (e2 * v13));
     const four v15 = T13 * c1 - T23 * s1;
     const four X4 = T33 * s2m3 - c2m3 * v15;
     const four Y4 = T23 * c1 + T13 * s1;
-    const four v16 = Y4 * Y4;
-    const four v17 = v16 + X4 * X4;
+    const four v16 = Y4 * Y4, v17 = v16 + X4 * X4;
     const four_mask doubt3 = v17 <= m7;
 
     /* theta6 */
-    const four v18 = c1 * T22 + s1 * T12;
-    const four v19 = c1 * T12 - s1 * T22;
-    const four v20 = c1 * T21 + s1 * T11;
+    const four v18 = c1 * T22 + s1 * T12, v19 = c1 * T12 - s1 * T22, v20 = c1 * T21 + s1 * T11;
     const four v21 = c1 * T11 - s1 * T21;
     const four s6 = Y4 * (c2m3 * v21 - s2m3 * T31) - v20 * -X4;
 
@@ -881,12 +779,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q2_p = v22 - only_four(half_turn < v22, m8);
     const four v23 = e2 * angle3 - turn1 - offset3;
     const four q3_p = v23 + only_four(v23 <= -half_turn, m8);
-    const four v25 = angle4 - offset4;
-    const four v26 = angle4 - v24 - offset4;
+    const four v25 = angle4 - offset4, v26 = angle4 - v24 - offset4;
     const four q4_p = v25 + only_four(v25 <= -half_turn, m8);
     const four q4_m = v26 + only_four(v26 <= -half_turn, m8);
-    const four v27 = angle5 - offset5;
-    const four v28 = offset5 + angle5;
+    const four v27 = angle5 - offset5, v28 = offset5 + angle5;
     const four q5_p = v27 + only_four(v27 <= -half_turn, m8);
     const four q5_m = only_four(-v28 <= -half_turn, m8) - v28;
     const four v29 = angle6 - offset6;
@@ -981,12 +877,12 @@ static void solve(
     const double X1 = T13 * d6 - T14;
     const double wy = d6 * T23 - T24;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k1 * sqrt(N1)));
     const double v1 = X1 * k1;
     const double v2 = wy * k1;
 

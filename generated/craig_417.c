@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -452,100 +450,57 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta1 */
     const wide N1 = T13 * T13 + T23 * T23;
-    const wide D1 = N1 - k3;
     const wide_mask free1 = N1 <= doubt_limit_squared;
+    const wide D1 = N1 - k3;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = k2 * T13;
-    const wide v2 = k2 * T23;
-    const wide v3 = T13 * w1;
-    const wide v4 = inverse1 * (v2 - v3);
-    const wide v5 = inverse1 * (v2 + v3);
-    const wide v6 = inverse1 * v2;
-    const wide v7 = w1 * (T13 * inverse1);
-    const wide c1_p = v6 - v7;
-    const wide c1_m = v6 + v7;
-    const wide v8 = T23 * w1;
-    const wide v9 = inverse1 * (v1 + v8);
-    const wide v10 = inverse1 * (v1 - v8);
-    const wide v11 = inverse1 * v1;
-    const wide v12 = w1 * (T23 * inverse1);
-    const wide v13 = v11 + v12;
-    const wide v14 = v11 - v12;
+    const wide v1 = k2 * T13, v2 = k2 * T23, v3 = T13 * w1, v4 = inverse1 * (v2 - v3);
+    const wide v5 = inverse1 * (v2 + v3), v6 = inverse1 * v2, v7 = w1 * (T13 * inverse1);
+    const wide c1_p = v6 - v7, c1_m = v6 + v7;
+    const wide v8 = T23 * w1, v9 = inverse1 * (v1 + v8), v10 = inverse1 * (v1 - v8);
+    const wide v11 = inverse1 * v1, v12 = w1 * (T23 * inverse1), v13 = v11 + v12, v14 = v11 - v12;
 
     /* theta2 */
     const wide S2 = k2 * w1;
-    const wide v15 = k2 * T33;
-    const wide v16 = v15 * v15 + S2 * S2;
+    const wide v15 = k2 * T33, v16 = v15 * v15 + S2 * S2;
     const wide w2 = sqrt_wide(v16);
-    const wide v17 = 1.0 / v16;
-    const wide v18 = w2 * v17;
+    const wide v17 = 1.0 / v16, v18 = w2 * v17;
     const wide c2 = v15 * v18;
     const wide v19 = S2 * v18;
     const wide angle1 = atan2_wide(-S2, v15);
 
     /* theta34 */
-    const wide v20 = T23 * T11 - T13 * T21;
-    const wide v21 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
-    const wide v22 = v21 + w1 * (m2 * (inverse1 * v20));
-    const wide v23 = v21 + w1 * (m2 * (inverse1 * -v20));
-    const wide v24 = T23 * T12 - T13 * T22;
-    const wide v25 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
-    const wide v26 = v25 + w1 * (m2 * (inverse1 * v24));
-    const wide v27 = v25 + w1 * (m2 * (inverse1 * -v24));
-    const wide v28 = v22 * v22 + v26 * v26;
-    const wide v29 = v23 * v23 + v27 * v27;
-    const wide v30 = sqrt_wide(v28) * (1.0 / v28);
-    const wide v31 = sqrt_wide(v29) * (1.0 / v29);
-    const wide c34_p = v26 * v30;
-    const wide c34_m = v27 * v31;
-    const wide s34_p = v22 * v30;
-    const wide s34_m = v23 * v31;
+    const wide v20 = T23 * T11 - T13 * T21, v21 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
+    const wide v22 = v21 + w1 * (m2 * (inverse1 * v20)), v23 = v21 + w1 * (m2 * (inverse1 * -v20));
+    const wide v24 = T23 * T12 - T13 * T22, v25 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
+    const wide v26 = v25 + w1 * (m2 * (inverse1 * v24)), v27 = v25 + w1 * (m2 * (inverse1 * -v24));
+    const wide v28 = v22 * v22 + v26 * v26, v29 = v23 * v23 + v27 * v27;
+    const wide v30 = sqrt_wide(v28) * (1.0 / v28), v31 = sqrt_wide(v29) * (1.0 / v29);
+    const wide c34_p = v26 * v30, c34_m = v27 * v31;
+    const wide s34_p = v22 * v30, s34_m = v23 * v31;
 
     /* theta3 */
-    const wide v32 = 2.0 * T24;
-    const wide v33 = 2.0 * T14;
-    const wide v34 = T13 * v32 - T23 * v33;
+    const wide v32 = 2.0 * T24, v33 = 2.0 * T14, v34 = T13 * v32 - T23 * v33;
     const wide v35 = m4 - m3 * (inverse1 * (v1 * v33 + v2 * v32));
-    const wide v36 = v35 + w1 * (m3 * (inverse1 * v34));
-    const wide v37 = v35 + w1 * (m3 * (inverse1 * -v34));
+    const wide v36 = v35 + w1 * (m3 * (inverse1 * v34)), v37 = v35 + w1 * (m3 * (inverse1 * -v34));
     const wide v38 = S2 * T34;
     const wide C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24))));
     const wide C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)));
     const double v39 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const wide v40 = v36 * v36 + C3_p * C3_p;
-    const wide v41 = v37 * v37 + C3_m * C3_m;
-    const wide factor3_p = v39 / sqrt_wide(v40);
-    const wide factor3_m = v39 / sqrt_wide(v41);
-    const wide c3_p = C3_p * factor3_p;
-    const wide c3_m = C3_m * factor3_m;
-    const wide v42 = v36 * factor3_p;
-    const wide v43 = v37 * factor3_m;
-    const wide angle2 = atan2_wide(-v42, c3_p);
-    const wide angle3 = atan2_wide(-v43, c3_m);
+    const wide v40 = v36 * v36 + C3_p * C3_p, v41 = v37 * v37 + C3_m * C3_m;
+    const wide factor3_p = v39 / sqrt_wide(v40), factor3_m = v39 / sqrt_wide(v41);
+    const wide c3_p = C3_p * factor3_p, c3_m = C3_m * factor3_m;
+    const wide v42 = v36 * factor3_p, v43 = v37 * factor3_m;
+    const wide angle2 = atan2_wide(-v42, c3_p), angle3 = atan2_wide(-v43, c3_m);
 
     /* is the pose one that the arm can take? */
-    const wide v44 = c1_p * c2;
-    const wide v45 = c1_m * c2;
-    const wide v46 = 2.0 * v44;
-    const wide v47 = 2.0 * v45;
+    const wide v44 = c1_p * c2, v45 = c1_m * c2, v46 = 2.0 * v44, v47 = 2.0 * v45;
     const wide v48 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9;
-    const wide v49 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)));
-    const wide v50 = k6 * c1_p;
-    const wide v51 = k6 * c1_m;
-    const wide v52 = k6 * v13;
-    const wide v53 = k6 * v14;
-    const wide v54 = v13 * c2;
-    const wide v55 = v14 * c2;
-    const wide v56 = 2.0 * v54;
-    const wide v57 = 2.0 * v55;
-    const wide v58 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)));
-    const wide v59 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)));
-    const wide v60 = v19 * 2.0;
-    const wide v61 = sqrt2 * c2;
-    const wide v62 = sqrt2 * (k6 * c2);
-    const wide v63 = 2.0 * (a3 * v19);
-    const wide v64 = a3 * v61;
+    const wide v49 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2))), v50 = k6 * c1_p, v51 = k6 * c1_m;
+    const wide v52 = k6 * v13, v53 = k6 * v14, v54 = v13 * c2, v55 = v14 * c2, v56 = 2.0 * v54;
+    const wide v57 = 2.0 * v55, v58 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)));
+    const wide v59 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2))), v60 = v19 * 2.0, v61 = sqrt2 * c2;
+    const wide v62 = sqrt2 * (k6 * c2), v63 = 2.0 * (a3 * v19), v64 = a3 * v61;
     const wide v65 = abs_wide(T33 - k1 * v61);
     const double v66 = sqrt(-1.0);
     const wide v67 = pick_wide(maximum_wide(abs_wide(T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 *
@@ -580,10 +535,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide q1_p = v69 + (v67 + angle6);
     const wide angle7 = atan2_wide(-v14, c1_m);
     const wide q1_m = v70 + (v68 + angle7);
-    const wide q2_p = v69 + (angle1 + v67);
-    const wide q2_m = v70 + (v68 - angle1);
-    const wide q3_p = v69 + (angle2 + v67);
-    const wide q3_m = v70 + (angle3 + v68);
+    const wide q2_p = v69 + (angle1 + v67), q2_m = v70 + (v68 - angle1);
+    const wide q3_p = v69 + (angle2 + v67), q3_m = v70 + (angle3 + v68);
     const wide q4_p = v69 + (v67 + (v71 - only_wide(half_turn < v71, m6) + only_wide(v71 <=
         -half_turn, m6)));
     const wide q4_m = v70 + (v68 + (v72 - only_wide(half_turn < v72, m6) + only_wide(v72 <=
@@ -591,15 +544,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide_mask doubt1 = ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))) | (free1 | ((v41 <= m5) |
         ((v29 <= m1) | ((v40 <= m5) | ((v28 <= m1) | (v16 <= m1))))));
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
-    q[3] = q4_p;
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_m;
-    q[5] = q2_m;
-    q[6] = q3_m;
-    q[7] = q4_m;
+    q[4] = q1_m; q[5] = q2_m; q[6] = q3_m; q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -617,13 +564,11 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* theta1 */
     const double N1 = T13 * T13 + T23 * T23;
-    const double D1 = N1 - k3;
     const int free1 = N1 <= doubt_limit_squared;
+    const double D1 = N1 - k3;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
-    const double v1 = k2 * T13;
-    const double v2 = k2 * T23;
-    const double v3 = T13 * w1;
+    const double v1 = k2 * T13, v2 = k2 * T23, v3 = T13 * w1;
     const four v4 = inverse1 * (v2 - e1 * v3);
     const double v5 = inverse1 * v2;
     const four c1 = v5 - w1 * (inverse1 * (e1 * T13));
@@ -634,31 +579,24 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* theta2 */
     const double S2 = k2 * w1;
-    const double v10 = k2 * T33;
-    const double v11 = v10 * v10 + S2 * S2;
+    const double v10 = k2 * T33, v11 = v10 * v10 + S2 * S2;
     const double w2 = sqrt(v11);
-    const double v12 = 1.0 / v11;
-    const double v13 = w2 * v12;
+    const double v12 = 1.0 / v11, v13 = w2 * v12;
     const double c2 = v10 * v13;
     const double v14 = S2 * v13;
     const four v15 = e1 * S2;
 
     /* theta34 */
-    const double v16 = T23 * T11 - T13 * T21;
-    const double v17 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
+    const double v16 = T23 * T11 - T13 * T21, v17 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
     const four v18 = v17 + w1 * (m2 * (inverse1 * (e1 * v16)));
-    const double v19 = T23 * T12 - T13 * T22;
-    const double v20 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
-    const four v21 = v20 + w1 * (m2 * (inverse1 * (e1 * v19)));
-    const four v22 = v18 * v18 + v21 * v21;
+    const double v19 = T23 * T12 - T13 * T22, v20 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
+    const four v21 = v20 + w1 * (m2 * (inverse1 * (e1 * v19))), v22 = v18 * v18 + v21 * v21;
     const four v23 = sqrt_four(v22) * (1.0 / v22);
     const four c34 = v21 * v23;
     const four s34 = v18 * v23;
 
     /* theta3 */
-    const double v24 = 2.0 * T24;
-    const double v25 = 2.0 * T14;
-    const double v26 = T13 * v24 - T23 * v25;
+    const double v24 = 2.0 * T24, v25 = 2.0 * T14, v26 = T13 * v24 - T23 * v25;
     const double v27 = m4 - m3 * (inverse1 * (v1 * v25 + v2 * v24));
     const four v28 = v27 + w1 * (m3 * (inverse1 * (e1 * v26)));
     const four C3 = w2 * (m2 * (v12 * (S2 * (e1 * T34) + v10 * (c1 * T14 - v9 * T24))));
@@ -669,21 +607,11 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four v31 = v28 * factor3;
 
     /* is the pose one that the arm can take? */
-    const four v32 = c1 * c2;
-    const four v33 = 2.0 * v32;
-    const four v34 = w2 * (m4 * (v12 * (v4 * v15))) + m4 * v7;
-    const four v35 = k6 * c1;
-    const four v36 = k6 * v9;
-    const four v37 = v9 * c2;
-    const four v38 = 2.0 * v37;
+    const four v32 = c1 * c2, v33 = 2.0 * v32, v34 = w2 * (m4 * (v12 * (v4 * v15))) + m4 * v7;
+    const four v35 = k6 * c1, v36 = k6 * v9, v37 = v9 * c2, v38 = 2.0 * v37;
     const four v39 = m4 * v4 - w2 * (m4 * (v12 * (v7 * v15)));
-    const double v40 = v14 * 2.0;
-    const double v41 = sqrt2 * c2;
-    const double v42 = sqrt2 * (k6 * c2);
-    const double v43 = 2.0 * (a3 * v14);
-    const double v44 = a3 * v41;
-    const double v45 = fabs(T33 - k1 * v41);
-    const double v46 = sqrt(-1.0);
+    const double v40 = v14 * 2.0, v41 = sqrt2 * c2, v42 = sqrt2 * (k6 * c2), v43 = 2.0 * (a3 * v14);
+    const double v44 = a3 * v41, v45 = fabs(T33 - k1 * v41), v46 = sqrt(-1.0);
     const four v47 = pick_four(maximum_four(abs_four(T14 - k1 * (c3 * (2.0 * (a3 * v32)) - v31 * (a3
         * v34) + sqrt2 * (v36 - e1 * (v14 * v35)))), maximum_four(abs_four(T34 - k1 * (v42 + (v31 *
         v44 + e1 * (c3 * v43)))), abs_four(T24 - k1 * (sqrt2 * (v35 + e1 * (v14 * v36)) - (c3 * (2.0
@@ -787,12 +715,12 @@ static void solve(
 
     /* theta1, type 2: U1[2, 3] */
     const double N1 = T13 * T13 + T23 * T23;
-    const double D1 = N1 - k3;
     const int free1 = N1 <= free_limit_squared;
+    const double D1 = N1 - k3;
     const int apart1 = k5 < D1;
     if (!(-k4 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k2 * sqrt(N1)));
     const double v1 = T13 * k2;
     const double v2 = T23 * k2;
 

@@ -15,7 +15,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -46,7 +46,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -262,13 +263,13 @@ def _solve(pose, seed, q, status):
 
     # theta1, type 2: U1[2, 3]
     N1 = T13 * T13 + T23 * T23
-    D1 = N1 - k3
     free1 = N1 <= free_limit_squared
+    D1 = N1 - k3
     apart1 = k5 < D1
     if not (-k4 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else N1)
+    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else k2 * math.sqrt(N1)))
     v1 = T13 * k2
     v2 = T23 * k2
 
@@ -450,8 +451,8 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[2, 3]
     N1 = T13 * T13 + T23 * T23
-    D1 = N1 - k3
     free1 = N1 <= doubt_limit_squared
+    D1 = N1 - k3
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v1 = k2 * T13
@@ -570,7 +571,7 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        -k4 <= D1 and (free1 or not (k5 < D1)) or (free1 or (v41 <= m5 or (v29 <= m1 or (v40 <= m5
+        (-k4 <= D1 and (free1 or not (k5 < D1))) or (free1 or (v41 <= m5 or (v29 <= m1 or (v40 <= m5
         or (v28 <= m1 or v16 <= m1)))))
     )
 
@@ -638,6 +639,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -683,7 +689,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(4), 4)) if q_seed is None else q_seed
     if seed.shape != (4,):
@@ -836,8 +843,8 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             N1 = T13 * T13 + T23 * T23
-            D1 = N1 - k3
             free1 = N1 <= doubt_limit_squared
+            D1 = N1 - k3
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v1 = k2 * T13
@@ -950,8 +957,8 @@ def _in_tiles(T, q, status):
                 pose_slack else v66
             )
             doubt1 = (
-                -k4 <= D1 and (free1 or not (k5 < D1)) or (free1 or (v41 <= m5 or (v29 <= m1 or (v40
-                <= m5 or (v28 <= m1 or v16 <= m1)))))
+                (-k4 <= D1 and (free1 or not (k5 < D1))) or (free1 or (v41 <= m5 or (v29 <= m1 or
+                (v40 <= m5 or (v28 <= m1 or v16 <= m1)))))
             )
             work[544 + k] = v67
             work[576 + k] = v68
@@ -1047,6 +1054,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((2, 4)), np.empty(2, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(4))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

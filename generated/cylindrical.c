@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -382,8 +380,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide v1 = T21 * T21 + T11 * T11;
     const wide w1 = sqrt_wide(v1);
     const wide_mask doubt1 = v1 <= m1;
-    const wide v2 = 1.0 / v1;
-    const wide v3 = w1 * v2;
+    const wide v2 = 1.0 / v1, v3 = w1 * v2;
     const wide c1 = T11 * v3;
     const wide s1 = T21 * v3;
 
@@ -406,9 +403,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide q2 = v6 + (r2 + v5);
     const wide q3 = v6 + (r3 + v5);
 
-    q[0] = q1;
-    q[1] = q2;
-    q[2] = q3;
+    q[0] = q1; q[1] = q2; q[2] = q3;
     kind[0] = kind_of(q[0] != q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -430,8 +425,7 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const double v1 = T21 * T21 + T11 * T11;
     const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1;
-    const double v3 = w1 * v2;
+    const double v2 = 1.0 / v1, v3 = w1 * v2;
     const double c1 = T11 * v3;
     const double s1 = T21 * v3;
 

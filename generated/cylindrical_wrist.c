@@ -81,8 +81,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -107,8 +106,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -439,8 +437,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
 
     /* theta4 */
     const wide X4 = wy * T13 + T23 * s1;
-    const wide v2 = factor1 * X4;
-    const wide v3 = T33 * T33 + factor1 * (X4 * v2);
+    const wide v2 = factor1 * X4, v3 = T33 * T33 + factor1 * (X4 * v2);
     const wide angle2 = atan2_wide(T33, -v2);
     const wide q4_pm = angle2 - h1 * copysign_wide(all_wide(half_turn), T33);
 
@@ -456,33 +453,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     /* joint values */
     const wide_mask doubt1 = (v1 <= m1) | (v3 <= m3);
 
-    q[0] = angle1;
-    q[1] = q2_pp;
-    q[2] = q3_pp;
-    q[3] = angle2;
-    q[4] = angle3;
-    q[5] = angle4;
+    q[0] = angle1; q[1] = q2_pp; q[2] = q3_pp; q[3] = angle2; q[4] = angle3; q[5] = angle4;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = angle1;
-    q[7] = q2_pp;
-    q[8] = q3_pp;
-    q[9] = q4_pm;
-    q[10] = -angle3;
-    q[11] = q6_pm;
+    q[6] = angle1; q[7] = q2_pp; q[8] = q3_pp; q[9] = q4_pm; q[10] = -angle3; q[11] = q6_pm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_mp;
-    q[13] = q2_pp;
-    q[14] = -q3_pp;
-    q[15] = -q4_pm;
-    q[16] = q5_mp;
-    q[17] = q6_pm;
+    q[12] = q1_mp; q[13] = q2_pp; q[14] = -q3_pp; q[15] = -q4_pm; q[16] = q5_mp; q[17] = q6_pm;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_mp;
-    q[19] = q2_pp;
-    q[20] = -q3_pp;
-    q[21] = -angle2;
-    q[22] = -q5_mp;
-    q[23] = angle4;
+    q[18] = q1_mp; q[19] = q2_pp; q[20] = -q3_pp; q[21] = -angle2; q[22] = -q5_mp; q[23] = angle4;
     kind[3] = kind_of(q[18] != q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -514,16 +491,14 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
 
     /* theta4 */
     const double X4 = wy * T13 + T23 * s1;
-    const double v4 = factor1 * X4;
-    const double v5 = T33 * T33 + factor1 * (X4 * v4);
+    const double v4 = factor1 * X4, v5 = T33 * T33 + factor1 * (X4 * v4);
     const double v6 = copysign(half_turn, T33);
 
     /* theta5 */
     const double v8 = copysign(half_turn, -sqrt(v5));
 
     /* theta6 */
-    const double v9 = X4 * T31 - T33 * (wy * T11 + s1 * T21);
-    const double v10 = copysign(half_turn, v9);
+    const double v9 = X4 * T31 - T33 * (wy * T11 + s1 * T21), v10 = copysign(half_turn, v9);
 
     /* joint values */
     const four q3 = e1 * w3;

@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -536,71 +534,41 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Z1_3 = T34 - d6 * T33 - d1;
     const wide N3 = v1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v3 = w3 - w3;
-    const wide v4 = m3 - m4 * N3;
-    const wide v5 = m2 * w3;
-    const wide s3_p = v4 + v5;
-    const wide s3_m = v4 - v5;
-    const wide v6 = m2 * N3 - m5;
-    const wide v7 = m4 * w3;
-    const wide c3_p = v6 + v7;
-    const wide c3_m = v6 - v7;
+    const wide v3 = w3 - w3, v4 = m3 - m4 * N3, v5 = m2 * w3;
+    const wide s3_p = v4 + v5, s3_m = v4 - v5;
+    const wide v6 = m2 * N3 - m5, v7 = m4 * w3;
+    const wide c3_p = v6 + v7, c3_m = v6 - v7;
 
     /* theta2 */
     const wide X1_2 = m7 + m6 * N3;
-    const wide v8 = Z1_3 * X1_2;
-    const wide v9 = w3 * (m6 * w1);
-    const wide S2_pp = v8 - v9;
-    const wide S2_pm = v8 + v9;
-    const wide v10 = w3 * (m6 * Z1_3);
-    const wide v11 = w3 * (m6 * -Z1_3);
-    const wide v12 = w1 * X1_2;
-    const wide C2_pp = v10 + v12;
-    const wide C2_pm = v11 + v12;
-    const wide C2_mp = v10 - v12;
-    const wide C2_mm = v11 - v12;
+    const wide v8 = Z1_3 * X1_2, v9 = w3 * (m6 * w1);
+    const wide S2_pp = v8 - v9, S2_pm = v8 + v9;
+    const wide v10 = w3 * (m6 * Z1_3), v11 = w3 * (m6 * -Z1_3), v12 = w1 * X1_2;
+    const wide C2_pp = v10 + v12, C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12;
     const wide factor2 = 1.0 / N3;
 
     /* theta4 */
-    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp;
-    const wide c23_pm = c3_m * C2_pm - s3_m * S2_pm;
-    const wide c23_mp = c3_p * C2_mp - s3_p * S2_pm;
-    const wide c23_mm = c3_m * C2_mm - s3_m * S2_pp;
-    const wide s23_pp = c3_p * S2_pp + s3_p * C2_pp;
-    const wide s23_pm = c3_m * S2_pm + s3_m * C2_pm;
-    const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp;
-    const wide s23_mm = c3_m * S2_pp + s3_m * C2_mm;
+    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp, c23_pm = c3_m * C2_pm - s3_m * S2_pm;
+    const wide c23_mp = c3_p * C2_mp - s3_p * S2_pm, c23_mm = c3_m * C2_mm - s3_m * S2_pp;
+    const wide s23_pp = c3_p * S2_pp + s3_p * C2_pp, s23_pm = c3_m * S2_pm + s3_m * C2_pm;
+    const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp, s23_mm = c3_m * S2_pp + s3_m * C2_mm;
     const wide v13 = w1 * (v2 * (T23 * wy - T13 * X1));
-    const wide c4_pp = T33 * s23_pp + c23_pp * v13;
-    const wide c4_pm = T33 * s23_pm + c23_pm * v13;
-    const wide c4_mp = T33 * s23_mp - c23_mp * v13;
-    const wide c4_mm = T33 * s23_mm - c23_mm * v13;
-    const wide v14 = w1 * (v2 * (T13 * wy + X1 * T23));
-    const wide v15 = v14 * v14;
-    const wide v16 = factor2 * c4_pp;
-    const wide v17 = factor2 * c4_pm;
-    const wide v18 = factor2 * c4_mp;
-    const wide v19 = factor2 * c4_mm;
-    const wide v20 = v15 + factor2 * (c4_pp * v16);
-    const wide v21 = v15 + factor2 * (c4_pm * v17);
-    const wide v22 = v15 + factor2 * (c4_mp * v18);
-    const wide v23 = v15 + factor2 * (c4_mm * v19);
-    const wide angle1 = atan2_wide(-v14, v16);
-    const wide angle2 = atan2_wide(-v14, v17);
-    const wide angle3 = atan2_wide(v14, v18);
-    const wide angle4 = atan2_wide(v14, v19);
+    const wide c4_pp = T33 * s23_pp + c23_pp * v13, c4_pm = T33 * s23_pm + c23_pm * v13;
+    const wide c4_mp = T33 * s23_mp - c23_mp * v13, c4_mm = T33 * s23_mm - c23_mm * v13;
+    const wide v14 = w1 * (v2 * (T13 * wy + X1 * T23)), v15 = v14 * v14, v16 = factor2 * c4_pp;
+    const wide v17 = factor2 * c4_pm, v18 = factor2 * c4_mp, v19 = factor2 * c4_mm;
+    const wide v20 = v15 + factor2 * (c4_pp * v16), v21 = v15 + factor2 * (c4_pm * v17);
+    const wide v22 = v15 + factor2 * (c4_mp * v18), v23 = v15 + factor2 * (c4_mm * v19);
+    const wide angle1 = atan2_wide(-v14, v16), angle2 = atan2_wide(-v14, v17);
+    const wide angle3 = atan2_wide(v14, v18), angle4 = atan2_wide(v14, v19);
     const wide v24 = copysign_wide(all_wide(half_turn), -v14) * h1;
     const wide v25 = copysign_wide(all_wide(half_turn), v14) * h1;
-    const wide q4_ppm = angle1 - v24;
-    const wide q4_pmm = angle2 - v24;
-    const wide q4_mpm = angle3 - v25;
+    const wide q4_ppm = angle1 - v24, q4_pmm = angle2 - v24, q4_mpm = angle3 - v25;
     const wide q4_mmm = angle4 - v25;
 
     /* theta6 */
-    const wide v26 = w1 * (v2 * (X1 * T22 + wy * T12));
-    const wide v27 = w1 * (v2 * (wy * T22 - X1 * T12));
-    const wide v28 = w1 * (v2 * (X1 * T21 + wy * T11));
-    const wide v29 = w1 * (v2 * (wy * T21 - X1 * T11));
+    const wide v26 = w1 * (v2 * (X1 * T22 + wy * T12)), v27 = w1 * (v2 * (wy * T22 - X1 * T12));
+    const wide v28 = w1 * (v2 * (X1 * T21 + wy * T11)), v29 = w1 * (v2 * (wy * T21 - X1 * T11));
     const wide v30 = c4_pp * v28 - v14 * (s23_pp * T31 + c23_pp * v29);
     const wide v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29);
     const wide v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28;
@@ -633,21 +601,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q2_mpp = v38 + only_wide(v38 <= -half_turn, m10);
     const wide q2_mmp = v39 + only_wide(v39 <= -half_turn, m10);
     const wide angle14 = atan2_wide(w3, N3 - k3);
-    const wide v40 = angle14 - turn1 - offset3;
-    const wide v41 = offset3 + (turn1 + angle14);
+    const wide v40 = angle14 - turn1 - offset3, v41 = offset3 + (turn1 + angle14);
     const wide q3_ppp = v40 - only_wide(half_turn < v40, m10);
     const wide angle15 = atan2_wide(sqrt_wide(v20), factor2 * (s23_pp * v13 - T33 * c23_pp));
     const wide angle16 = atan2_wide(sqrt_wide(v21), factor2 * (s23_pm * v13 - T33 * c23_pm));
     const wide angle17 = atan2_wide(sqrt_wide(v22), -(factor2 * (s23_mp * v13 + T33 * c23_mp)));
     const wide angle18 = atan2_wide(sqrt_wide(v23), -(factor2 * (s23_mm * v13 + T33 * c23_mm)));
-    const wide v42 = angle15 - offset5;
-    const wide v43 = offset5 + angle15;
-    const wide v44 = angle16 - offset5;
-    const wide v45 = offset5 + angle16;
-    const wide v46 = angle17 - offset5;
-    const wide v47 = offset5 + angle17;
-    const wide v48 = angle18 - offset5;
-    const wide v49 = offset5 + angle18;
+    const wide v42 = angle15 - offset5, v43 = offset5 + angle15, v44 = angle16 - offset5;
+    const wide v45 = offset5 + angle16, v46 = angle17 - offset5, v47 = offset5 + angle17;
+    const wide v48 = angle18 - offset5, v49 = offset5 + angle18;
     const wide q5_ppp = v42 + only_wide(v42 <= -half_turn, m10);
     const wide q5_ppm = only_wide(-v43 <= -half_turn, m10) - v43;
     const wide q5_pmp = v44 + only_wide(v44 <= -half_turn, m10);
@@ -656,13 +618,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q5_mpm = only_wide(-v47 <= -half_turn, m10) - v47;
     const wide q5_mmp = v48 + only_wide(v48 <= -half_turn, m10);
     const wide q5_mmm = only_wide(-v49 <= -half_turn, m10) - v49;
-    const wide_mask v50 = (q1__p < low1) | (high1 < q1__p);
-    const wide_mask v51 = (q1__m < low1) | (high1 < q1__m);
+    const wide_mask v50 = (q1__p < low1) | (high1 < q1__p), v51 = (q1__m < low1) | (high1 < q1__m);
     const wide_mask v52 = (q3_ppp < low3) | (high3 < q3_ppp);
     const wide_mask v53 = (-(v41 + only_wide(half_turn < -v41, m10)) < low3) | (high3 < -(v41 +
         only_wide(half_turn < -v41, m10)));
-    const wide q1_ppp = v3 + q1__p;
-    const wide q1_mpp = v3 + q1__m;
+    const wide q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m;
     const wide_mask v54 = v52 | (v50 | ((q2_ppp < low2) | (high2 < q2_ppp)));
     const wide_mask v55 = v53 | (v50 | ((q2_pmp < low2) | (high2 < q2_pmp)));
     const wide_mask v56 = v52 | (v51 | ((q2_mpp < low2) | (high2 < q2_mpp)));
@@ -679,61 +639,25 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v1 <= m1) | ((N3 <=
         doubt_limit_squared2) | ((v23 <= m8) | ((v22 <= m8) | ((v20 <= m8) | (v21 <= m8))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = angle1;
-    q[4] = q5_ppp;
-    q[5] = angle5;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = q5_ppp; q[5] = angle5;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = -(v41 + only_wide(half_turn < -v41, m10));
-    q[15] = angle2;
-    q[16] = q5_pmp;
-    q[17] = angle6;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = -(v41 + only_wide(half_turn < -v41, m10));
+    q[15] = angle2; q[16] = q5_pmp; q[17] = angle6;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = -(v41 + only_wide(half_turn < -v41, m10));
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = -(v41 + only_wide(half_turn < -v41, m10));
+    q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_ppp;
-    q[27] = angle3;
-    q[28] = q5_mpp;
-    q[29] = angle7;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = q5_mpp; q[29] = angle7;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_ppp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = -(v41 + only_wide(half_turn < -v41, m10));
-    q[39] = angle4;
-    q[40] = q5_mmp;
-    q[41] = angle8;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = -(v41 + only_wide(half_turn < -v41, m10));
+    q[39] = angle4; q[40] = q5_mmp; q[41] = angle8;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = -(v41 + only_wide(half_turn < -v41, m10));
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = -(v41 + only_wide(half_turn < -v41, m10));
+    q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -762,8 +686,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const double N3 = v1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v3 = w3 - w3;
-    const double v4 = m3 - m4 * N3;
+    const double v3 = w3 - w3, v4 = m3 - m4 * N3;
     const four s3 = v4 + w3 * (m2 * e2);
     const double v5 = m2 * N3 - m5;
     const four c3 = v5 + w3 * (m4 * e2);
@@ -772,8 +695,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double X1_2 = m7 + m6 * N3;
     const double v6 = Z1_3 * X1_2;
     const four S2 = v6 - w3 * (m6 * (w1 * (e1 * e2)));
-    const four v7 = w3 * (m6 * (e2 * Z1_3));
-    const four v8 = w1 * (e1 * X1_2);
+    const four v7 = w3 * (m6 * (e2 * Z1_3)), v8 = w1 * (e1 * X1_2);
     const four C2 = v7 + v8;
     const double factor2 = 1.0 / N3;
 
@@ -782,18 +704,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four s23 = c3 * S2 + s3 * C2;
     const double v9 = w1 * (v2 * (T23 * wy - T13 * X1));
     const four c4 = T33 * s23 + e1 * (c23 * v9);
-    const double v10 = w1 * (v2 * (T13 * wy + X1 * T23));
-    const double v11 = v10 * v10;
-    const four v12 = factor2 * c4;
-    const four v13 = v11 + factor2 * (c4 * v12);
+    const double v10 = w1 * (v2 * (T13 * wy + X1 * T23)), v11 = v10 * v10;
+    const four v12 = factor2 * c4, v13 = v11 + factor2 * (c4 * v12);
     const four_mask doubt2 = v13 <= m8;
     const four v14 = copysign_four(all_four(half_turn), -(e1 * v10)) * h1;
 
     /* theta6 */
-    const double v15 = w1 * (v2 * (X1 * T22 + wy * T12));
-    const double v16 = w1 * (v2 * (wy * T22 - X1 * T12));
-    const double v17 = w1 * (v2 * (X1 * T21 + wy * T11));
-    const double v18 = w1 * (v2 * (wy * T21 - X1 * T11));
+    const double v15 = w1 * (v2 * (X1 * T22 + wy * T12)), v16 = w1 * (v2 * (wy * T22 - X1 * T12));
+    const double v17 = w1 * (v2 * (X1 * T21 + wy * T11)), v18 = w1 * (v2 * (wy * T21 - X1 * T11));
     const four v19 = e1 * (c4 * v17 - v10 * (s23 * T31 + e1 * (c23 * v18)));
 
     /* joint values */
@@ -816,12 +734,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q2_p = v22 + only_four(v22 <= -half_turn, m10);
     const four v23 = e2 * angle5 - turn1 - offset3;
     const four q3_p = v23 - only_four(half_turn < v23, m10);
-    const four v24 = angle6 - offset5;
-    const four v25 = offset5 + angle6;
+    const four v24 = angle6 - offset5, v25 = offset5 + angle6;
     const four q5_p = v24 + only_four(v24 <= -half_turn, m10);
     const four q5_m = only_four(-v25 <= -half_turn, m10) - v25;
-    const four_mask v26 = (q1_ < low1) | (high1 < q1_);
-    const four_mask v27 = (q3_p < low3) | (high3 < q3_p);
+    const four_mask v26 = (q1_ < low1) | (high1 < q1_), v27 = (q3_p < low3) | (high3 < q3_p);
     const four q1_p = v3 + q1_;
     const four_mask v28 = v27 | (v26 | ((q2_p < low2) | (high2 < q2_p)));
     const four_mask outside_p = v28 | ((q5_p < low5) | (high5 < q5_p));

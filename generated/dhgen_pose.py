@@ -3,8 +3,9 @@
 Generated from templates/python/dhgen_pose.py.jinja. Do not edit.
 
 A pose T is a row-major (4, 4) array: rotation R = T[:3, :3], position xyz = T[:3, 3] in the unit of
-length of the caller, last row 0 0 0 1. Angles are in radians. The functions take arrays, leave them
-as they are and return new ones of float64.
+length of the caller, last row 0 0 0 1. Angles are in radians. The functions take arrays, lists and
+tuples, leave them as they are and return new arrays of float64; numba functions may call them with
+arrays.
 
 They raise ValueError for a wrong length, for NaN and infinity, and for a T that is not a rotation
 and a translation: scaled, sheared, mirrored, transposed. A T that is only rounded, to float32 or to
@@ -20,6 +21,8 @@ angles, roll-pitch-yaw) name these notations.
 from __future__ import annotations
 
 import math
+from functools import wraps
+from inspect import signature
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,13 +36,32 @@ if TYPE_CHECKING:
 
 try:
     from numba import njit
+    from numba.extending import overload
 except ImportError:
 
     def _plain_python(*_unused: Any, **_options: Any) -> Any:  # noqa: ANN401  as numba types it
         """Leave a function as it is: it works as plain Python too."""
         return lambda function: function
 
-    njit = _plain_python
+    njit = overload = _plain_python
+
+
+def _of_numbers(function: Any) -> Any:  # noqa: ANN401  as numba types it
+    """Compile a function that takes arrays, and make arrays of what Python calls it with."""
+    compiled, arguments = njit(cache=True)(function), signature(function)
+    dimensions = [{"T": 2, "angle": 0}.get(name, 1) for name in arguments.parameters]
+
+    @wraps(function)
+    def call(*numbers: Any, **named: Any) -> Any:  # noqa: ANN401
+        if named or len(numbers) != len(dimensions):
+            numbers = arguments.bind(*numbers, **named).args
+        arrays = [np.asarray(each, np.float64)[()] for each in numbers]
+        if [array.ndim for array in arrays] != dimensions:
+            raise ValueError("wrong length: T is a table of 4 x 4, an angle a number, else a list")
+        return compiled(*arrays)
+
+    overload(call, strict=False)(lambda *_numbers: function)
+    return call
 
 
 # How far T may be from a rigid transform, per entry of R - cof(R). Rounding every entry by 1e-6
@@ -51,7 +73,7 @@ RIGID_TOLERANCE = 1e-5
 PARALLEL_TOLERANCE = 1e-15
 
 
-@njit(cache=True)
+@_of_numbers
 def from_xyz_rpy(xyz: Array, rpy: Array) -> Array:
     """Pose from position and roll, pitch, yaw about fixed axes: R = Rz(yaw) Ry(pitch) Rx(roll).
 
@@ -75,7 +97,7 @@ def from_xyz_rpy(xyz: Array, rpy: Array) -> Array:
     return T
 
 
-@njit(cache=True)
+@_of_numbers
 def to_xyz_rpy(T: Array) -> tuple[Array, Array]:
     """Position and roll, pitch, yaw of a pose: R = Rz(yaw) Ry(pitch) Rx(roll).
 
@@ -101,7 +123,7 @@ def to_xyz_rpy(T: Array) -> tuple[Array, Array]:
     return P[:3, 3].copy(), np.array([roll, _angle(-P[2, 0], cp), yaw])
 
 
-@njit(cache=True)
+@_of_numbers
 def from_xyz_quaternion_xyzw(xyz: Array, quaternion_xyzw: Array) -> Array:
     """Pose from position and quaternion, scalar last.
 
@@ -132,7 +154,7 @@ def from_xyz_quaternion_xyzw(xyz: Array, quaternion_xyzw: Array) -> Array:
     return T
 
 
-@njit(cache=True)
+@_of_numbers
 def to_xyz_quaternion_xyzw(T: Array) -> tuple[Array, Array]:
     """Position and unit quaternion of a pose, scalar last.
 
@@ -149,7 +171,7 @@ def to_xyz_quaternion_xyzw(T: Array) -> tuple[Array, Array]:
     return P[:3, 3].copy(), _quaternion_xyzw(P)
 
 
-@njit(cache=True)
+@_of_numbers
 def from_xyz_quaternion_wxyz(xyz: Array, quaternion_wxyz: Array) -> Array:
     """Pose from position and quaternion, scalar first, as document 001, eq. (11a), writes it.
 
@@ -167,7 +189,7 @@ def from_xyz_quaternion_wxyz(xyz: Array, quaternion_wxyz: Array) -> Array:
     return from_xyz_quaternion_xyzw(xyz, np.array([q[1], q[2], q[3], q[0]]))
 
 
-@njit(cache=True)
+@_of_numbers
 def to_xyz_quaternion_wxyz(T: Array) -> tuple[Array, Array]:
     """Position and unit quaternion of a pose, scalar first; signs as `to_xyz_quaternion_xyzw`.
 
@@ -181,7 +203,7 @@ def to_xyz_quaternion_wxyz(T: Array) -> tuple[Array, Array]:
     return xyz, np.array([q[3], q[0], q[1], q[2]])
 
 
-@njit(cache=True)
+@_of_numbers
 def from_xyz_axis_angle(xyz: Array, axis: Array, angle: float) -> Array:
     """Pose from position, axis of rotation and angle about it (document 001, eq. (10)).
 
@@ -218,7 +240,7 @@ def from_xyz_axis_angle(xyz: Array, axis: Array, angle: float) -> Array:
     return T
 
 
-@njit(cache=True)
+@_of_numbers
 def to_xyz_axis_angle(T: Array) -> tuple[Array, Array, float]:
     """Position, axis of rotation and angle of a pose.
 
@@ -245,7 +267,7 @@ def to_xyz_axis_angle(T: Array) -> tuple[Array, Array, float]:
     return P[:3, 3].copy(), np.array([x / length, y / length, z / length]), angle
 
 
-@njit(cache=True)
+@_of_numbers
 def from_xyz_euler_zxz(xyz: Array, euler_zxz: Array) -> Array:
     """Pose from position and Euler angles a, b, c about z, x', z'': R = Rz(a) Rx(b) Rz(c).
 
@@ -269,7 +291,7 @@ def from_xyz_euler_zxz(xyz: Array, euler_zxz: Array) -> Array:
     return T
 
 
-@njit(cache=True)
+@_of_numbers
 def to_xyz_euler_zxz(T: Array) -> tuple[Array, Array]:
     """Position and Euler angles a, b, c of a pose: R = Rz(a) Rx(b) Rz(c).
 
@@ -295,7 +317,7 @@ def to_xyz_euler_zxz(T: Array) -> tuple[Array, Array]:
     return P[:3, 3].copy(), np.array([a, _angle(sb, P[2, 2]), c])
 
 
-@njit(cache=True)
+@_of_numbers
 def from_xyz_euler_zyz(xyz: Array, euler_zyz: Array) -> Array:
     """Pose from position and Euler angles a, b, c about z, y', z'': R = Rz(a) Ry(b) Rz(c).
 
@@ -320,7 +342,7 @@ def from_xyz_euler_zyz(xyz: Array, euler_zyz: Array) -> Array:
     return T
 
 
-@njit(cache=True)
+@_of_numbers
 def to_xyz_euler_zyz(T: Array) -> tuple[Array, Array]:
     """Position and Euler angles a, b, c of a pose: R = Rz(a) Ry(b) Rz(c).
 

@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -515,103 +513,58 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide X1 = d6 * T13 - T14;
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v2 = inverse1 * (d2 * wy);
-    const wide v3 = v2 + w1 * (X1 * inverse1);
-    const wide v4 = v2 + w1 * (inverse1 * -X1);
-    const wide v5 = inverse1 * (d2 * X1);
-    const wide s1_p = w1 * (wy * inverse1) - v5;
-    const wide s1_m = w1 * (inverse1 * -wy) - v5;
+    const wide v2 = inverse1 * (d2 * wy), v3 = v2 + w1 * (X1 * inverse1);
+    const wide v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d2 * X1);
+    const wide s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
     const wide N3 = D1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v6 = w3 - w3;
-    const wide v7 = k4 * (N3 - k5);
+    const wide v6 = w3 - w3, v7 = k4 * (N3 - k5);
     const wide s3 = k6 * v7;
-    const wide v8 = k4 * w3;
-    const wide v9 = k6 * v8;
+    const wide v8 = k4 * w3, v9 = k6 * v8;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * s3;
     const wide Y1_2 = d4 * v9;
-    const wide v10 = Z1_3 * X1_2;
-    const wide v11 = w1 * Y1_2;
-    const wide v12 = v10 - v11;
-    const wide v13 = v10 + v11;
-    const wide v14 = m2 + m1 * N3;
-    const wide v15 = Z1_3 * v14;
-    const wide v16 = w3 * (m1 * w1);
-    const wide S2_pp = v15 - v16;
-    const wide S2_pm = v15 + v16;
-    const wide v17 = w1 * X1_2;
-    const wide v18 = Z1_3 * Y1_2;
-    const wide v19 = v17 + v18;
-    const wide v20 = v17 - v18;
-    const wide v21 = w3 * (m1 * Z1_3);
-    const wide v22 = w3 * (m1 * -Z1_3);
-    const wide v23 = w1 * v14;
-    const wide C2_pp = v21 + v23;
-    const wide C2_pm = v22 + v23;
-    const wide C2_mp = v21 - v23;
-    const wide C2_mm = v22 - v23;
-    const wide v24 = S2_pp * S2_pp;
-    const wide v25 = v24 + C2_pp * C2_pp;
-    const wide v26 = S2_pm * S2_pm;
-    const wide v27 = v26 + C2_pm * C2_pm;
-    const wide v28 = v26 + C2_mp * C2_mp;
-    const wide v29 = v24 + C2_mm * C2_mm;
-    const wide w2_pp = sqrt_wide(v25);
-    const wide w2_pm = sqrt_wide(v27);
-    const wide w2_mp = sqrt_wide(v28);
+    const wide v10 = Z1_3 * X1_2, v11 = w1 * Y1_2, v12 = v10 - v11, v13 = v10 + v11;
+    const wide v14 = m2 + m1 * N3, v15 = Z1_3 * v14, v16 = w3 * (m1 * w1);
+    const wide S2_pp = v15 - v16, S2_pm = v15 + v16;
+    const wide v17 = w1 * X1_2, v18 = Z1_3 * Y1_2, v19 = v17 + v18, v20 = v17 - v18;
+    const wide v21 = w3 * (m1 * Z1_3), v22 = w3 * (m1 * -Z1_3), v23 = w1 * v14;
+    const wide C2_pp = v21 + v23, C2_pm = v22 + v23, C2_mp = v21 - v23, C2_mm = v22 - v23;
+    const wide v24 = S2_pp * S2_pp, v25 = v24 + C2_pp * C2_pp, v26 = S2_pm * S2_pm;
+    const wide v27 = v26 + C2_pm * C2_pm, v28 = v26 + C2_mp * C2_mp, v29 = v24 + C2_mm * C2_mm;
+    const wide w2_pp = sqrt_wide(v25), w2_pm = sqrt_wide(v27), w2_mp = sqrt_wide(v28);
     const wide w2_mm = sqrt_wide(v29);
-    const wide v30 = 1.0 / v25;
-    const wide v31 = 1.0 / v27;
-    const wide v32 = 1.0 / v28;
-    const wide v33 = 1.0 / v29;
+    const wide v30 = 1.0 / v25, v31 = 1.0 / v27, v32 = 1.0 / v28, v33 = 1.0 / v29;
 
     /* theta4 */
-    const wide v34 = v9 * v19 + s3 * v12;
-    const wide v35 = w2_pp * (v30 * v34);
-    const wide v36 = s3 * v13;
-    const wide v37 = w2_pm * (v31 * (v36 - v9 * v20));
-    const wide v38 = w2_mp * (v32 * (v36 + v9 * -v20));
-    const wide v39 = w2_mm * (v33 * v34);
-    const wide v40 = s3 * v19 - v9 * v12;
+    const wide v34 = v9 * v19 + s3 * v12, v35 = w2_pp * (v30 * v34), v36 = s3 * v13;
+    const wide v37 = w2_pm * (v31 * (v36 - v9 * v20)), v38 = w2_mp * (v32 * (v36 + v9 * -v20));
+    const wide v39 = w2_mm * (v33 * v34), v40 = s3 * v19 - v9 * v12;
     const wide s23_pp = w2_pp * (v30 * v40);
     const wide v41 = v9 * v13;
     const wide s23_pm = w2_pm * (v31 * (s3 * v20 + v41));
-    const wide s23_mp = w2_mp * (v32 * (s3 * -v20 - v41));
-    const wide s23_mm = w2_mm * (v33 * -v40);
-    const wide v42 = T23 * s1_p - T13 * v3;
-    const wide v43 = T23 * s1_m - T13 * v4;
-    const wide X4_pp = v35 * v42 - T33 * s23_pp;
-    const wide X4_pm = v37 * v42 - T33 * s23_pm;
-    const wide X4_mp = v38 * v43 - T33 * s23_mp;
-    const wide X4_mm = v39 * v43 - T33 * s23_mm;
-    const wide Y4_p = T13 * s1_p + T23 * v3;
-    const wide Y4_m = T13 * s1_m + T23 * v4;
-    const wide v44 = Y4_p * Y4_p;
-    const wide v45 = Y4_m * Y4_m;
-    const wide v46 = v44 + X4_pp * X4_pp;
-    const wide v47 = v44 + X4_pm * X4_pm;
-    const wide v48 = v45 + X4_mp * X4_mp;
-    const wide v49 = v45 + X4_mm * X4_mm;
+    const wide s23_mp = w2_mp * (v32 * (s3 * -v20 - v41)), s23_mm = w2_mm * (v33 * -v40);
+    const wide v42 = T23 * s1_p - T13 * v3, v43 = T23 * s1_m - T13 * v4;
+    const wide X4_pp = v35 * v42 - T33 * s23_pp, X4_pm = v37 * v42 - T33 * s23_pm;
+    const wide X4_mp = v38 * v43 - T33 * s23_mp, X4_mm = v39 * v43 - T33 * s23_mm;
+    const wide Y4_p = T13 * s1_p + T23 * v3, Y4_m = T13 * s1_m + T23 * v4;
+    const wide v44 = Y4_p * Y4_p, v45 = Y4_m * Y4_m, v46 = v44 + X4_pp * X4_pp;
+    const wide v47 = v44 + X4_pm * X4_pm, v48 = v45 + X4_mp * X4_mp, v49 = v45 + X4_mm * X4_mm;
 
     /* theta6 */
-    const wide v50 = v3 * T22 + s1_p * T12;
-    const wide v51 = v4 * T22 + s1_m * T12;
-    const wide v52 = s1_p * T22 - v3 * T12;
-    const wide v53 = s1_m * T22 - v4 * T12;
-    const wide v54 = v3 * T21 + s1_p * T11;
-    const wide v55 = v4 * T21 + s1_m * T11;
-    const wide v56 = s1_p * T21 - v3 * T11;
-    const wide v57 = s1_m * T21 - v4 * T11;
+    const wide v50 = v3 * T22 + s1_p * T12, v51 = v4 * T22 + s1_m * T12;
+    const wide v52 = s1_p * T22 - v3 * T12, v53 = s1_m * T22 - v4 * T12;
+    const wide v54 = v3 * T21 + s1_p * T11, v55 = v4 * T21 + s1_m * T11;
+    const wide v56 = s1_p * T21 - v3 * T11, v57 = s1_m * T21 - v4 * T11;
     const wide s6_pp = Y4_p * (s23_pp * T31 - v35 * v56) - v54 * -X4_pp;
     const wide s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm;
     const wide s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp;
@@ -641,19 +594,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle9 = atan2_wide(v7, -v8);
     const wide v62 = angle9 - offset3;
     const wide v63 = h1 * copysign_wide(all_wide(half_turn), v7) - angle9 - offset3;
-    const wide angle10 = atan2_wide(Y4_p, -X4_pp);
-    const wide angle11 = atan2_wide(Y4_p, -X4_pm);
-    const wide angle12 = atan2_wide(Y4_m, -X4_mp);
-    const wide angle13 = atan2_wide(Y4_m, -X4_mm);
+    const wide angle10 = atan2_wide(Y4_p, -X4_pp), angle11 = atan2_wide(Y4_p, -X4_pm);
+    const wide angle12 = atan2_wide(Y4_m, -X4_mp), angle13 = atan2_wide(Y4_m, -X4_mm);
     const wide v64 = h1 * copysign_wide(all_wide(half_turn), Y4_p);
-    const wide v65 = h1 * copysign_wide(all_wide(half_turn), Y4_m);
-    const wide v66 = angle10 - offset4;
-    const wide v67 = angle10 - v64 - offset4;
-    const wide v68 = angle11 - offset4;
-    const wide v69 = angle11 - v64 - offset4;
-    const wide v70 = angle12 - offset4;
-    const wide v71 = angle12 - v65 - offset4;
-    const wide v72 = angle13 - offset4;
+    const wide v65 = h1 * copysign_wide(all_wide(half_turn), Y4_m), v66 = angle10 - offset4;
+    const wide v67 = angle10 - v64 - offset4, v68 = angle11 - offset4;
+    const wide v69 = angle11 - v64 - offset4, v70 = angle12 - offset4;
+    const wide v71 = angle12 - v65 - offset4, v72 = angle13 - offset4;
     const wide v73 = angle13 - v65 - offset4;
     const wide q4_ppp = v66 + only_wide(v66 <= -half_turn, m6);
     const wide q4_ppm = v67 + only_wide(v67 <= -half_turn, m6);
@@ -667,14 +614,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle15 = atan2_wide(sqrt_wide(v47), -(T33 * v37 + s23_pm * v42));
     const wide angle16 = atan2_wide(sqrt_wide(v48), -(T33 * v38 + s23_mp * v43));
     const wide angle17 = atan2_wide(sqrt_wide(v49), -(T33 * v39 + s23_mm * v43));
-    const wide v74 = angle14 - offset5;
-    const wide v75 = offset5 + angle14;
-    const wide v76 = angle15 - offset5;
-    const wide v77 = offset5 + angle15;
-    const wide v78 = angle16 - offset5;
-    const wide v79 = offset5 + angle16;
-    const wide v80 = angle17 - offset5;
-    const wide v81 = offset5 + angle17;
+    const wide v74 = angle14 - offset5, v75 = offset5 + angle14, v76 = angle15 - offset5;
+    const wide v77 = offset5 + angle15, v78 = angle16 - offset5, v79 = offset5 + angle16;
+    const wide v80 = angle17 - offset5, v81 = offset5 + angle17;
     const wide q5_ppp = v74 + only_wide(v74 <= -half_turn, m6);
     const wide q5_ppm = only_wide(-v75 <= -half_turn, m6) - v75;
     const wide q5_pmp = v76 + only_wide(v76 <= -half_turn, m6);
@@ -694,61 +636,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v25 <= m3))))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = angle1;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = angle2;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = angle2;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_ppp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = angle3;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = angle3;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_ppp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_pmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = angle4;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = angle4;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_pmp;
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -770,8 +672,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double X1 = d6 * T13 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
@@ -784,28 +686,19 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const double N3 = D1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v5 = w3 - w3;
-    const double v6 = k4 * (N3 - k5);
+    const double v5 = w3 - w3, v6 = k4 * (N3 - k5);
     const double s3 = k6 * v6;
-    const double v7 = k4 * w3;
-    const double v8 = k6 * v7;
+    const double v7 = k4 * w3, v8 = k6 * v7;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3;
     const double Y1_2 = d4 * v8;
-    const double v9 = Z1_3 * X1_2;
-    const double v10 = w1 * Y1_2;
-    const four v11 = e1 * e2;
-    const four v12 = v9 - v10 * v11;
-    const double v13 = m2 + m1 * N3;
-    const double v14 = Z1_3 * v13;
+    const double v9 = Z1_3 * X1_2, v10 = w1 * Y1_2;
+    const four v11 = e1 * e2, v12 = v9 - v10 * v11;
+    const double v13 = m2 + m1 * N3, v14 = Z1_3 * v13;
     const four S2 = v14 - w3 * (m1 * (w1 * v11));
-    const double v15 = w1 * X1_2;
-    const double v16 = Z1_3 * Y1_2;
-    const four v17 = e1 * v15;
-    const four v18 = e2 * v16;
-    const four v19 = v17 + v18;
-    const four v20 = w3 * (m1 * (e2 * Z1_3));
+    const double v15 = w1 * X1_2, v16 = Z1_3 * Y1_2;
+    const four v17 = e1 * v15, v18 = e2 * v16, v19 = v17 + v18, v20 = w3 * (m1 * (e2 * Z1_3));
     const four v21 = w1 * (e1 * v13);
     const four C2 = v20 + v21;
     const four v22 = S2 * S2 + C2 * C2;
@@ -813,19 +706,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v23 = 1.0 / v22;
 
     /* theta4 */
-    const four v24 = e2 * v8;
-    const four v25 = w2 * (v23 * (v19 * v24 + s3 * v12));
+    const four v24 = e2 * v8, v25 = w2 * (v23 * (v19 * v24 + s3 * v12));
     const four s23 = w2 * (v23 * (s3 * v19 - v12 * v24));
     const four v26 = T23 * s1 - T13 * v3;
     const four X4 = v25 * v26 - T33 * s23;
     const four Y4 = T13 * s1 + T23 * v3;
-    const four v27 = Y4 * Y4;
-    const four v28 = v27 + X4 * X4;
+    const four v27 = Y4 * Y4, v28 = v27 + X4 * X4;
 
     /* theta6 */
-    const four v29 = v3 * T22 + s1 * T12;
-    const four v30 = s1 * T22 - v3 * T12;
-    const four v31 = v3 * T21 + s1 * T11;
+    const four v29 = v3 * T22 + s1 * T12, v30 = s1 * T22 - v3 * T12, v31 = v3 * T21 + s1 * T11;
     const four v32 = s1 * T21 - v3 * T11;
     const four s6 = Y4 * (s23 * T31 - v25 * v32) - v31 * -X4;
 
@@ -837,8 +726,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
     const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v25 * v30) - v29 * -X4);
-    const four angle2 = atan2_four(S2, C2);
-    const four angle4 = atan2_four(Y4, -X4);
+    const four angle2 = atan2_four(S2, C2), angle4 = atan2_four(Y4, -X4);
     const four angle5 = atan2_four(sqrt_four(v28), -(T33 * v25 + s23 * v26));
     const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
         __builtin_shufflevector(-v3, all_four(-v7), 0, 5, 2, 3));
@@ -847,13 +735,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
     const four v33 = angle2 - offset2;
     const four q2_p = v33 + only_four(v33 <= -half_turn, m6);
-    const four v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3;
-    const four v37 = angle4 - offset4;
+    const four v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3, v37 = angle4 - offset4;
     const four v38 = angle4 - v36 - offset4;
     const four q4_p = v37 + only_four(v37 <= -half_turn, m6);
     const four q4_m = v38 + only_four(v38 <= -half_turn, m6);
-    const four v39 = angle5 - offset5;
-    const four v40 = offset5 + angle5;
+    const four v39 = angle5 - offset5, v40 = offset5 + angle5;
     const four q5_p = v39 + only_four(v39 <= -half_turn, m6);
     const four q5_m = only_four(-v40 <= -half_turn, m6) - v40;
     const four q1_p = v5 + angle6;
@@ -937,12 +823,12 @@ static void solve(
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d2 * sqrt(N1)));
     const double v1 = X1 * d2;
     const double v2 = wy * d2;
 

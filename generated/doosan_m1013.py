@@ -16,7 +16,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -47,7 +47,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -341,13 +342,13 @@ def _solve(pose, seed, q, status):
     X1 = T13 * d6 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    D1 = N1 - k1
     free1 = N1 <= free_limit_squared2
+    D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else N1)
+    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d2 * math.sqrt(N1)))
     v1 = X1 * d2
     v2 = wy * d2
 
@@ -551,8 +552,8 @@ def _regular(pose, q, status):
     X1 = d6 * T13 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    D1 = N1 - k1
     free1 = N1 <= doubt_limit_squared2
+    D1 = N1 - k1
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     inverse1 = 1.0 / N1
@@ -657,9 +658,9 @@ def _regular(pose, q, status):
     v64 = h1 * math.copysign(half_turn, Y4_p)
     v65 = h1 * math.copysign(half_turn, Y4_m)
     doubt1 = (
-        -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v49 <= m4 or (v29 <= m3 or (v48 <= m4
-        or (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or (shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or v25 <= m3)))))))))
+        (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (v49 <= m4 or (v29 <= m3 or (v48 <= m4
+        or (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or ((shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v25 <= m3)))))))))
     )
 
     # angles, side by side
@@ -846,6 +847,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -891,7 +897,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
@@ -1052,8 +1059,8 @@ def _in_tiles(T, q, status):
             X1 = d6 * T13 - T14
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
-            D1 = N1 - k1
             free1 = N1 <= doubt_limit_squared2
+            D1 = N1 - k1
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             inverse1 = 1.0 / N1
@@ -1148,10 +1155,10 @@ def _in_tiles(T, q, status):
             v64 = h1 * math.copysign(half_turn, Y4_p)
             v65 = h1 * math.copysign(half_turn, Y4_m)
             doubt1 = (
-                -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or (v49 <= m4 or (v29 <= m3 or (v48
-                <= m4 or (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or (shortest3_reach <=
-                N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)
-                or v25 <= m3)))))))))
+                (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (v49 <= m4 or (v29 <= m3 or
+                (v48 <= m4 or (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or
+                ((shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and
+                N3 < longest3_apart)) or v25 <= m3)))))))))
             )
             work[544 + k] = v1
             work[576 + k] = v6
@@ -1381,6 +1388,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((8, 6)), np.empty(8, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(6))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

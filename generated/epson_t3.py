@@ -15,7 +15,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -46,7 +46,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -409,8 +410,8 @@ def _regular(pose, q, status):
     v11 = T34 < low3 or high3 < T34
     q3_p = v8 + (T34 + (w2 - w2))
     doubt1 = (
-        shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart) or (N2 <= doubt_limit_squared2 or v1 <= m1)
+        (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
+        longest2_apart)) or (N2 <= doubt_limit_squared2 or v1 <= m1)
     )
 
     # angles, side by side
@@ -464,6 +465,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (2, 4) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 4) and (2,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -509,7 +515,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(4), 4)) if q_seed is None else q_seed
     if seed.shape != (4,):
@@ -682,8 +689,8 @@ def _in_tiles(T, q, status):
             v11 = T34 < low3 or high3 < T34
             q3_p = v8 + (T34 + (w2 - w2))
             doubt1 = (
-                shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart) or (N2 <= doubt_limit_squared2 or v1 <= m1)
+                (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
+                < longest2_apart)) or (N2 <= doubt_limit_squared2 or v1 <= m1)
             )
             work[544 + k] = v8
             work[576 + k] = v11
@@ -766,6 +773,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((2, 4)), np.empty(2, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(4))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

@@ -87,8 +87,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -113,8 +112,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -534,82 +532,49 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1;
-    const wide v3 = a1 + w1;
-    const wide v4 = a1 - w1;
-    const wide v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3;
-    const wide N3_m = v5 + v4 * v4;
+    const wide v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3;
+    const wide N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle2 = atan2_wide(w3_p, N3_p - k3);
-    const wide angle3 = atan2_wide(w3_m, N3_m - k3);
+    const wide angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3);
     const wide q3__pp = angle2 - turn1;
     const wide v6 = turn1 + angle2;
     const wide q3__mp = angle3 - turn1;
     const wide v7 = turn1 + angle3;
 
     /* theta2 */
-    const wide Y1_2_p = m3 * N3_p - m4;
-    const wide Y1_2_m = m3 * N3_m - m4;
-    const wide v8 = Z1_3 * Y1_2_p;
-    const wide v9 = Z1_3 * Y1_2_m;
-    const wide v10 = m3 * Z1_3;
-    const wide v11 = m3 * -Z1_3;
-    const wide v12 = v3 * -Y1_2_p;
-    const wide v13 = v4 * -Y1_2_m;
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
+    const wide Y1_2_p = m3 * N3_p - m4, Y1_2_m = m3 * N3_m - m4;
+    const wide v8 = Z1_3 * Y1_2_p, v9 = Z1_3 * Y1_2_m, v10 = m3 * Z1_3, v11 = m3 * -Z1_3;
+    const wide v12 = v3 * -Y1_2_p, v13 = v4 * -Y1_2_m;
+    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v14 = m5 * Z1_3;
-    const wide v15 = m6 * v3 - v14;
-    const wide v16 = m6 * v4 - v14;
-    const wide v17 = m6 + m7 * factor2_p;
-    const wide v18 = m6 + m7 * factor2_m;
-    const wide v19 = m5 + m8 * factor2_p;
-    const wide v20 = m5 + m8 * factor2_m;
-    const wide v21 = Z1_3 * v17 + v3 * v19;
-    const wide v22 = Z1_3 * v18 + v4 * v20;
-    const wide c2m3_pp = w3_p * (factor2_p * v15) - v21;
-    const wide c2m3_pm = w3_p * (factor2_p * -v15) - v21;
-    const wide c2m3_mp = w3_m * (factor2_m * v16) - v22;
-    const wide c2m3_mm = w3_m * (factor2_m * -v16) - v22;
-    const wide v23 = m6 * Z1_3;
-    const wide v24 = v3 * v17 - Z1_3 * v19;
-    const wide v25 = v4 * v18 - Z1_3 * v20;
+    const wide v14 = m5 * Z1_3, v15 = m6 * v3 - v14, v16 = m6 * v4 - v14, v17 = m6 + m7 * factor2_p;
+    const wide v18 = m6 + m7 * factor2_m, v19 = m5 + m8 * factor2_p, v20 = m5 + m8 * factor2_m;
+    const wide v21 = Z1_3 * v17 + v3 * v19, v22 = Z1_3 * v18 + v4 * v20;
+    const wide c2m3_pp = w3_p * (factor2_p * v15) - v21, c2m3_pm = w3_p * (factor2_p * -v15) - v21;
+    const wide c2m3_mp = w3_m * (factor2_m * v16) - v22, c2m3_mm = w3_m * (factor2_m * -v16) - v22;
+    const wide v23 = m6 * Z1_3, v24 = v3 * v17 - Z1_3 * v19, v25 = v4 * v18 - Z1_3 * v20;
     const wide v26 = w3_p * (factor2_p * (v23 + m5 * v3));
-    const wide s2m3_pp = v24 + v26;
-    const wide s2m3_pm = v24 - v26;
+    const wide s2m3_pp = v24 + v26, s2m3_pm = v24 - v26;
     const wide v27 = w3_m * (factor2_m * (v23 + m5 * v4));
-    const wide s2m3_mp = v25 + v27;
-    const wide s2m3_mm = v25 - v27;
+    const wide s2m3_mp = v25 + v27, s2m3_mm = v25 - v27;
     const wide v28 = w1 * (v2 * (T21 * Y1 - T11 * t14));
-    const wide X4_pp = c2m3_pp * v28 - T31 * s2m3_pp;
-    const wide X4_pm = c2m3_pm * v28 - T31 * s2m3_pm;
-    const wide v29 = c2m3_mp * v28 + T31 * s2m3_mp;
-    const wide v30 = c2m3_mm * v28 + T31 * s2m3_mm;
+    const wide X4_pp = c2m3_pp * v28 - T31 * s2m3_pp, X4_pm = c2m3_pm * v28 - T31 * s2m3_pm;
+    const wide v29 = c2m3_mp * v28 + T31 * s2m3_mp, v30 = c2m3_mm * v28 + T31 * s2m3_mm;
     const wide Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21));
-    const wide v31 = Y4 * Y4;
-    const wide v32 = v31 + X4_pp * X4_pp;
-    const wide v33 = v31 + X4_pm * X4_pm;
-    const wide v34 = v31 + v29 * v29;
-    const wide v35 = v31 + v30 * v30;
-    const wide angle4 = atan2_wide(Y4, -X4_pp);
-    const wide angle5 = atan2_wide(Y4, -X4_pm);
-    const wide angle6 = atan2_wide(-Y4, v29);
-    const wide angle7 = atan2_wide(-Y4, v30);
+    const wide v31 = Y4 * Y4, v32 = v31 + X4_pp * X4_pp, v33 = v31 + X4_pm * X4_pm;
+    const wide v34 = v31 + v29 * v29, v35 = v31 + v30 * v30;
+    const wide angle4 = atan2_wide(Y4, -X4_pp), angle5 = atan2_wide(Y4, -X4_pm);
+    const wide angle6 = atan2_wide(-Y4, v29), angle7 = atan2_wide(-Y4, v30);
     const wide v36 = h1 * copysign_wide(all_wide(half_turn), Y4);
     const wide v37 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle4 - v36;
-    const wide q4_pmm = angle5 - v36;
-    const wide q4_mpm = angle6 - v37;
+    const wide q4_ppm = angle4 - v36, q4_pmm = angle5 - v36, q4_mpm = angle6 - v37;
     const wide q4_mmm = angle7 - v37;
 
     /* theta6 */
-    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12));
-    const wide v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const wide v40 = w1 * (v2 * (t14 * T23 + Y1 * T13));
-    const wide v41 = w1 * (v2 * (Y1 * T23 - t14 * T13));
+    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const wide v40 = w1 * (v2 * (t14 * T23 + Y1 * T13)), v41 = w1 * (v2 * (Y1 * T23 - t14 * T13));
     const wide v42 = Y4 * (s2m3_pp * T33 - c2m3_pp * v41) - -X4_pp * v40;
     const wide v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40;
     const wide v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41);
@@ -641,14 +606,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle17 = atan2_wide(sqrt_wide(v33), T31 * c2m3_pm + s2m3_pm * v28);
     const wide angle18 = atan2_wide(sqrt_wide(v34), T31 * c2m3_mp - s2m3_mp * v28);
     const wide angle19 = atan2_wide(sqrt_wide(v35), T31 * c2m3_mm - s2m3_mm * v28);
-    const wide v51 = angle16 - offset5;
-    const wide v52 = offset5 + angle16;
-    const wide v53 = angle17 - offset5;
-    const wide v54 = offset5 + angle17;
-    const wide v55 = angle18 - offset5;
-    const wide v56 = offset5 + angle18;
-    const wide v57 = angle19 - offset5;
-    const wide v58 = offset5 + angle19;
+    const wide v51 = angle16 - offset5, v52 = offset5 + angle16, v53 = angle17 - offset5;
+    const wide v54 = offset5 + angle17, v55 = angle18 - offset5, v56 = offset5 + angle18;
+    const wide v57 = angle19 - offset5, v58 = offset5 + angle19;
     const wide q5_ppp = v51 + only_wide(v51 <= -half_turn, m10);
     const wide q5_ppm = only_wide(-v52 <= -half_turn, m10) - v52;
     const wide q5_pmp = v53 + only_wide(v53 <= -half_turn, m10);
@@ -667,16 +627,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v66 = only_wide(-v60 < low3, whole_turn) - v60;
     const wide v67 = v61 + only_wide(v61 < low3, whole_turn);
     const wide v68 = only_wide(-v62 < low3, whole_turn) - v62;
-    const wide_mask v69 = (v65 < low3) | (high3 < v65);
-    const wide_mask v70 = (v66 < low3) | (high3 < v66);
-    const wide_mask v71 = (v67 < low3) | (high3 < v67);
-    const wide_mask v72 = (v68 < low3) | (high3 < v68);
-    const wide q3_ppp = pick_wide(v69, v59, v65);
-    const wide q3_pmp = pick_wide(v70, -v60, v66);
-    const wide q3_mpp = pick_wide(v71, v61, v67);
-    const wide q3_mmp = pick_wide(v72, -v62, v68);
-    const wide q1_ppp = angle1 + (w3_p - w3_p);
-    const wide q1_mpp = q1__m + (w3_m - w3_m);
+    const wide_mask v69 = (v65 < low3) | (high3 < v65), v70 = (v66 < low3) | (high3 < v66);
+    const wide_mask v71 = (v67 < low3) | (high3 < v67), v72 = (v68 < low3) | (high3 < v68);
+    const wide q3_ppp = pick_wide(v69, v59, v65), q3_pmp = pick_wide(v70, -v60, v66);
+    const wide q3_mpp = pick_wide(v71, v61, v67), q3_mmp = pick_wide(v72, -v62, v68);
+    const wide q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
     const wide_mask v73 = v69 | (v63 | ((q2_ppp < low2) | (high2 < q2_ppp)));
     const wide_mask v74 = v70 | (v63 | ((q2_pmp < low2) | (high2 < q2_pmp)));
     const wide_mask v75 = v71 | (v64 | ((q2_mpp < low2) | (high2 < q2_mpp)));
@@ -695,61 +650,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v34 <= m9) |
         ((v33 <= m9) | ((v1 <= m1) | (v32 <= m9))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = angle4;
-    q[4] = q5_ppp;
-    q[5] = angle8;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = angle8;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = angle5;
-    q[16] = q5_pmp;
-    q[17] = angle9;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp; q[17] = angle9;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_mpp;
-    q[27] = angle6;
-    q[28] = q5_mpp;
-    q[29] = angle10;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp; q[29] = angle10;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_mpp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_mmp;
-    q[39] = angle7;
-    q[40] = q5_mmp;
-    q[41] = angle11;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp; q[41] = angle11;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_mmp;
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -773,8 +688,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = t14 * t14 + Y1 * Y1;
     const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1;
-    const double v3 = copysign(half_turn, Y1);
+    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1;
@@ -785,21 +699,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta2 */
     const four Y1_2 = m3 * N3 - m4;
-    const four v6 = Z1_3 * Y1_2;
-    const four v7 = m3 * (e2 * Z1_3);
-    const four v8 = v4 * -Y1_2;
+    const four v6 = Z1_3 * Y1_2, v7 = m3 * (e2 * Z1_3), v8 = v4 * -Y1_2;
     const four factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m5 * Z1_3;
-    const four v10 = m6 * v4 - v9;
-    const four v11 = m6 + m7 * factor2;
-    const four v12 = m5 + m8 * factor2;
+    const four v10 = m6 * v4 - v9, v11 = m6 + m7 * factor2, v12 = m5 + m8 * factor2;
     const four v13 = Z1_3 * v11 + v4 * v12;
     const four c2m3 = w3 * (factor2 * (e2 * v10)) - v13;
     const double v14 = m6 * Z1_3;
-    const four v15 = v14 + m5 * v4;
-    const four v16 = v4 * v11 - Z1_3 * v12;
+    const four v15 = v14 + m5 * v4, v16 = v4 * v11 - Z1_3 * v12;
     const four s2m3 = v16 + w3 * (factor2 * (e2 * v15));
     const double v17 = w1 * (v2 * (T21 * Y1 - T11 * t14));
     const four X4 = e1 * (c2m3 * v17) - T31 * s2m3;
@@ -807,14 +716,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m9;
-    const four v20 = e1 * Y4;
-    const four v21 = copysign_four(all_four(half_turn), v20) * h1;
+    const four v20 = e1 * Y4, v21 = copysign_four(all_four(half_turn), v20) * h1;
 
     /* theta6 */
-    const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12));
-    const double v23 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const double v24 = w1 * (v2 * (t14 * T23 + Y1 * T13));
-    const double v25 = w1 * (v2 * (Y1 * T23 - t14 * T13));
+    const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const double v24 = w1 * (v2 * (t14 * T23 + Y1 * T13)), v25 = w1 * (v2 * (Y1 * T23 - t14 * T13));
     const four v26 = e1 * (Y4 * (s2m3 * T33 - e1 * (c2m3 * v25)) - -X4 * v24);
 
     /* joint values */
@@ -835,8 +741,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q6_m = angle4 - h1 * copysign_four(all_four(half_turn), v26);
     const four v27 = angle5 - offset2;
     const four q2_p = v27 - only_four(half_turn < v27, m10);
-    const four v28 = angle6 - offset5;
-    const four v29 = offset5 + angle6;
+    const four v28 = angle6 - offset5, v29 = offset5 + angle6;
     const four q5_p = v28 + only_four(v28 <= -half_turn, m10);
     const four q5_m = only_four(-v29 <= -half_turn, m10) - v29;
     const four v30 = q3_ - only_four(half_turn < q3_, m10);

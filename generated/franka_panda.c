@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -120,8 +119,7 @@ HELPER four sin_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -326,10 +324,10 @@ static const double merge_slack1 = 1.393e-14; /* nearer to that boundary two bra
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double k1 = 0.1155; /* 2 * (d3 * a4 + d5 * a3) [m^2] */
 static const double k2 = 0.22907550000000002; /* 2 * (d3 * d5 - a4 * a3) [m^2] */
-/* d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2] */
-static const double k3 = 0.25318050000000003;
 /* (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4] */
-static const double k4 = 0.06581583470025;
+static const double k3 = 0.06581583470025;
+/* d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2] */
+static const double k4 = 0.25318050000000003;
 /* 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4] */
 static const double k5 = 15.193911990243306;
 /* square of a length that fixes no angle [m^2] */
@@ -583,23 +581,18 @@ HELPER wide_mask solve_wide(
     const wide s7 = sin_wide(free_joints[0]);
 
     /* theta4 */
-    const wide v1 = d7 * T13 - T14;
-    const wide v2 = d7 * T23 - T24;
-    const wide v3 = d1 - (T34 - d7 * T33);
+    const wide v1 = d7 * T13 - T14, v2 = d7 * T23 - T24, v3 = d1 - (T34 - d7 * T33);
     const wide w2x = v1 * T11 + v2 * T21 + v3 * T31;
     const wide w2y = v1 * T12 + v2 * T22 + v3 * T32;
     const wide w2z = T13 * v1 + T23 * v2 + T33 * v3;
     const wide Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y +
-        (w2z * w2z - k3)));
-    const wide D4 = k4 - Z4 * Z4;
+        (w2z * w2z - k4)));
+    const wide D4 = k3 - Z4 * Z4;
     const wide v4 = 2.0 * abs_wide(Z4);
     const wide w4 = sqrt_wide(D4);
-    const wide v5 = m2 * Z4;
-    const wide v6 = m1 * w4;
-    const wide c4_p = v5 + v6;
-    const wide c4_m = v5 - v6;
-    const wide v7 = m1 * Z4;
-    const wide v8 = m2 * w4;
+    const wide v5 = m2 * Z4, v6 = m1 * w4;
+    const wide c4_p = v5 + v6, c4_m = v5 - v6;
+    const wide v7 = m1 * Z4, v8 = m2 * w4;
     const wide s4_p = v8 - v7;
     const wide v9 = v7 + v8;
     const wide angle1 = atan2_wide(w4, Z4);
@@ -607,159 +600,80 @@ HELPER wide_mask solve_wide(
     const wide v10 = turn1 + angle1;
 
     /* theta5 */
-    const wide v11 = a3 * c4_p + d3 * s4_p - a4;
-    const wide v12 = a3 * c4_m - d3 * v9 - a4;
-    const wide v13 = m4 + m5 * Z4;
+    const wide v11 = a3 * c4_p + d3 * s4_p - a4, v12 = a3 * c4_m - d3 * v9 - a4, v13 = m4 + m5 * Z4;
+    const wide v14 = m3 * w4, v15 = v13 - v14, v16 = v13 + v14;
+    const wide N5_p = v15 * v15, N5_m = v16 * v16;
+    const wide_mask free5_p = N5_p <= doubt_limit_squared2, free5_m = N5_m <= doubt_limit_squared2;
     const wide Z5 = c7 * w2y + s7 * w2x;
-    const wide v14 = m3 * w4;
-    const wide v15 = v13 - v14;
-    const wide v16 = v13 + v14;
-    const wide N5_p = v15 * v15;
-    const wide N5_m = v16 * v16;
     const wide v17 = Z5 * Z5;
-    const wide D5_p = N5_p - v17;
-    const wide D5_m = N5_m - v17;
-    const wide_mask free5_p = N5_p <= doubt_limit_squared2;
-    const wide_mask free5_m = N5_m <= doubt_limit_squared2;
-    const wide v18 = 2.0 * abs_wide(Z5);
-    const wide v19 = merge_slack1 * (merge_slack1 + v18);
-    const wide w5_p = sqrt_wide(D5_p);
-    const wide w5_m = sqrt_wide(D5_m);
-    const wide v20 = w5_p - w5_p;
-    const wide v21 = w5_m - w5_m;
-    const wide inverse5_p = 1.0 / N5_p;
-    const wide inverse5_m = 1.0 / N5_m;
-    const wide v22 = v15 * w5_p;
-    const wide v23 = v16 * w5_m;
-    const wide v24 = inverse5_p * v22;
-    const wide v25 = inverse5_m * v23;
-    const wide v26 = Z5 * v15;
-    const wide v27 = Z5 * v16;
-    const wide s5_p = inverse5_p * v26;
-    const wide s5_m = inverse5_m * v27;
-    const wide angle2 = atan2_wide(v26, -v22);
-    const wide angle3 = atan2_wide(v27, -v23);
+    const wide D5_p = N5_p - v17, D5_m = N5_m - v17;
+    const wide v18 = 2.0 * abs_wide(Z5), v19 = merge_slack1 * (merge_slack1 + v18);
+    const wide w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m);
+    const wide v20 = w5_p - w5_p, v21 = w5_m - w5_m;
+    const wide inverse5_p = 1.0 / N5_p, inverse5_m = 1.0 / N5_m;
+    const wide v22 = v15 * w5_p, v23 = v16 * w5_m, v24 = inverse5_p * v22, v25 = inverse5_m * v23;
+    const wide v26 = v15 * Z5, v27 = v16 * Z5;
+    const wide s5_p = inverse5_p * v26, s5_m = inverse5_m * v27;
+    const wide angle2 = atan2_wide(v26, -v22), angle3 = atan2_wide(v27, -v23);
     const wide q5_pmp = copysign_wide(all_wide(half_turn), v26) * h1 - angle2;
     const wide q5_mmp = copysign_wide(all_wide(half_turn), v27) * h1 - angle3;
 
     /* theta6 */
-    const wide v28 = m7 + m3 * Z4;
-    const wide v29 = m5 * w4;
-    const wide Y1_6_p = v28 + v29;
-    const wide Y1_6_m = v28 - v29;
+    const wide v28 = m7 + m3 * Z4, v29 = m5 * w4;
+    const wide Y1_6_p = v28 + v29, Y1_6_m = v28 - v29;
     const wide Z2_6 = a6 + (c7 * w2x - s7 * w2y);
-    const wide v30 = Y1_6_p * Z2_6;
-    const wide v31 = Y1_6_m * Z2_6;
-    const wide v32 = w5_p * (inverse5_p * (v11 * (w2z * v15)));
-    const wide v33 = v30 - v32;
-    const wide v34 = v30 + v32;
-    const wide v35 = w5_m * (inverse5_m * (v12 * (w2z * v16)));
-    const wide v36 = v31 - v35;
-    const wide v37 = v31 + v35;
-    const wide v38 = w2z * Y1_6_p;
-    const wide v39 = w2z * Y1_6_m;
+    const wide v30 = Y1_6_p * Z2_6, v31 = Y1_6_m * Z2_6;
+    const wide v32 = w5_p * (inverse5_p * (v11 * (w2z * v15))), v33 = v30 - v32, v34 = v30 + v32;
+    const wide v35 = w5_m * (inverse5_m * (v12 * (w2z * v16))), v36 = v31 - v35, v37 = v31 + v35;
+    const wide v38 = w2z * Y1_6_p, v39 = w2z * Y1_6_m;
     const wide v40 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6)));
-    const wide C6_pp = v38 + v40;
-    const wide C6_pm = v38 - v40;
+    const wide C6_pp = v38 + v40, C6_pm = v38 - v40;
     const wide v41 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6)));
-    const wide C6_mp = v39 + v41;
-    const wide C6_mm = v39 - v41;
-    const wide v42 = v33 * v33 + C6_pp * C6_pp;
-    const wide v43 = v34 * v34 + C6_pm * C6_pm;
-    const wide v44 = v36 * v36 + C6_mp * C6_mp;
-    const wide v45 = v37 * v37 + C6_mm * C6_mm;
-    const wide factor6_pp = sqrt_wide(v42) * (1.0 / v42);
-    const wide factor6_pm = sqrt_wide(v43) * (1.0 / v43);
-    const wide factor6_mp = sqrt_wide(v44) * (1.0 / v44);
-    const wide factor6_mm = sqrt_wide(v45) * (1.0 / v45);
-    const wide angle4 = atan2_wide(-v33, C6_pp);
-    const wide angle5 = atan2_wide(-v34, C6_pm);
-    const wide angle6 = atan2_wide(-v36, C6_mp);
-    const wide angle7 = atan2_wide(-v37, C6_mm);
+    const wide C6_mp = v39 + v41, C6_mm = v39 - v41;
+    const wide v42 = v33 * v33 + C6_pp * C6_pp, v43 = v34 * v34 + C6_pm * C6_pm;
+    const wide v44 = v36 * v36 + C6_mp * C6_mp, v45 = v37 * v37 + C6_mm * C6_mm;
+    const wide factor6_pp = sqrt_wide(v42) * (1.0 / v42), factor6_pm = sqrt_wide(v43) * (1.0 / v43);
+    const wide factor6_mp = sqrt_wide(v44) * (1.0 / v44), factor6_mm = sqrt_wide(v45) * (1.0 / v45);
+    const wide angle4 = atan2_wide(-v33, C6_pp), angle5 = atan2_wide(-v34, C6_pm);
+    const wide angle6 = atan2_wide(-v36, C6_mp), angle7 = atan2_wide(-v37, C6_mm);
 
     /* theta1 */
-    const wide v46 = c7 * T11 - s7 * T12;
-    const wide v47 = T13 * c4_p;
-    const wide v48 = T13 * c4_m;
-    const wide v49 = c4_p * v46;
-    const wide v50 = c4_m * v46;
-    const wide v51 = c7 * T12 + s7 * T11;
-    const wide v52 = s5_p * (s4_p * v51);
-    const wide v53 = s5_m * (v9 * v51);
-    const wide v54 = v24 * (s4_p * v46);
-    const wide v55 = v25 * (v9 * v46);
-    const wide v56 = v24 * (T13 * s4_p);
-    const wide v57 = v25 * (T13 * v9);
+    const wide v46 = c7 * T11 - s7 * T12, v47 = T13 * c4_p, v48 = T13 * c4_m, v49 = c4_p * v46;
+    const wide v50 = c4_m * v46, v51 = c7 * T12 + s7 * T11, v52 = s5_p * (s4_p * v51);
+    const wide v53 = s5_m * (v9 * v51), v54 = v24 * (s4_p * v46), v55 = v25 * (v9 * v46);
+    const wide v56 = v24 * (T13 * s4_p), v57 = v25 * (T13 * v9);
     const wide X1_pp = v52 + factor6_pp * (-v33 * (v49 - v56) - C6_pp * (v47 + v54));
     const wide X1_pm = v52 - factor6_pm * (v34 * (v49 + v56) + C6_pm * (v47 - v54));
     const wide X1_mp = factor6_mp * (-v36 * (v50 + v57) - C6_mp * (v48 - v55)) - v53;
     const wide v58 = v53 + factor6_mm * (v37 * (v50 - v57) + C6_mm * (v48 + v55));
-    const wide v59 = c7 * T21 - s7 * T22;
-    const wide v60 = T23 * c4_p;
-    const wide v61 = T23 * c4_m;
-    const wide v62 = c4_p * v59;
-    const wide v63 = c4_m * v59;
-    const wide v64 = c7 * T22 + s7 * T21;
-    const wide v65 = s5_p * (s4_p * v64);
-    const wide v66 = s5_m * (v9 * v64);
-    const wide v67 = v24 * (s4_p * v59);
-    const wide v68 = v25 * (v9 * v59);
-    const wide v69 = v24 * (T23 * s4_p);
-    const wide v70 = v25 * (T23 * v9);
+    const wide v59 = c7 * T21 - s7 * T22, v60 = T23 * c4_p, v61 = T23 * c4_m, v62 = c4_p * v59;
+    const wide v63 = c4_m * v59, v64 = c7 * T22 + s7 * T21, v65 = s5_p * (s4_p * v64);
+    const wide v66 = s5_m * (v9 * v64), v67 = v24 * (s4_p * v59), v68 = v25 * (v9 * v59);
+    const wide v69 = v24 * (T23 * s4_p), v70 = v25 * (T23 * v9);
     const wide v71 = v65 + factor6_pp * (-v33 * (v62 - v69) - C6_pp * (v60 + v67));
     const wide v72 = v65 - factor6_pm * (v34 * (v62 + v69) + C6_pm * (v60 - v67));
     const wide v73 = factor6_mp * (-v36 * (v63 + v70) - C6_mp * (v61 - v68)) - v66;
     const wide v74 = v66 + factor6_mm * (v37 * (v63 - v70) + C6_mm * (v61 + v68));
-    const wide v75 = X1_pp * X1_pp + v71 * v71;
-    const wide v76 = X1_pm * X1_pm + v72 * v72;
-    const wide v77 = X1_mp * X1_mp + v73 * v73;
-    const wide v78 = v58 * v58 + v74 * v74;
-    const wide angle8 = atan2_wide(-v71, -X1_pp);
-    const wide angle9 = atan2_wide(-v72, -X1_pm);
-    const wide angle10 = atan2_wide(-v73, -X1_mp);
-    const wide angle11 = atan2_wide(v74, v58);
+    const wide v75 = X1_pp * X1_pp + v71 * v71, v76 = X1_pm * X1_pm + v72 * v72;
+    const wide v77 = X1_mp * X1_mp + v73 * v73, v78 = v58 * v58 + v74 * v74;
+    const wide angle8 = atan2_wide(-v71, -X1_pp), angle9 = atan2_wide(-v72, -X1_pm);
+    const wide angle10 = atan2_wide(-v73, -X1_mp), angle11 = atan2_wide(v74, v58);
     const wide q1_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), -v71);
     const wide q1_pmm = angle9 - h1 * copysign_wide(all_wide(half_turn), -v72);
     const wide q1_mpm = angle10 - h1 * copysign_wide(all_wide(half_turn), -v73);
     const wide q1_mmm = angle11 - h1 * copysign_wide(all_wide(half_turn), v74);
 
     /* theta3 */
-    const wide v79 = a4 * v59;
-    const wide v80 = d5 * T23;
-    const wide v81 = a4 * T23;
-    const wide v82 = d5 * v59;
-    const wide v83 = a4 * v64;
-    const wide v84 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
-    const wide v85 = s5_p * v83 - v84;
-    const wide v86 = s5_m * v83 - v84;
-    const wide v87 = v24 * v79;
-    const wide v88 = v25 * v79;
-    const wide v89 = v24 * v81;
-    const wide v90 = v25 * v81;
-    const wide v91 = a4 * v46;
-    const wide v92 = d5 * T13;
-    const wide v93 = a4 * T13;
-    const wide v94 = d5 * v46;
-    const wide v95 = a4 * v51;
-    const wide v96 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
-    const wide v97 = s5_p * v95 - v96;
-    const wide v98 = s5_m * v95 - v96;
-    const wide v99 = v24 * v91;
-    const wide v100 = v25 * v91;
-    const wide v101 = v24 * v93;
-    const wide v102 = v25 * v93;
-    const wide v103 = s5_p * v59;
-    const wide v104 = s5_m * v59;
-    const wide v105 = T23 * s5_p;
-    const wide v106 = T23 * s5_m;
-    const wide v107 = v24 * v64;
-    const wide v108 = v25 * v64;
-    const wide v109 = s5_p * v46;
-    const wide v110 = s5_m * v46;
-    const wide v111 = T13 * s5_p;
-    const wide v112 = T13 * s5_m;
-    const wide v113 = v24 * v51;
-    const wide v114 = v25 * v51;
+    const wide v79 = a4 * v59, v80 = d5 * T23, v81 = a4 * T23, v82 = d5 * v59, v83 = a4 * v64;
+    const wide v84 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22)), v85 = s5_p * v83 - v84;
+    const wide v86 = s5_m * v83 - v84, v87 = v24 * v79, v88 = v25 * v79, v89 = v24 * v81;
+    const wide v90 = v25 * v81, v91 = a4 * v46, v92 = d5 * T13, v93 = a4 * T13, v94 = d5 * v46;
+    const wide v95 = a4 * v51, v96 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
+    const wide v97 = s5_p * v95 - v96, v98 = s5_m * v95 - v96, v99 = v24 * v91, v100 = v25 * v91;
+    const wide v101 = v24 * v93, v102 = v25 * v93, v103 = s5_p * v59, v104 = s5_m * v59;
+    const wide v105 = T23 * s5_p, v106 = T23 * s5_m, v107 = v24 * v64, v108 = v25 * v64;
+    const wide v109 = s5_p * v46, v110 = s5_m * v46, v111 = T13 * s5_p, v112 = T13 * s5_m;
+    const wide v113 = v24 * v51, v114 = v25 * v51;
     const wide s3_pp = (X1_pp * (v85 + factor6_pp * (C6_pp * (v80 - v87) - -v33 * (v82 + v89))) -
         v71 * (v97 + factor6_pp * (C6_pp * (v92 - v99) - -v33 * (v94 + v101)))) / -a3;
     const wide s3_pm = (X1_pm * (v85 + factor6_pm * (C6_pm * (v80 + v87) + v34 * (v82 - v89))) - v72
@@ -776,44 +690,22 @@ HELPER wide_mask solve_wide(
         + factor6_mp * (C6_mp * v104 + -v36 * v106))) / -a3;
     const wide v118 = a3 * (v58 * (factor6_mm * (C6_mm * v104 - v37 * v106) - v108) - v74 *
         (factor6_mm * (C6_mm * v110 - v37 * v112) - v114)) / -a3;
-    const wide angle12 = atan2_wide(s3_pp, -v115);
-    const wide angle13 = atan2_wide(s3_pm, -v116);
-    const wide angle14 = atan2_wide(s3_mp, -v117);
-    const wide angle15 = atan2_wide(s3_mm, -v118);
+    const wide angle12 = atan2_wide(s3_pp, -v115), angle13 = atan2_wide(s3_pm, -v116);
+    const wide angle14 = atan2_wide(s3_mp, -v117), angle15 = atan2_wide(s3_mm, -v118);
     const wide q3_ppm = angle12 - h1 * copysign_wide(all_wide(half_turn), s3_pp);
     const wide q3_pmm = angle13 - h1 * copysign_wide(all_wide(half_turn), s3_pm);
     const wide q3_mpm = angle14 - h1 * copysign_wide(all_wide(half_turn), s3_mp);
     const wide q3_mmm = angle15 - h1 * copysign_wide(all_wide(half_turn), s3_mm);
 
     /* theta2 */
-    const wide v119 = c7 * T31 - s7 * T32;
-    const wide v120 = s4_p * v119;
-    const wide v121 = v9 * v119;
-    const wide v122 = T33 * c4_p;
-    const wide v123 = T33 * c4_m;
-    const wide v124 = T33 * s4_p;
-    const wide v125 = T33 * v9;
-    const wide v126 = c4_p * v119;
-    const wide v127 = c4_m * v119;
-    const wide v128 = c7 * T32 + s7 * T31;
-    const wide v129 = s5_p * (s4_p * v128);
-    const wide v130 = s5_m * (v9 * v128);
-    const wide v131 = v24 * v120;
-    const wide v132 = v25 * v121;
-    const wide v133 = v24 * v124;
-    const wide v134 = v25 * v125;
-    const wide v135 = s5_p * (c4_p * v128);
-    const wide v136 = s5_m * (c4_m * v128);
-    const wide v137 = v24 * v126;
-    const wide v138 = v25 * v127;
-    const wide v139 = v24 * v122;
-    const wide v140 = v25 * v123;
-    const wide v141 = s5_p * v119;
-    const wide v142 = s5_m * v119;
-    const wide v143 = T33 * s5_p;
-    const wide v144 = T33 * s5_m;
-    const wide v145 = v24 * v128;
-    const wide v146 = v25 * v128;
+    const wide v119 = c7 * T31 - s7 * T32, v120 = s4_p * v119, v121 = v9 * v119, v122 = T33 * c4_p;
+    const wide v123 = T33 * c4_m, v124 = T33 * s4_p, v125 = T33 * v9, v126 = c4_p * v119;
+    const wide v127 = c4_m * v119, v128 = c7 * T32 + s7 * T31, v129 = s5_p * (s4_p * v128);
+    const wide v130 = s5_m * (v9 * v128), v131 = v24 * v120, v132 = v25 * v121, v133 = v24 * v124;
+    const wide v134 = v25 * v125, v135 = s5_p * (c4_p * v128), v136 = s5_m * (c4_m * v128);
+    const wide v137 = v24 * v126, v138 = v25 * v127, v139 = v24 * v122, v140 = v25 * v123;
+    const wide v141 = s5_p * v119, v142 = s5_m * v119, v143 = T33 * s5_p, v144 = T33 * s5_m;
+    const wide v145 = v24 * v128, v146 = v25 * v128;
     const wide angle16 = atan2_wide(sqrt_wide(v75) * (1.0 / v75) * (v115 * (v135 + factor6_pp *
         (C6_pp * (v124 - v137) - -v33 * (v120 + v139))) + s3_pp * (v145 + factor6_pp * (C6_pp * v141
         + -v33 * v143))), v129 + factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 + v131)));
@@ -830,8 +722,7 @@ HELPER wide_mask solve_wide(
     /* joint values */
     const wide v147 = q4__p + only_wide(q4__p <= -half_turn, m10);
     const wide v148 = only_wide(-v10 <= -half_turn, m10) - v10;
-    const wide_mask v149 = (v147 < low4) | (high4 < v147);
-    const wide_mask v150 = (v148 < low4) | (high4 < v148);
+    const wide_mask v149 = (v147 < low4) | (high4 < v147), v150 = (v148 < low4) | (high4 < v148);
     const wide_mask v151 = (angle2 < low5) | (high5 < angle2);
     const wide_mask v152 = (q5_pmp < low5) | (high5 < q5_pmp);
     const wide_mask v153 = (angle3 < low5) | (high5 < angle3);
@@ -840,20 +731,14 @@ HELPER wide_mask solve_wide(
     const wide v156 = angle5 + only_wide(angle5 < low6, whole_turn);
     const wide v157 = angle6 + only_wide(angle6 < low6, whole_turn);
     const wide v158 = angle7 + only_wide(angle7 < low6, whole_turn);
-    const wide_mask v159 = (v155 < low6) | (high6 < v155);
-    const wide_mask v160 = (v156 < low6) | (high6 < v156);
-    const wide_mask v161 = (v157 < low6) | (high6 < v157);
-    const wide_mask v162 = (v158 < low6) | (high6 < v158);
-    const wide q6_ppp = pick_wide(v159, angle4, v155);
-    const wide q6_pmp = pick_wide(v160, angle5, v156);
-    const wide q6_mpp = pick_wide(v161, angle6, v157);
-    const wide q6_mmp = pick_wide(v162, angle7, v158);
+    const wide_mask v159 = (v155 < low6) | (high6 < v155), v160 = (v156 < low6) | (high6 < v156);
+    const wide_mask v161 = (v157 < low6) | (high6 < v157), v162 = (v158 < low6) | (high6 < v158);
+    const wide q6_ppp = pick_wide(v159, angle4, v155), q6_pmp = pick_wide(v160, angle5, v156);
+    const wide q6_mpp = pick_wide(v161, angle6, v157), q6_mmp = pick_wide(v162, angle7, v158);
     const wide_mask v163 = (free_joints[0] < low7) | (high7 < free_joints[0]);
-    const wide q4_ppp = v20 + v147;
-    const wide q4_mpp = v21 + v148;
+    const wide q4_ppp = v20 + v147, q4_mpp = v21 + v148;
     const wide v164 = free_joints[0] + (w4 - w4);
-    const wide q7_ppp = v20 + v164;
-    const wide q7_mpp = v21 + v164;
+    const wide q7_ppp = v20 + v164, q7_mpp = v21 + v164;
     const wide_mask outside_ppp = v163 | (v159 | (v151 | (v149 | (((angle12 < low3) | (high3 <
         angle12)) | (((angle8 < low1) | (high1 < angle8)) | ((angle16 < low2) | (high2 <
         angle16)))))));
@@ -884,69 +769,29 @@ HELPER wide_mask solve_wide(
         v18)) <= D5_p) & (free5_p | ((v19 < D5_p) == 0))) | (((-(reach_slack2 * (reach_slack2 + v4))
         <= D4) & ((merge_slack2 * (merge_slack2 + v4) < D4) == 0)) | free5_p)))))))))));
 
-    q[0] = angle8;
-    q[1] = angle16;
-    q[2] = angle12;
-    q[3] = q4_ppp;
-    q[4] = angle2;
-    q[5] = q6_ppp;
+    q[0] = angle8; q[1] = angle16; q[2] = angle12; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
     q[6] = q7_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[7] = q1_ppm;
-    q[8] = -angle16;
-    q[9] = q3_ppm;
-    q[10] = q4_ppp;
-    q[11] = angle2;
-    q[12] = q6_ppp;
+    q[7] = q1_ppm; q[8] = -angle16; q[9] = q3_ppm; q[10] = q4_ppp; q[11] = angle2; q[12] = q6_ppp;
     q[13] = q7_ppp;
     kind[1] = kind_of(q[7] != q[7], outside_ppm);
-    q[14] = angle9;
-    q[15] = angle17;
-    q[16] = angle13;
-    q[17] = q4_ppp;
-    q[18] = q5_pmp;
-    q[19] = q6_pmp;
-    q[20] = q7_ppp;
+    q[14] = angle9; q[15] = angle17; q[16] = angle13; q[17] = q4_ppp; q[18] = q5_pmp;
+    q[19] = q6_pmp; q[20] = q7_ppp;
     kind[2] = kind_of(q[14] != q[14], outside_pmp);
-    q[21] = q1_pmm;
-    q[22] = -angle17;
-    q[23] = q3_pmm;
-    q[24] = q4_ppp;
-    q[25] = q5_pmp;
-    q[26] = q6_pmp;
-    q[27] = q7_ppp;
+    q[21] = q1_pmm; q[22] = -angle17; q[23] = q3_pmm; q[24] = q4_ppp; q[25] = q5_pmp;
+    q[26] = q6_pmp; q[27] = q7_ppp;
     kind[3] = kind_of(q[21] != q[21], outside_pmm);
-    q[28] = angle10;
-    q[29] = angle18;
-    q[30] = angle14;
-    q[31] = q4_mpp;
-    q[32] = angle3;
-    q[33] = q6_mpp;
-    q[34] = q7_mpp;
+    q[28] = angle10; q[29] = angle18; q[30] = angle14; q[31] = q4_mpp; q[32] = angle3;
+    q[33] = q6_mpp; q[34] = q7_mpp;
     kind[4] = kind_of(q[28] != q[28], outside_mpp);
-    q[35] = q1_mpm;
-    q[36] = -angle18;
-    q[37] = q3_mpm;
-    q[38] = q4_mpp;
-    q[39] = angle3;
-    q[40] = q6_mpp;
-    q[41] = q7_mpp;
+    q[35] = q1_mpm; q[36] = -angle18; q[37] = q3_mpm; q[38] = q4_mpp; q[39] = angle3;
+    q[40] = q6_mpp; q[41] = q7_mpp;
     kind[5] = kind_of(q[35] != q[35], outside_mpm);
-    q[42] = angle11;
-    q[43] = angle19;
-    q[44] = angle15;
-    q[45] = q4_mpp;
-    q[46] = q5_mmp;
-    q[47] = q6_mmp;
-    q[48] = q7_mpp;
+    q[42] = angle11; q[43] = angle19; q[44] = angle15; q[45] = q4_mpp; q[46] = q5_mmp;
+    q[47] = q6_mmp; q[48] = q7_mpp;
     kind[6] = kind_of(q[42] != q[42], outside_mmp);
-    q[49] = q1_mmm;
-    q[50] = -angle19;
-    q[51] = q3_mmm;
-    q[52] = q4_mpp;
-    q[53] = q5_mmp;
-    q[54] = q6_mmp;
-    q[55] = q7_mpp;
+    q[49] = q1_mmm; q[50] = -angle19; q[51] = q3_mmm; q[52] = q4_mpp; q[53] = q5_mmp;
+    q[54] = q6_mmp; q[55] = q7_mpp;
     kind[7] = kind_of(q[49] != q[49], outside_mmm);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -968,15 +813,13 @@ HELPER int solve_regular(
     const double s7 = sin(free_joints[0]);
 
     /* theta4 */
-    const double v1 = d7 * T13 - T14;
-    const double v2 = d7 * T23 - T24;
-    const double v3 = d1 - (T34 - d7 * T33);
+    const double v1 = d7 * T13 - T14, v2 = d7 * T23 - T24, v3 = d1 - (T34 - d7 * T33);
     const double w2x = v1 * T11 + v2 * T21 + v3 * T31;
     const double w2y = v1 * T12 + v2 * T22 + v3 * T32;
     const double w2z = T13 * v1 + T23 * v2 + T33 * v3;
     const double Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y +
-        (w2z * w2z - k3)));
-    const double D4 = k4 - Z4 * Z4;
+        (w2z * w2z - k4)));
+    const double D4 = k3 - Z4 * Z4;
     const double v4 = 2.0 * fabs(Z4);
     const double w4 = sqrt(D4);
     const int doubt1 = (-(reach_slack2 * (reach_slack2 + v4)) <= D4) & ((merge_slack2 *
@@ -989,81 +832,51 @@ HELPER int solve_regular(
     /* theta5 */
     const four v7 = a3 * c4 + d3 * s4 - a4;
     const double v8 = m4 + m5 * Z4;
-    const double Z5 = c7 * w2y + s7 * w2x;
     const four v9 = v8 - w4 * (m3 * e1);
     const four N5 = v9 * v9;
+    const four_mask free5 = N5 <= doubt_limit_squared2;
+    const double Z5 = c7 * w2y + s7 * w2x;
     const double v10 = Z5 * Z5;
     const four D5 = N5 - v10;
-    const four_mask free5 = N5 <= doubt_limit_squared2;
-    const double v11 = 2.0 * fabs(Z5);
-    const double v12 = merge_slack1 * (merge_slack1 + v11);
+    const double v11 = 2.0 * fabs(Z5), v12 = merge_slack1 * (merge_slack1 + v11);
     const four w5 = sqrt_four(D5);
     const four v13 = w5 - w5;
     const four inverse5 = 1.0 / N5;
-    const four v14 = v9 * w5;
-    const four v15 = inverse5 * v14;
-    const four v16 = Z5 * v9;
+    const four v14 = v9 * w5, v15 = inverse5 * v14, v16 = v9 * Z5;
     const four s5 = inverse5 * v16;
-    const four v17 = copysign_four(all_four(half_turn), v16);
-    const four v18 = m6 * (1.0 - e2);
+    const four v17 = copysign_four(all_four(half_turn), v16), v18 = m6 * (1.0 - e2);
 
     /* theta6 */
     const double v19 = m7 + m3 * Z4;
     const four Y1_6 = v19 + w4 * (m5 * e1);
     const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
-    const four v20 = Y1_6 * Z2_6;
-    const four v21 = e2 * w2z;
-    const four v22 = v20 - w5 * (inverse5 * (v7 * (v9 * v21)));
-    const four v23 = w2z * Y1_6;
-    const four v24 = e2 * Z2_6;
+    const four v20 = Y1_6 * Z2_6, v21 = e2 * w2z, v22 = v20 - w5 * (inverse5 * (v7 * (v9 * v21)));
+    const four v23 = w2z * Y1_6, v24 = e2 * Z2_6;
     const four C6 = v23 + w5 * (inverse5 * (v7 * (v9 * v24)));
     const four v25 = v22 * v22 + C6 * C6;
     const four factor6 = sqrt_four(v25) * (1.0 / v25);
 
     /* theta1 */
     const double v26 = c7 * T11 - s7 * T12;
-    const four v27 = T13 * c4;
-    const four v28 = c4 * v26;
+    const four v27 = T13 * c4, v28 = c4 * v26;
     const double v29 = c7 * T12 + s7 * T11;
-    const four v30 = s5 * (s4 * v29);
-    const four v31 = v15 * (s4 * v26);
-    const four v32 = v15 * (T13 * s4);
+    const four v30 = s5 * (s4 * v29), v31 = v15 * (s4 * v26), v32 = v15 * (T13 * s4);
     const four X1 = v30 + factor6 * (-v22 * (v28 - e2 * v32) - C6 * (v27 + e2 * v31));
     const double v33 = c7 * T21 - s7 * T22;
-    const four v34 = T23 * c4;
-    const four v35 = c4 * v33;
+    const four v34 = T23 * c4, v35 = c4 * v33;
     const double v36 = c7 * T22 + s7 * T21;
-    const four v37 = s5 * (s4 * v36);
-    const four v38 = v15 * (s4 * v33);
-    const four v39 = v15 * (T23 * s4);
+    const four v37 = s5 * (s4 * v36), v38 = v15 * (s4 * v33), v39 = v15 * (T23 * s4);
     const four v40 = v37 + factor6 * (-v22 * (v35 - e2 * v39) - C6 * (v34 + e2 * v38));
     const four v41 = X1 * X1 + v40 * v40;
 
     /* theta3 */
-    const double v42 = a4 * v33;
-    const double v43 = d5 * T23;
-    const double v44 = a4 * T23;
-    const double v45 = d5 * v33;
-    const double v46 = a4 * v36;
+    const double v42 = a4 * v33, v43 = d5 * T23, v44 = a4 * T23, v45 = d5 * v33, v46 = a4 * v36;
     const double v47 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
-    const four v48 = s5 * v46 - v47;
-    const four v49 = v15 * v42;
-    const four v50 = v15 * v44;
-    const double v51 = a4 * v26;
-    const double v52 = d5 * T13;
-    const double v53 = a4 * T13;
-    const double v54 = d5 * v26;
-    const double v55 = a4 * v29;
+    const four v48 = s5 * v46 - v47, v49 = v15 * v42, v50 = v15 * v44;
+    const double v51 = a4 * v26, v52 = d5 * T13, v53 = a4 * T13, v54 = d5 * v26, v55 = a4 * v29;
     const double v56 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
-    const four v57 = s5 * v55 - v56;
-    const four v58 = v15 * v51;
-    const four v59 = v15 * v53;
-    const four v60 = s5 * v33;
-    const four v61 = T23 * s5;
-    const four v62 = v15 * v36;
-    const four v63 = s5 * v26;
-    const four v64 = T13 * s5;
-    const four v65 = v15 * v29;
+    const four v57 = s5 * v55 - v56, v58 = v15 * v51, v59 = v15 * v53, v60 = s5 * v33;
+    const four v61 = T23 * s5, v62 = v15 * v36, v63 = s5 * v26, v64 = T13 * s5, v65 = v15 * v29;
     const four s3 = (X1 * (v48 + factor6 * (C6 * (v43 - e2 * v49) - -v22 * (v45 + e2 * v50))) - v40
         * (v57 + factor6 * (C6 * (v52 - e2 * v58) - -v22 * (v54 + e2 * v59)))) / -a3;
     const four v66 = a3 * (v40 * (e2 * v65 + factor6 * (C6 * v63 + -v22 * v64)) - X1 * (factor6 *
@@ -1071,20 +884,10 @@ HELPER int solve_regular(
 
     /* theta2 */
     const double v67 = c7 * T31 - s7 * T32;
-    const four v68 = s4 * v67;
-    const four v69 = T33 * c4;
-    const four v70 = T33 * s4;
-    const four v71 = c4 * v67;
+    const four v68 = s4 * v67, v69 = T33 * c4, v70 = T33 * s4, v71 = c4 * v67;
     const double v72 = c7 * T32 + s7 * T31;
-    const four v73 = s5 * (s4 * v72);
-    const four v74 = v15 * v68;
-    const four v75 = v15 * v70;
-    const four v76 = s5 * (c4 * v72);
-    const four v77 = v15 * v71;
-    const four v78 = v15 * v69;
-    const four v79 = s5 * v67;
-    const four v80 = T33 * s5;
-    const four v81 = v15 * v72;
+    const four v73 = s5 * (s4 * v72), v74 = v15 * v68, v75 = v15 * v70, v76 = s5 * (c4 * v72);
+    const four v77 = v15 * v71, v78 = v15 * v69, v79 = s5 * v67, v80 = T33 * s5, v81 = v15 * v72;
 
     /* joint values */
     const int v87 = (free_joints[0] < low7) | (high7 < free_joints[0]);
@@ -1094,8 +897,7 @@ HELPER int solve_regular(
         ((v12 < D5) == 0)));
     const four_mask doubt3 = (v25 <= m8) | (v41 <= m9);
 
-    const four angle3 = atan2_four(-v22, C6);
-    const four angle4 = atan2_four(-v40, -X1);
+    const four angle3 = atan2_four(-v22, C6), angle4 = atan2_four(-v40, -X1);
     const four angle5 = atan2_four(s3, -v66);
     const four angle6 = atan2_four(sqrt_four(v41) * (1.0 / v41) * (v66 * (v76 + factor6 * (C6 * (v70
         - e2 * v77) - -v22 * (v68 + e2 * v78))) + s3 * (e2 * v81 + factor6 * (C6 * v79 + -v22 *
@@ -1109,8 +911,7 @@ HELPER int solve_regular(
     const four q1_m = angle4 - copysign_four(all_four(half_turn), -v40) * h1;
     const four q3_m = angle5 - h1 * copysign_four(all_four(half_turn), s3);
     const four v82 = q4_ + only_four(q4_ <= -half_turn, m10);
-    const four_mask v83 = (v82 < low4) | (high4 < v82);
-    const four_mask v84 = (q5_p < low5) | (high5 < q5_p);
+    const four_mask v83 = (v82 < low4) | (high4 < v82), v84 = (q5_p < low5) | (high5 < q5_p);
     const four v85 = angle3 + only_four(angle3 < low6, whole_turn);
     const four_mask v86 = (v85 < low6) | (high6 < v85);
     const four q6_p = pick_four(v86, angle3, v85);
@@ -1221,8 +1022,8 @@ static void solve(
     const double w2y = T12 * v1 + T22 * v2 + T32 * v3;
     const double w2z = T13 * v1 + T23 * v2 + T33 * v3;
     const double Z4 = c7 * (2.0 * (w2x * a6)) - s7 * (2.0 * (w2y * a6)) + (w2x * w2x + (w2y * w2y +
-        (w2z * w2z - k3)));
-    const double D4 = k4 - Z4 * Z4;
+        (w2z * w2z - k4)));
+    const double D4 = k3 - Z4 * Z4;
     const double v4 = 2.0 * fabs(Z4);
     const int apart4 = merge_slack2 * (v4 + merge_slack2) < D4;
     if (!(-(reach_slack2 * (v4 + reach_slack2)) <= D4)) return; /* out of reach */
@@ -1233,35 +1034,36 @@ static void solve(
     /* theta5, type 2: A7 U0^-1 A1 [3, 4] */
     const double Z5 = c7 * w2y + s7 * w2x;
     const double v8 = Z5 * Z5;
-    const double v9 = 2.0 * fabs(Z5);
-    const double v10 = merge_slack1 * (v9 + merge_slack1);
+    const double v9 = fabs(Z5);
+    const double v10 = 2.0 * v9;
+    const double v11 = merge_slack1 * (v10 + merge_slack1);
 
     /* theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4] */
     const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
 
     /* theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3] */
-    const double v15 = c7 * T11 - s7 * T12;
-    const double v20 = c7 * T12 + s7 * T11;
-    const double v22 = c7 * T21 - s7 * T22;
-    const double v27 = c7 * T22 + s7 * T21;
+    const double v16 = c7 * T11 - s7 * T12;
+    const double v21 = c7 * T12 + s7 * T11;
+    const double v23 = c7 * T21 - s7 * T22;
+    const double v28 = c7 * T22 + s7 * T21;
 
     /* theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3] */
-    const double v30 = a4 * v22;
-    const double v31 = d5 * T23;
-    const double v32 = a4 * T23;
-    const double v33 = d5 * v22;
-    const double v34 = a4 * v27;
-    const double v35 = v2 + (c7 * (T21 * a6) - s7 * (T22 * a6));
-    const double v38 = a4 * v15;
-    const double v39 = d5 * T13;
-    const double v40 = a4 * T13;
-    const double v41 = d5 * v15;
-    const double v42 = a4 * v20;
-    const double v43 = v1 + (c7 * (T11 * a6) - s7 * (T12 * a6));
+    const double v31 = a4 * v23;
+    const double v32 = d5 * T23;
+    const double v33 = a4 * T23;
+    const double v34 = d5 * v23;
+    const double v35 = a4 * v28;
+    const double v36 = v2 + (c7 * (T21 * a6) - s7 * (T22 * a6));
+    const double v39 = a4 * v16;
+    const double v40 = d5 * T13;
+    const double v41 = a4 * T13;
+    const double v42 = d5 * v16;
+    const double v43 = a4 * v21;
+    const double v44 = v1 + (c7 * (T11 * a6) - s7 * (T12 * a6));
 
     /* theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1] */
-    const double v53 = c7 * T31 - s7 * T32;
-    const double v58 = c7 * T32 + s7 * T31;
+    const double v54 = c7 * T31 - s7 * T32;
+    const double v59 = c7 * T32 + s7 * T31;
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -1275,48 +1077,48 @@ static void solve(
         /* theta5 */
         const double v7 = a3 * c4 + d3 * s4 - a4;
         const double N5 = -v7 * -v7;
-        const double D5 = N5 - v8;
         const int free5 = N5 <= free_limit_squared2;
-        const int apart5 = v10 < D5;
-        if (!(-(reach_slack1 * (v9 + reach_slack1)) <= D5)) continue; /* out of reach */
+        const double D5 = N5 - v8;
+        const int apart5 = v11 < D5;
+        if (!(-(reach_slack1 * (v10 + reach_slack1)) <= D5)) continue; /* out of reach */
         const double w5 = sqrt(apart5 ? D5 : 0.0);
-        const double inverse5 = 1.0 / (free5 ? 1.0 : N5);
+        const double inverse5 = 1.0 / (free5 ? 1.0 : (apart5 ? N5 : v9 * sqrt(N5)));
         const double s5 = free5 ? sin(seed[4]) : inverse5 * (-v7 * Z5);
 
         /* theta6 */
         const double Y1_6 = d5 + (d3 * c4 - a3 * s4);
-        const double v12 = Y1_6 * Z2_6;
-        const double v14 = w2z * Y1_6;
+        const double v13 = Y1_6 * Z2_6;
+        const double v15 = w2z * Y1_6;
 
         /* theta1 */
-        const double v16 = s4 * v15;
-        const double v17 = T13 * c4;
-        const double v18 = T13 * s4;
-        const double v19 = c4 * v15;
-        const double v21 = s5 * (s4 * v20);
-        const double v23 = s4 * v22;
-        const double v24 = T23 * c4;
-        const double v25 = T23 * s4;
-        const double v26 = c4 * v22;
-        const double v28 = s5 * (s4 * v27);
+        const double v17 = s4 * v16;
+        const double v18 = T13 * c4;
+        const double v19 = T13 * s4;
+        const double v20 = c4 * v16;
+        const double v22 = s5 * (s4 * v21);
+        const double v24 = s4 * v23;
+        const double v25 = T23 * c4;
+        const double v26 = T23 * s4;
+        const double v27 = c4 * v23;
+        const double v29 = s5 * (s4 * v28);
 
         /* theta3 */
-        const double v36 = s5 * v34 - v35;
-        const double v44 = s5 * v42 - v43;
-        const double v46 = s5 * v22;
-        const double v47 = T23 * s5;
-        const double v49 = s5 * v15;
-        const double v50 = T13 * s5;
+        const double v37 = s5 * v35 - v36;
+        const double v45 = s5 * v43 - v44;
+        const double v47 = s5 * v23;
+        const double v48 = T23 * s5;
+        const double v50 = s5 * v16;
+        const double v51 = T13 * s5;
 
         /* theta2 */
-        const double v54 = s4 * v53;
-        const double v55 = T33 * c4;
-        const double v56 = T33 * s4;
-        const double v57 = c4 * v53;
-        const double v59 = s5 * (s4 * v58);
-        const double v60 = s5 * (c4 * v58);
-        const double v62 = s5 * v53;
-        const double v63 = T33 * s5;
+        const double v55 = s4 * v54;
+        const double v56 = T33 * c4;
+        const double v57 = T33 * s4;
+        const double v58 = c4 * v54;
+        const double v60 = s5 * (s4 * v59);
+        const double v61 = s5 * (c4 * v59);
+        const double v63 = s5 * v54;
+        const double v64 = T33 * s5;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -1326,33 +1128,33 @@ static void solve(
             const double q5 = atan2(s5, c5);
 
             /* theta6 */
-            const double v11 = v7 * c5;
-            const double v13 = w2z * v11 + v12;
-            const double C6 = v14 - v11 * Z2_6;
-            const double w6 = sqrt(v13 * v13 + C6 * C6);
+            const double v12 = v7 * c5;
+            const double v14 = w2z * v12 + v13;
+            const double C6 = v15 - v12 * Z2_6;
+            const double w6 = sqrt(v14 * v14 + C6 * C6);
             const int free6 = w6 <= free_limit_squared2;
             const double factor6 = 1.0 / (free6 ? 1.0 : w6);
             const double c6 = free6 ? cos(seed[5]) : C6 * factor6;
-            const double s6 = free6 ? sin(seed[5]) : -(v13 * factor6);
+            const double s6 = free6 ? sin(seed[5]) : -(v14 * factor6);
             const double q6 = atan2(s6, c6);
 
             /* theta1 */
-            const double X1 = c6 * (c5 * v16 - v17) + s6 * (c5 * v18 + v19) + v21;
-            const double v29 = c6 * (c5 * v23 - v24) + s6 * (c5 * v25 + v26) + v28;
-            const double w1 = sqrt(X1 * X1 + v29 * v29);
+            const double X1 = c6 * (c5 * v17 - v18) + s6 * (c5 * v19 + v20) + v22;
+            const double v30 = c6 * (c5 * v24 - v25) + s6 * (c5 * v26 + v27) + v29;
+            const double w1 = sqrt(X1 * X1 + v30 * v30);
             const int free1 = w1 <= free_limit;
             const double divisor1 = free1 ? 1.0 : w1;
 
             /* theta3 */
-            const double v37 = c6 * (c5 * v30 + v31) + s6 * (c5 * v32 - v33) + v36;
-            const double v45 = c6 * (c5 * v38 + v39) + s6 * (c5 * v40 - v41) + v44;
-            const double v48 = c6 * v46 + s6 * v47 - c5 * v27;
-            const double v51 = c5 * v20 - (c6 * v49 + s6 * v50);
+            const double v38 = c6 * (c5 * v31 + v32) + s6 * (c5 * v33 - v34) + v37;
+            const double v46 = c6 * (c5 * v39 + v40) + s6 * (c5 * v41 - v42) + v45;
+            const double v49 = c6 * v47 + s6 * v48 - c5 * v28;
+            const double v52 = c5 * v21 - (c6 * v50 + s6 * v51);
 
             /* theta2 */
-            const double c2 = c6 * (c5 * v54 - v55) + s6 * (c5 * v56 + v57) + v59;
-            const double v61 = c6 * (v56 + c5 * v57) + s6 * (c5 * v55 - v54) + v60;
-            const double v64 = c5 * v58 - (c6 * v62 + s6 * v63);
+            const double c2 = c6 * (c5 * v55 - v56) + s6 * (c5 * v57 + v58) + v60;
+            const double v62 = c6 * (v57 + c5 * v58) + s6 * (c5 * v56 - v55) + v61;
+            const double v65 = c5 * v59 - (c6 * v63 + s6 * v64);
 
             for (int i3 = 0; i3 < 2; i3++) { /* left, right */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -1360,16 +1162,16 @@ static void solve(
                 if (e3 < 0.0 && free1) continue; /* both signs give the same */
                 const double factor1 = e3 / divisor1;
                 const double c1 = free1 ? cos(seed[0]) : -(X1 * factor1);
-                const double s1 = free1 ? sin(seed[0]) : -(v29 * factor1);
+                const double s1 = free1 ? sin(seed[0]) : -(v30 * factor1);
                 const double q1 = atan2(s1, c1);
 
                 /* theta3 */
-                const double s3 = (s1 * v45 - c1 * v37) / -a3;
-                const double v52 = a3 * (c1 * v48 + s1 * v51) / -a3;
-                const double q3 = atan2(s3, -v52);
+                const double s3 = (s1 * v46 - c1 * v38) / -a3;
+                const double v53 = a3 * (c1 * v49 + s1 * v52) / -a3;
+                const double q3 = atan2(s3, -v53);
 
                 /* theta2 */
-                const double s2 = v52 * v61 - s3 * v64;
+                const double s2 = v53 * v62 - s3 * v65;
                 const double q2 = atan2(s2, c2);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1;

@@ -16,7 +16,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -47,7 +47,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -100,8 +101,8 @@ merge_slack1 = 1.393e-14  # nearer to that boundary two branches are one [m]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.1155  # 2 * (d3 * a4 + d5 * a3) [m^2]
 k2 = 0.22907550000000002  # 2 * (d3 * d5 - a4 * a3) [m^2]
-k3 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
-k4 = 0.06581583470025  # (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4]
+k3 = 0.06581583470025  # (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4]
+k4 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
 k5 = 15.193911990243306  # 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4]
 doubt_limit_squared2 = 1.940449e-06  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
@@ -396,9 +397,9 @@ def _solve(pose, q_free, seed, q, status):
     w2z = T13 * v1 + T23 * v2 + T33 * v3
     Z4 = (
         c7 * (2.0 * (w2x * a6)) - s7 * (2.0 * (w2y * a6)) + (w2x * w2x + (w2y * w2y + (w2z * w2z -
-        k3)))
+        k4)))
     )
-    D4 = k4 - Z4 * Z4
+    D4 = k3 - Z4 * Z4
     v4 = 2.0 * abs(Z4)
     apart4 = merge_slack2 * (v4 + merge_slack2) < D4
     if not (-(reach_slack2 * (v4 + reach_slack2)) <= D4):
@@ -410,35 +411,36 @@ def _solve(pose, q_free, seed, q, status):
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
     Z5 = c7 * w2y + s7 * w2x
     v8 = Z5 * Z5
-    v9 = 2.0 * abs(Z5)
-    v10 = merge_slack1 * (v9 + merge_slack1)
+    v9 = abs(Z5)
+    v10 = 2.0 * v9
+    v11 = merge_slack1 * (v10 + merge_slack1)
 
     # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
     Z2_6 = a6 + (c7 * w2x - s7 * w2y)
 
     # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
-    v15 = c7 * T11 - s7 * T12
-    v20 = c7 * T12 + s7 * T11
-    v22 = c7 * T21 - s7 * T22
-    v27 = c7 * T22 + s7 * T21
+    v16 = c7 * T11 - s7 * T12
+    v21 = c7 * T12 + s7 * T11
+    v23 = c7 * T21 - s7 * T22
+    v28 = c7 * T22 + s7 * T21
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    v30 = a4 * v22
-    v31 = d5 * T23
-    v32 = a4 * T23
-    v33 = d5 * v22
-    v34 = a4 * v27
-    v35 = v2 + (c7 * (T21 * a6) - s7 * (T22 * a6))
-    v38 = a4 * v15
-    v39 = d5 * T13
-    v40 = a4 * T13
-    v41 = d5 * v15
-    v42 = a4 * v20
-    v43 = v1 + (c7 * (T11 * a6) - s7 * (T12 * a6))
+    v31 = a4 * v23
+    v32 = d5 * T23
+    v33 = a4 * T23
+    v34 = d5 * v23
+    v35 = a4 * v28
+    v36 = v2 + (c7 * (T21 * a6) - s7 * (T22 * a6))
+    v39 = a4 * v16
+    v40 = d5 * T13
+    v41 = a4 * T13
+    v42 = d5 * v16
+    v43 = a4 * v21
+    v44 = v1 + (c7 * (T11 * a6) - s7 * (T12 * a6))
 
     # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
-    v53 = c7 * T31 - s7 * T32
-    v58 = c7 * T32 + s7 * T31
+    v54 = c7 * T31 - s7 * T32
+    v59 = c7 * T32 + s7 * T31
 
     for i1 in range(2):  # noflip4, flip4
         e1 = 1.0 - 2.0 * i1
@@ -453,49 +455,49 @@ def _solve(pose, q_free, seed, q, status):
         # theta5
         v7 = a3 * c4 + d3 * s4 - a4
         N5 = -v7 * -v7
-        D5 = N5 - v8
         free5 = N5 <= free_limit_squared2
-        apart5 = v10 < D5
-        if not (-(reach_slack1 * (v9 + reach_slack1)) <= D5):
+        D5 = N5 - v8
+        apart5 = v11 < D5
+        if not (-(reach_slack1 * (v10 + reach_slack1)) <= D5):
             continue  # out of reach
         w5 = math.sqrt(D5 if apart5 else 0.0)
-        inverse5 = 1.0 / (1.0 if free5 else N5)
+        inverse5 = 1.0 / (1.0 if free5 else (N5 if apart5 else v9 * math.sqrt(N5)))
         s5 = math.sin(seed[4]) if free5 else inverse5 * (-v7 * Z5)
 
         # theta6
         Y1_6 = d5 + (d3 * c4 - a3 * s4)
-        v12 = Y1_6 * Z2_6
-        v14 = w2z * Y1_6
+        v13 = Y1_6 * Z2_6
+        v15 = w2z * Y1_6
 
         # theta1
-        v16 = s4 * v15
-        v17 = T13 * c4
-        v18 = T13 * s4
-        v19 = c4 * v15
-        v21 = s5 * (s4 * v20)
-        v23 = s4 * v22
-        v24 = T23 * c4
-        v25 = T23 * s4
-        v26 = c4 * v22
-        v28 = s5 * (s4 * v27)
+        v17 = s4 * v16
+        v18 = T13 * c4
+        v19 = T13 * s4
+        v20 = c4 * v16
+        v22 = s5 * (s4 * v21)
+        v24 = s4 * v23
+        v25 = T23 * c4
+        v26 = T23 * s4
+        v27 = c4 * v23
+        v29 = s5 * (s4 * v28)
 
         # theta3
-        v36 = s5 * v34 - v35
-        v44 = s5 * v42 - v43
-        v46 = s5 * v22
-        v47 = T23 * s5
-        v49 = s5 * v15
-        v50 = T13 * s5
+        v37 = s5 * v35 - v36
+        v45 = s5 * v43 - v44
+        v47 = s5 * v23
+        v48 = T23 * s5
+        v50 = s5 * v16
+        v51 = T13 * s5
 
         # theta2
-        v54 = s4 * v53
-        v55 = T33 * c4
-        v56 = T33 * s4
-        v57 = c4 * v53
-        v59 = s5 * (s4 * v58)
-        v60 = s5 * (c4 * v58)
-        v62 = s5 * v53
-        v63 = T33 * s5
+        v55 = s4 * v54
+        v56 = T33 * c4
+        v57 = T33 * s4
+        v58 = c4 * v54
+        v60 = s5 * (s4 * v59)
+        v61 = s5 * (c4 * v59)
+        v63 = s5 * v54
+        v64 = T33 * s5
 
         for i2 in range(2):  # noflip5, flip5
             e2 = 1.0 - 2.0 * i2
@@ -506,33 +508,33 @@ def _solve(pose, q_free, seed, q, status):
             q5 = _atan2(s5, c5)
 
             # theta6
-            v11 = v7 * c5
-            v13 = w2z * v11 + v12
-            C6 = v14 - v11 * Z2_6
-            w6 = math.sqrt(v13 * v13 + C6 * C6)
+            v12 = v7 * c5
+            v14 = w2z * v12 + v13
+            C6 = v15 - v12 * Z2_6
+            w6 = math.sqrt(v14 * v14 + C6 * C6)
             free6 = w6 <= free_limit_squared2
             factor6 = 1.0 / (1.0 if free6 else w6)
             c6 = math.cos(seed[5]) if free6 else C6 * factor6
-            s6 = math.sin(seed[5]) if free6 else -(v13 * factor6)
+            s6 = math.sin(seed[5]) if free6 else -(v14 * factor6)
             q6 = _atan2(s6, c6)
 
             # theta1
-            X1 = c6 * (c5 * v16 - v17) + s6 * (c5 * v18 + v19) + v21
-            v29 = c6 * (c5 * v23 - v24) + s6 * (c5 * v25 + v26) + v28
-            w1 = math.sqrt(X1 * X1 + v29 * v29)
+            X1 = c6 * (c5 * v17 - v18) + s6 * (c5 * v19 + v20) + v22
+            v30 = c6 * (c5 * v24 - v25) + s6 * (c5 * v26 + v27) + v29
+            w1 = math.sqrt(X1 * X1 + v30 * v30)
             free1 = w1 <= free_limit
             divisor1 = 1.0 if free1 else w1
 
             # theta3
-            v37 = c6 * (c5 * v30 + v31) + s6 * (c5 * v32 - v33) + v36
-            v45 = c6 * (c5 * v38 + v39) + s6 * (c5 * v40 - v41) + v44
-            v48 = c6 * v46 + s6 * v47 - c5 * v27
-            v51 = c5 * v20 - (c6 * v49 + s6 * v50)
+            v38 = c6 * (c5 * v31 + v32) + s6 * (c5 * v33 - v34) + v37
+            v46 = c6 * (c5 * v39 + v40) + s6 * (c5 * v41 - v42) + v45
+            v49 = c6 * v47 + s6 * v48 - c5 * v28
+            v52 = c5 * v21 - (c6 * v50 + s6 * v51)
 
             # theta2
-            c2 = c6 * (c5 * v54 - v55) + s6 * (c5 * v56 + v57) + v59
-            v61 = c6 * (v56 + c5 * v57) + s6 * (c5 * v55 - v54) + v60
-            v64 = c5 * v58 - (c6 * v62 + s6 * v63)
+            c2 = c6 * (c5 * v55 - v56) + s6 * (c5 * v57 + v58) + v60
+            v62 = c6 * (v57 + c5 * v58) + s6 * (c5 * v56 - v55) + v61
+            v65 = c5 * v59 - (c6 * v63 + s6 * v64)
 
             for i3 in range(2):  # left, right
                 e3 = 1.0 - 2.0 * i3
@@ -541,16 +543,16 @@ def _solve(pose, q_free, seed, q, status):
                     continue  # both signs give the same
                 factor1 = e3 / divisor1
                 c1 = math.cos(seed[0]) if free1 else -(X1 * factor1)
-                s1 = math.sin(seed[0]) if free1 else -(v29 * factor1)
+                s1 = math.sin(seed[0]) if free1 else -(v30 * factor1)
                 q1 = _atan2(s1, c1)
 
                 # theta3
-                s3 = (s1 * v45 - c1 * v37) / -a3
-                v52 = a3 * (c1 * v48 + s1 * v51) / -a3
-                q3 = _atan2(s3, -v52)
+                s3 = (s1 * v46 - c1 * v38) / -a3
+                v53 = a3 * (c1 * v49 + s1 * v52) / -a3
+                q3 = _atan2(s3, -v53)
 
                 # theta2
-                s2 = v52 * v61 - s3 * v64
+                s2 = v53 * v62 - s3 * v65
                 q2 = _atan2(s2, c2)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
@@ -673,9 +675,9 @@ def _regular(pose, q_free, q, status):
     # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
     Z4 = (
         c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z * w2z -
-        k3)))
+        k4)))
     )
-    D4 = k4 - Z4 * Z4
+    D4 = k3 - Z4 * Z4
     v4 = 2.0 * abs(Z4)
     w4 = math.sqrt(D4)
     v5 = m2 * Z4
@@ -691,17 +693,17 @@ def _regular(pose, q_free, q, status):
     v11 = a3 * c4_p + d3 * s4_p - a4
     v12 = a3 * c4_m - d3 * v9 - a4
     v13 = m4 + m5 * Z4
-    Z5 = c7 * w2y + s7 * w2x
     v14 = m3 * w4
     v15 = v13 - v14
     v16 = v13 + v14
     N5_p = v15 * v15
     N5_m = v16 * v16
+    free5_p = N5_p <= doubt_limit_squared2
+    free5_m = N5_m <= doubt_limit_squared2
+    Z5 = c7 * w2y + s7 * w2x
     v17 = Z5 * Z5
     D5_p = N5_p - v17
     D5_m = N5_m - v17
-    free5_p = N5_p <= doubt_limit_squared2
-    free5_m = N5_m <= doubt_limit_squared2
     v18 = 2.0 * abs(Z5)
     v19 = merge_slack1 * (merge_slack1 + v18)
     w5_p = math.sqrt(D5_p)
@@ -714,8 +716,8 @@ def _regular(pose, q_free, q, status):
     v23 = v16 * w5_m
     v24 = inverse5_p * v22
     v25 = inverse5_m * v23
-    v26 = Z5 * v15
-    v27 = Z5 * v16
+    v26 = v15 * Z5
+    v27 = v16 * Z5
     s5_p = inverse5_p * v26
     s5_m = inverse5_m * v27
 
@@ -890,10 +892,10 @@ def _regular(pose, q_free, q, status):
     q7_mpp = v21 + v164
     doubt1 = (
         v78 <= m9 or (v45 <= m8 or (v77 <= m9 or (v44 <= m8 or (v76 <= m9 or (v43 <= m8 or (v75 <=
-        m9 or (v42 <= m8 or (-(reach_slack1 * (reach_slack1 + v18)) <= D5_m and (free5_m or not (v19
-        < D5_m)) or (free5_m or (-(reach_slack1 * (reach_slack1 + v18)) <= D5_p and (free5_p or not
-        (v19 < D5_p)) or (-(reach_slack2 * (reach_slack2 + v4)) <= D4 and not (merge_slack2 *
-        (merge_slack2 + v4) < D4) or free5_p)))))))))))
+        m9 or (v42 <= m8 or ((-(reach_slack1 * (reach_slack1 + v18)) <= D5_m and (free5_m or not
+        (v19 < D5_m))) or (free5_m or ((-(reach_slack1 * (reach_slack1 + v18)) <= D5_p and (free5_p
+        or not (v19 < D5_p))) or ((-(reach_slack2 * (reach_slack2 + v4)) <= D4 and not (merge_slack2
+        * (merge_slack2 + v4) < D4)) or free5_p)))))))))))
     )
 
     # angles, side by side
@@ -1124,6 +1126,11 @@ def _into(T, q_free, seed, q, status):
         raise ValueError("T, q and status must be (4, 4), (8, 7) and (8,)")
     if q_free.shape != (1,):
         raise ValueError("q_free must be (1,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T, q_free)
     if not valid:
         status[:] = INVALID_POSE
@@ -1170,7 +1177,8 @@ def ik_into(T, q_free, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(7), 7)) if q_seed is None else q_seed
     if seed.shape != (7,):
@@ -1386,9 +1394,9 @@ def _in_tiles(T, q_free, q, status):
             c7 = work[928 + k]
             Z4 = (
                 c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
-                w2z - k3)))
+                w2z - k4)))
             )
-            D4 = k4 - Z4 * Z4
+            D4 = k3 - Z4 * Z4
             v4 = 2.0 * abs(Z4)
             w4 = math.sqrt(D4)
             v5 = m2 * Z4
@@ -1402,17 +1410,17 @@ def _in_tiles(T, q_free, q, status):
             v11 = a3 * c4_p + d3 * s4_p - a4
             v12 = a3 * c4_m - d3 * v9 - a4
             v13 = m4 + m5 * Z4
-            Z5 = c7 * w2y + s7 * w2x
             v14 = m3 * w4
             v15 = v13 - v14
             v16 = v13 + v14
             N5_p = v15 * v15
             N5_m = v16 * v16
+            free5_p = N5_p <= doubt_limit_squared2
+            free5_m = N5_m <= doubt_limit_squared2
+            Z5 = c7 * w2y + s7 * w2x
             v17 = Z5 * Z5
             D5_p = N5_p - v17
             D5_m = N5_m - v17
-            free5_p = N5_p <= doubt_limit_squared2
-            free5_m = N5_m <= doubt_limit_squared2
             v18 = 2.0 * abs(Z5)
             v19 = merge_slack1 * (merge_slack1 + v18)
             w5_p = math.sqrt(D5_p)
@@ -1425,8 +1433,8 @@ def _in_tiles(T, q_free, q, status):
             v23 = v16 * w5_m
             v24 = inverse5_p * v22
             v25 = inverse5_m * v23
-            v26 = Z5 * v15
-            v27 = Z5 * v16
+            v26 = v15 * Z5
+            v27 = v16 * Z5
             s5_p = inverse5_p * v26
             s5_m = inverse5_m * v27
             v28 = m7 + m3 * Z4
@@ -1591,10 +1599,11 @@ def _in_tiles(T, q_free, q, status):
             q7_mpp = v21 + v164
             doubt1 = (
                 v78 <= m9 or (v45 <= m8 or (v77 <= m9 or (v44 <= m8 or (v76 <= m9 or (v43 <= m8 or
-                (v75 <= m9 or (v42 <= m8 or (-(reach_slack1 * (reach_slack1 + v18)) <= D5_m and
-                (free5_m or not (v19 < D5_m)) or (free5_m or (-(reach_slack1 * (reach_slack1 + v18))
-                <= D5_p and (free5_p or not (v19 < D5_p)) or (-(reach_slack2 * (reach_slack2 + v4))
-                <= D4 and not (merge_slack2 * (merge_slack2 + v4) < D4) or free5_p)))))))))))
+                (v75 <= m9 or (v42 <= m8 or ((-(reach_slack1 * (reach_slack1 + v18)) <= D5_m and
+                (free5_m or not (v19 < D5_m))) or (free5_m or ((-(reach_slack1 * (reach_slack1 +
+                v18)) <= D5_p and (free5_p or not (v19 < D5_p))) or ((-(reach_slack2 * (reach_slack2
+                + v4)) <= D4 and not (merge_slack2 * (merge_slack2 + v4) < D4)) or
+                free5_p)))))))))))
             )
             work[960 + k] = v20
             work[992 + k] = v21
@@ -1888,6 +1897,20 @@ def ik_batch(T, q_free, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((8, 7)), np.empty(8, _BYTE)
+    T = fk(_ZEROS)
+    q_free = np.zeros(1)
+    jacobian(_ZEROS)
+    ik_into(T, q_free, q, status)
+    ik_into(T, q_free, q, status, _ZEROS)
+    _unseeded(T, q_free, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(7))
+    q_free = q_free[np.newaxis]
+    ik_batch(T[np.newaxis], q_free)
 
 
 def _share(solve, cores, *arrays):

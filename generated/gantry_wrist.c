@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -427,19 +425,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[2])
     const wide angle3 = atan2_wide(v2, T33 * T22 - T23 * T32);
     const wide q6_m = angle3 - h1 * copysign_wide(all_wide(half_turn), v2);
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
-    q[3] = angle1;
-    q[4] = angle2;
-    q[5] = angle3;
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = angle1; q[4] = angle2; q[5] = angle3;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_p;
-    q[7] = q2_p;
-    q[8] = q3_p;
-    q[9] = q4_m;
-    q[10] = -angle2;
-    q[11] = q6_m;
+    q[6] = q1_p; q[7] = q2_p; q[8] = q3_p; q[9] = q4_m; q[10] = -angle2; q[11] = q6_m;
     kind[1] = kind_of(q[6] != q[6], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -472,8 +460,7 @@ HELPER int solve_regular(const double T[16], double q[2][6], unsigned char statu
     const four v3 = m2 * (e1 - 1.0);
 
     /* theta6 */
-    const double v4 = T33 * T21 - T23 * T31;
-    const double v5 = copysign(half_turn, v4);
+    const double v4 = T33 * T21 - T23 * T31, v5 = copysign(half_turn, v4);
 
     const four packed1 = atan2_four((four){ T23, -sqrt(v1), v4, T23 }, (four){ -T33, T13, T33 * T22
         - T23 * T32, -T33 });

@@ -406,7 +406,7 @@ static inline general_5r1p_lane general_5r1p_with_sign(general_5r1p_lane x, gene
 
 static inline general_5r1p_lane general_5r1p_sqrt(general_5r1p_lane x)
 {
-    general_5r1p_lane r;
+    general_5r1p_lane r = x;
     for (int k = 0; k < GENERAL_5R1P_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
@@ -509,6 +509,12 @@ static const general_5r1p_formulation general_5r1p_formulations[2] = {
     { { 4, 3, 2, 1, 0, 5 }, -1.0 },
     { { 3, 2, 1, 0, 5, 4 }, -1.0 },
 };
+
+/* Whether a joint is a slide, whose length stands in the sine's place. */
+static inline int general_5r1p_slides(int joint)
+{
+    return joint == 2;
+}
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
  * whose
@@ -1287,6 +1293,92 @@ static void general_5r1p_close(const double T[16], general_5r1p_loop *loop)
     }
 }
 
+/* a rigid transform for each lane */
+typedef general_5r1p_lane general_5r1p_rigid[3][4];
+
+/* T Rz */
+static inline void general_5r1p_turn(general_5r1p_rigid T, general_5r1p_lane c, general_5r1p_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const general_5r1p_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* T Tz */
+static inline void general_5r1p_slide(general_5r1p_rigid T, general_5r1p_lane d)
+{
+    for (int i = 0; i < 3; i++) {
+        T[i][3] += T[i][2] * d;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void general_5r1p_move(general_5r1p_rigid T, int joint, general_5r1p_lane c,
+    general_5r1p_lane s)
+{
+    if (general_5r1p_slides(joint)) {
+        general_5r1p_slide(T, s);
+        return;
+    }
+    general_5r1p_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void general_5r1p_follow(general_5r1p_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const general_5r1p_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void general_5r1p_begin(general_5r1p_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = general_5r1p_all(K[i]);
+    }
+}
+
+static inline void general_5r1p_to_unit(general_5r1p_lane *c, general_5r1p_lane *s)
+{
+    const general_5r1p_lane square = *c * *c + *s * *s, factor = 1.0 / general_5r1p_sqrt(square +
+        1e-300);
+    *c = general_5r1p_select(square > 1e-300, *c * factor, general_5r1p_all(1.0));
+    *s = general_5r1p_select(square > 1e-300, *s * factor, general_5r1p_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline general_5r1p_lane general_5r1p_reflect(general_5r1p_lane *const *row, int rows, int
+    column, int columns)
+{
+    general_5r1p_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = general_5r1p_with_sign(general_5r1p_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        general_5r1p_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
  * and
  * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
@@ -1464,9 +1556,9 @@ static void general_5r1p_equations(const general_5r1p_formulation *form, double 
         }
     }
     general_5r1p_clear(A, 8, 6, pair_axis, pair_factor);
-    general_5r1p_pass(link[2], x, 1, form->joint[2] == 2 ? general_5r1p_lengths :
+    general_5r1p_pass(link[2], x, 1, general_5r1p_slides(form->joint[2]) ? general_5r1p_lengths :
         general_5r1p_tangents, y);
-    general_5r1p_pass(link[1], y, 3, form->joint[1] == 2 ? general_5r1p_lengths :
+    general_5r1p_pass(link[1], y, 3, general_5r1p_slides(form->joint[1]) ? general_5r1p_lengths :
         general_5r1p_tangents, x);
     general_5r1p_pass(link[0], x, 9, general_5r1p_cosines, y);
     for (int k = 0; k < 32; k += GENERAL_5R1P_LANES) {
@@ -1488,33 +1580,6 @@ static void general_5r1p_equations(const general_5r1p_formulation *form, double 
             GENERAL_5R1P_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
-static inline general_5r1p_lane general_5r1p_reflect(general_5r1p_lane *const *row, int rows, int
-    column, int columns)
-{
-    general_5r1p_lane axis[6], square = {0}, length, factor;
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        square += axis[i] * axis[i];
-    }
-    length = general_5r1p_with_sign(general_5r1p_sqrt(square), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        general_5r1p_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
-        }
-        sum *= factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
 }
 
 /* The determinant at hidden angles, and the upper triangular factor whose null vectors are
@@ -2024,6 +2089,71 @@ static void general_5r1p_find_roots(const general_5r1p_trigonometric *f, general
     }
 }
 
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} general_5r1p_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline general_5r1p_lane general_5r1p_through(const general_5r1p_lens *a, general_5r1p_lane
+    *c, general_5r1p_lane *s)
+{
+    const general_5r1p_lane u = *c + a->x, v = *s + a->y;
+    const general_5r1p_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const general_5r1p_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline general_5r1p_lane general_5r1p_weighted(general_5r1p_lane f, general_5r1p_lane square)
+{
+    const general_5r1p_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int general_5r1p_spread(const double samples[24], general_5r1p_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * general_5r1p_sample_c[k];
+        y += ratio * general_5r1p_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void general_5r1p_behind(const general_5r1p_lens *a, int count, double *cosine, double *sine)
+{
+    for (int i = 0; i < count; i += GENERAL_5R1P_LANES) {
+        general_5r1p_lane c = GENERAL_5R1P_LOAD(cosine + i), s = GENERAL_5R1P_LOAD(sine + i);
+        (void)general_5r1p_through(a, &c, &s);
+        GENERAL_5R1P_STORE(cosine + i, c);
+        GENERAL_5R1P_STORE(sine + i, s);
+    }
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
@@ -2032,9 +2162,6 @@ typedef struct {
     int count, groups, group[GENERAL_5R1P_CANDIDATES];
     double c[GENERAL_5R1P_CANDIDATES], s[GENERAL_5R1P_CANDIDATES], n[6][GENERAL_5R1P_CANDIDATES];
 } general_5r1p_candidates;
-
-/* a rigid transform for each lane */
-typedef general_5r1p_lane general_5r1p_rigid[3][4];
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
 static inline void general_5r1p_inverse_iteration(general_5r1p_lane U[6][6], const general_5r1p_lane
@@ -2221,55 +2348,6 @@ static void general_5r1p_null_plane(const double *E, double c, double s, general
     out->groups++;
 }
 
-/* T Rz */
-static inline void general_5r1p_turn(general_5r1p_rigid T, general_5r1p_lane c, general_5r1p_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const general_5r1p_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* T Tz */
-static inline void general_5r1p_slide(general_5r1p_rigid T, general_5r1p_lane d)
-{
-    for (int i = 0; i < 3; i++) {
-        T[i][3] += T[i][2] * d;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void general_5r1p_move(general_5r1p_rigid T, int joint, general_5r1p_lane c,
-    general_5r1p_lane s)
-{
-    if (joint == 2) {
-        general_5r1p_slide(T, s);
-        return;
-    }
-    (void)joint;
-    general_5r1p_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void general_5r1p_follow(general_5r1p_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const general_5r1p_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void general_5r1p_begin(general_5r1p_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = general_5r1p_all(K[i]);
-    }
-}
-
 /* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
  * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
 static void general_5r1p_invariants(const double K[12], const double M[12], double w[5],
@@ -2311,14 +2389,6 @@ static void general_5r1p_invariants(const double K[12], const double M[12], doub
     }
 }
 
-static inline void general_5r1p_to_unit(general_5r1p_lane *c, general_5r1p_lane *s)
-{
-    const general_5r1p_lane square = *c * *c + *s * *s, factor = 1.0 / general_5r1p_sqrt(square +
-        1e-300);
-    *c = general_5r1p_select(square > 1e-300, *c * factor, general_5r1p_all(1.0));
-    *s = general_5r1p_select(square > 1e-300, *s * factor, general_5r1p_all(0.0));
-}
-
 /* phi_2 and phi_3 from the null vector */
 static inline void general_5r1p_partners(const int joint[6], const general_5r1p_lane n[6],
     general_5r1p_lane c[6],
@@ -2339,10 +2409,10 @@ static inline void general_5r1p_partners(const int joint[6], const general_5r1p_
     s[2] = 2.0 * top * bottom;
     general_5r1p_to_unit(&c[1], &s[1]);
     general_5r1p_to_unit(&c[2], &s[2]);
-    if (joint[1] == 2) { /* x^2 over x and x over 1, by least squares */
+    if (general_5r1p_slides(joint[1])) { /* x^2 over x and x over 1, by least squares */
         s[1] = row[1] * (row[0] + row[2]) / (row[1] * row[1] + row[2] * row[2] + 1e-300);
     }
-    if (joint[2] == 2) {
+    if (general_5r1p_slides(joint[2])) {
         s[2] = top * bottom / (bottom * bottom + 1e-300);
     }
 }
@@ -2535,7 +2605,7 @@ static inline general_5r1p_lane general_5r1p_polish(const general_5r1p_loop *loo
         } else {
             (void)general_5r1p_step(J, x);
         }
-        const general_5r1p_lane before = ts[2];
+        const general_5r1p_lane length_2 = ts[2];
         for (int i = 0; i < 6; i++) {
             /* a turn by 2 atan(x/2), without trigonometry */
             const general_5r1p_lane u = 0.25 * x[i] * x[i], f = 1.0 / (1.0 + u);
@@ -2543,7 +2613,7 @@ static inline general_5r1p_lane general_5r1p_polish(const general_5r1p_loop *loo
             tc[i] = old * dc - ts[i] * ds;
             ts[i] = ts[i] * dc + old * ds;
         }
-        ts[2] = before + x[2];
+        ts[2] = length_2 + x[2];
         now = general_5r1p_error(loop, tc, ts, J);
         better = now < least;
         for (int i = 0; i < 6; i++) {
@@ -2569,7 +2639,7 @@ static double general_5r1p_gap(const double a[6], const double b[6])
     double most = 0.0;
     for (int j = 0; j < 6; j++) {
         double gap = fabs(a[j] - b[j]);
-        if (j == 2) {
+        if (general_5r1p_slides(j)) {
             most = gap > most ? gap : most;
             continue;
         }
@@ -2617,7 +2687,7 @@ static unsigned general_5r1p_offer(const general_5r1p_loop *loop, general_5r1p_l
 {
     double residual[GENERAL_5R1P_LANES], theta[6][GENERAL_5R1P_LANES], pivot[GENERAL_5R1P_LANES] =
         {0.0};
-    double length[GENERAL_5R1P_LANES];
+    double length_2[GENERAL_5R1P_LANES];
     unsigned met = 0;
     GENERAL_5R1P_STORE(residual, general_5r1p_polish(loop, c, s, steps, steps > 4));
     if (doubtful) {
@@ -2630,14 +2700,14 @@ static unsigned general_5r1p_offer(const general_5r1p_loop *loop, general_5r1p_l
         GENERAL_5R1P_STORE(theta[i],
                       general_5r1p_angle(s[i] * cosine + c[i] * sine, c[i] * cosine - s[i] * sine));
     }
-    GENERAL_5R1P_STORE(length, s[2]);
+    GENERAL_5R1P_STORE(length_2, s[2]);
     for (int k = 0; k < count; k++) {
         double row[6];
         for (int i = 0; i < 6; i++) {
             /* half a turn is +pi, also when rounding says otherwise */
             row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
         }
-        row[2] = length[k];
+        row[2] = length_2[k];
         place[k] = general_5r1p_keep(found, row, residual[k]);
         if (place[k] >= 0) {
             met |= 1u << place[k];
@@ -2647,22 +2717,6 @@ static unsigned general_5r1p_offer(const general_5r1p_loop *loop, general_5r1p_l
         }
     }
     return met;
-}
-
-/* Roots that nearly meet are tried as one double root too. */
-static void general_5r1p_close_roots(const double *E, const general_5r1p_roots *roots,
-    general_5r1p_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                general_5r1p_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
 }
 
 static int general_5r1p_bits(unsigned set)
@@ -2694,6 +2748,22 @@ static void general_5r1p_around(const general_5r1p_formulation *form, const gene
             general_5r1p_invert(loop->link[joint - 1], link[i]);
         } else {
             general_5r1p_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void general_5r1p_close_roots(const double *E, const general_5r1p_roots *roots,
+    general_5r1p_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                general_5r1p_null_plane(E, c * factor, s * factor, out);
+            }
         }
     }
 }
@@ -2741,6 +2811,19 @@ static int general_5r1p_settle(const general_5r1p_formulation *form, const gener
     return complete && general_5r1p_bits(met) >= expected && general_5r1p_paired(found);
 }
 
+/* The determinant at the sample angles, through a lens. */
+static void general_5r1p_sample(const double *E, const general_5r1p_lens *lens, double samples[24])
+{
+    for (int k = 0; k < 24; k += GENERAL_5R1P_LANES) {
+        general_5r1p_lane factor[6][6];
+        general_5r1p_lane c = GENERAL_5R1P_LOAD(general_5r1p_sample_c + k), s =
+            GENERAL_5R1P_LOAD(general_5r1p_sample_s + k);
+        const general_5r1p_lane square = general_5r1p_through(lens, &c, &s);
+        GENERAL_5R1P_STORE(samples + k, general_5r1p_weighted(general_5r1p_fold(E, c, s, factor),
+            square));
+    }
+}
+
 /* Find what a formulation finds; whether that is certainly everything. */
 static int general_5r1p_attempt(const general_5r1p_formulation *form, const general_5r1p_loop *loop,
                            general_5r1p_found *found)
@@ -2749,19 +2832,20 @@ static int general_5r1p_attempt(const general_5r1p_formulation *form, const gene
     general_5r1p_trigonometric f;
     general_5r1p_roots roots;
     general_5r1p_candidates all;
+    general_5r1p_lens lens = {0.0, 0.0};
     general_5r1p_around(form, loop, link);
     general_5r1p_equations(form, link, E);
-    for (int k = 0; k < 24; k += GENERAL_5R1P_LANES) {
-        general_5r1p_lane factor[6][6];
-        GENERAL_5R1P_STORE(samples + k, general_5r1p_fold(E, GENERAL_5R1P_LOAD(general_5r1p_sample_c
-            + k),
-                                   GENERAL_5R1P_LOAD(general_5r1p_sample_s + k), factor));
+    general_5r1p_sample(E, &lens, samples);
+    if (general_5r1p_spread(samples, &lens)) {
+        general_5r1p_sample(E, &lens, samples);
     }
     general_5r1p_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }
     general_5r1p_find_roots(&f, &roots);
+    general_5r1p_behind(&lens, roots.simple, roots.c, roots.s);
+    general_5r1p_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     general_5r1p_null_vectors(E, &roots, &all);
     general_5r1p_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
@@ -2796,7 +2880,8 @@ static unsigned general_5r1p_follow_back(const general_5r1p_loop *loop, double (
         for (int i = 0; i < 6; i++) {
             for (int k = 0; k < GENERAL_5R1P_LANES; k++) {
                 const double angle = start[from + (k < now ? k : 0)][i];
-                const double cosine = cos(angle), sine = i == 2 ? angle : sin(angle);
+                const double cosine = cos(angle), sine = general_5r1p_slides(i) ? angle :
+                    sin(angle);
                 cs[0][i][k] = cosine * general_5r1p_advance[0][i] + sine *
                     general_5r1p_advance[1][i];
                 cs[1][i][k] = sine * general_5r1p_advance[0][i] - cosine *
@@ -2849,7 +2934,7 @@ static int general_5r1p_from_nearby(const general_5r1p_loop *loop, general_5r1p_
 static void general_5r1p_from_anywhere(const general_5r1p_loop *loop, general_5r1p_found *found)
 {
     unsigned long long seed = 1;
-    for (int batch = 0; batch < 8; batch++) {
+    for (int batch = 0; batch < 16; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
@@ -2904,7 +2989,8 @@ static int general_5r1p_before(const double a[6], const double b[6])
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
  * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
-static int general_5r1p_general(const double T[16], double q[16][6], double residual[16])
+static int general_5r1p_general(const double T[16], double q[16][6],
+                         double residual[16])
 {
     general_5r1p_found found;
     general_5r1p_loop whole;

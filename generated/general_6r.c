@@ -406,7 +406,7 @@ static inline general_6r_lane general_6r_with_sign(general_6r_lane x, general_6r
 
 static inline general_6r_lane general_6r_sqrt(general_6r_lane x)
 {
-    general_6r_lane r;
+    general_6r_lane r = x;
     for (int k = 0; k < GENERAL_6R_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
@@ -1288,6 +1288,81 @@ static void general_6r_close(const double T[16], general_6r_loop *loop)
     }
 }
 
+/* a rigid transform for each lane */
+typedef general_6r_lane general_6r_rigid[3][4];
+
+/* T Rz */
+static inline void general_6r_turn(general_6r_rigid T, general_6r_lane c, general_6r_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const general_6r_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void general_6r_move(general_6r_rigid T, int joint, general_6r_lane c, general_6r_lane
+    s)
+{
+    (void)joint;
+    general_6r_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void general_6r_follow(general_6r_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const general_6r_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void general_6r_begin(general_6r_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = general_6r_all(K[i]);
+    }
+}
+
+static inline void general_6r_to_unit(general_6r_lane *c, general_6r_lane *s)
+{
+    const general_6r_lane square = *c * *c + *s * *s, factor = 1.0 / general_6r_sqrt(square +
+        1e-300);
+    *c = general_6r_select(square > 1e-300, *c * factor, general_6r_all(1.0));
+    *s = general_6r_select(square > 1e-300, *s * factor, general_6r_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline general_6r_lane general_6r_reflect(general_6r_lane *const *row, int rows, int column,
+    int columns)
+{
+    general_6r_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = general_6r_with_sign(general_6r_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        general_6r_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
  * and
  * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
@@ -1463,33 +1538,6 @@ static void general_6r_equations(const general_6r_formulation *form, double link
             GENERAL_6R_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
-static inline general_6r_lane general_6r_reflect(general_6r_lane *const *row, int rows, int column,
-    int columns)
-{
-    general_6r_lane axis[6], square = {0}, length, factor;
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        square += axis[i] * axis[i];
-    }
-    length = general_6r_with_sign(general_6r_sqrt(square), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        general_6r_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
-        }
-        sum *= factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
 }
 
 /* The determinant at hidden angles, and the upper triangular factor whose null vectors are
@@ -1992,6 +2040,71 @@ static void general_6r_find_roots(const general_6r_trigonometric *f, general_6r_
     }
 }
 
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} general_6r_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline general_6r_lane general_6r_through(const general_6r_lens *a, general_6r_lane *c,
+    general_6r_lane *s)
+{
+    const general_6r_lane u = *c + a->x, v = *s + a->y;
+    const general_6r_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const general_6r_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline general_6r_lane general_6r_weighted(general_6r_lane f, general_6r_lane square)
+{
+    const general_6r_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int general_6r_spread(const double samples[24], general_6r_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * general_6r_sample_c[k];
+        y += ratio * general_6r_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void general_6r_behind(const general_6r_lens *a, int count, double *cosine, double *sine)
+{
+    for (int i = 0; i < count; i += GENERAL_6R_LANES) {
+        general_6r_lane c = GENERAL_6R_LOAD(cosine + i), s = GENERAL_6R_LOAD(sine + i);
+        (void)general_6r_through(a, &c, &s);
+        GENERAL_6R_STORE(cosine + i, c);
+        GENERAL_6R_STORE(sine + i, s);
+    }
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
@@ -2000,9 +2113,6 @@ typedef struct {
     int count, groups, group[GENERAL_6R_CANDIDATES];
     double c[GENERAL_6R_CANDIDATES], s[GENERAL_6R_CANDIDATES], n[6][GENERAL_6R_CANDIDATES];
 } general_6r_candidates;
-
-/* a rigid transform for each lane */
-typedef general_6r_lane general_6r_rigid[3][4];
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
 static inline void general_6r_inverse_iteration(general_6r_lane U[6][6], const general_6r_lane
@@ -2188,43 +2298,6 @@ static void general_6r_null_plane(const double *E, double c, double s, general_6
     out->groups++;
 }
 
-/* T Rz */
-static inline void general_6r_turn(general_6r_rigid T, general_6r_lane c, general_6r_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const general_6r_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void general_6r_move(general_6r_rigid T, int joint, general_6r_lane c, general_6r_lane
-    s)
-{
-    (void)joint;
-    general_6r_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void general_6r_follow(general_6r_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const general_6r_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void general_6r_begin(general_6r_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = general_6r_all(K[i]);
-    }
-}
-
 /* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
  * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
 static void general_6r_invariants(const double K[12], const double M[12], double w[5],
@@ -2264,14 +2337,6 @@ static void general_6r_invariants(const double K[12], const double M[12], double
         solve[0][i] = (bb * a[i] - ab * b[i]) / det;
         solve[1][i] = (aa * b[i] - ab * a[i]) / det;
     }
-}
-
-static inline void general_6r_to_unit(general_6r_lane *c, general_6r_lane *s)
-{
-    const general_6r_lane square = *c * *c + *s * *s, factor = 1.0 / general_6r_sqrt(square +
-        1e-300);
-    *c = general_6r_select(square > 1e-300, *c * factor, general_6r_all(1.0));
-    *s = general_6r_select(square > 1e-300, *s * factor, general_6r_all(0.0));
 }
 
 /* phi_2 and phi_3 from the null vector */
@@ -2583,22 +2648,6 @@ static unsigned general_6r_offer(const general_6r_loop *loop, general_6r_lane c[
     return met;
 }
 
-/* Roots that nearly meet are tried as one double root too. */
-static void general_6r_close_roots(const double *E, const general_6r_roots *roots,
-    general_6r_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                general_6r_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
-}
-
 static int general_6r_bits(unsigned set)
 {
     int count = 0;
@@ -2628,6 +2677,22 @@ static void general_6r_around(const general_6r_formulation *form, const general_
             general_6r_invert(loop->link[joint - 1], link[i]);
         } else {
             general_6r_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void general_6r_close_roots(const double *E, const general_6r_roots *roots,
+    general_6r_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                general_6r_null_plane(E, c * factor, s * factor, out);
+            }
         }
     }
 }
@@ -2675,6 +2740,19 @@ static int general_6r_settle(const general_6r_formulation *form, const general_6
     return complete && general_6r_bits(met) >= expected && general_6r_paired(found);
 }
 
+/* The determinant at the sample angles, through a lens. */
+static void general_6r_sample(const double *E, const general_6r_lens *lens, double samples[24])
+{
+    for (int k = 0; k < 24; k += GENERAL_6R_LANES) {
+        general_6r_lane factor[6][6];
+        general_6r_lane c = GENERAL_6R_LOAD(general_6r_sample_c + k), s =
+            GENERAL_6R_LOAD(general_6r_sample_s + k);
+        const general_6r_lane square = general_6r_through(lens, &c, &s);
+        GENERAL_6R_STORE(samples + k, general_6r_weighted(general_6r_fold(E, c, s, factor),
+            square));
+    }
+}
+
 /* Find what a formulation finds; whether that is certainly everything. */
 static int general_6r_attempt(const general_6r_formulation *form, const general_6r_loop *loop,
                            general_6r_found *found)
@@ -2683,18 +2761,20 @@ static int general_6r_attempt(const general_6r_formulation *form, const general_
     general_6r_trigonometric f;
     general_6r_roots roots;
     general_6r_candidates all;
+    general_6r_lens lens = {0.0, 0.0};
     general_6r_around(form, loop, link);
     general_6r_equations(form, link, E);
-    for (int k = 0; k < 24; k += GENERAL_6R_LANES) {
-        general_6r_lane factor[6][6];
-        GENERAL_6R_STORE(samples + k, general_6r_fold(E, GENERAL_6R_LOAD(general_6r_sample_c + k),
-                                   GENERAL_6R_LOAD(general_6r_sample_s + k), factor));
+    general_6r_sample(E, &lens, samples);
+    if (general_6r_spread(samples, &lens)) {
+        general_6r_sample(E, &lens, samples);
     }
     general_6r_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }
     general_6r_find_roots(&f, &roots);
+    general_6r_behind(&lens, roots.simple, roots.c, roots.s);
+    general_6r_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     general_6r_null_vectors(E, &roots, &all);
     general_6r_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
@@ -2779,7 +2859,7 @@ static int general_6r_from_nearby(const general_6r_loop *loop, general_6r_found 
 static void general_6r_from_anywhere(const general_6r_loop *loop, general_6r_found *found)
 {
     unsigned long long seed = 1;
-    for (int batch = 0; batch < 8; batch++) {
+    for (int batch = 0; batch < 16; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
@@ -2834,7 +2914,8 @@ static int general_6r_before(const double a[6], const double b[6])
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
  * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
-static int general_6r_general(const double T[16], double q[16][6], double residual[16])
+static int general_6r_general(const double T[16], double q[16][6],
+                         double residual[16])
 {
     general_6r_found found;
     general_6r_loop whole;

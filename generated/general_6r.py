@@ -9,13 +9,16 @@ a pose counts.
 
 import math
 import os
+import sys
 from concurrent.futures import ThreadPoolExecutor
+from types import ModuleType
 
 import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
+    from numba.core.sigutils import normalize_signature
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -46,7 +49,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -411,6 +415,75 @@ def jacobian(q):
     return J
 
 
+_APART = []  # what is compiled apart: functions, and the types of their arguments
+
+
+def _address(number):
+    """Where the code of a function is that is compiled apart."""
+    function, arguments = _APART[number]
+    function.compile(arguments)
+    compiled = function.overloads[arguments]
+    return compiled.library.get_pointer_to_function(compiled.fndesc.llvm_func_name)
+
+
+# Compiled code finds this file, and no other text of it, among the modules that Python knows.
+_KEY = "general_6r c7c4d86a559fe86d"
+if _COMPILED:
+    sys.modules[_KEY] = ModuleType(_KEY)
+    sys.modules[_KEY].address = _address
+
+
+def _apart(signature):
+    """Compiles a function apart from its callers.
+
+    numba copies what a function calls into it, with all that this calls, and optimises everything
+    anew in each caller. Of these functions a caller has the address, which it asks for at its first
+    call: when it comes out of the cache it does not know it.
+    """
+    if not _COMPILED:
+        return lambda function: function
+    arguments, result = normalize_signature(signature)
+
+    def ask(context, builder, number, place):
+        api = context.get_python_api(builder)
+        lock = api.gil_ensure()
+        module = api.import_module(context.insert_const_string(builder.module, _KEY))
+        with builder.if_then(cgutils.is_not_null(builder, module)):
+            which = api.long_from_ssize_t(context.get_constant(types.intp, number))
+            answer = api.call_method(module, "address", (which,))
+            with builder.if_then(cgutils.is_not_null(builder, answer)):
+                builder.store(api.long_as_voidptr(answer), place)
+                api.decref(answer)
+            api.decref(module)
+        api.gil_release(lock)
+
+    def decorate(function):
+        number = len(_APART)
+        _APART.append((_inner(function), arguments))
+
+        def code(context, builder, called, values):
+            given = zip(cgutils.unpack_tuple(builder, values[0]), called.args[0], arguments)
+            values = [context.cast(builder, *each) for each in given]
+            place = cgutils.add_global_variable(builder.module, cgutils.voidptr_t, f"apart{number}")
+            place.initializer, place.linkage = cgutils.get_null_value(cgutils.voidptr_t), "internal"
+            with builder.if_then(cgutils.is_null(builder, builder.load(place)), likely=False):
+                ask(context, builder, number, place)
+            address = builder.load(place)
+            with builder.if_then(cgutils.is_null(builder, address), likely=False):
+                context.call_conv.return_exc(builder)
+            kind = context.call_conv.get_function_type(result, arguments).as_pointer()
+            status, value = context.call_conv.call_function(
+                builder, builder.bitcast(address, kind), result, arguments, values
+            )
+            with cgutils.if_unlikely(builder, status.is_error):
+                context.call_conv.return_status_propagate(builder, status)
+            return value
+
+        return intrinsic(lambda _, *values: (result(types.StarArgTuple(values)), code))
+
+    return decorate
+
+
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
 # lengths, and the same over the arm's size; between which values starts lie, and what is added
 # from start to start. Below, u are these joints in units.
@@ -452,6 +525,13 @@ def _turn_vector(axis, cosine, vector):
 
 
 @_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
+
+
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])")
 def _look(T, q, u, e, A):
     """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
     for j in range(6):
@@ -517,7 +597,7 @@ def _shorten(step):
         step[j] *= 2.0 / longest
 
 
-@_inner
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
 def _descend(T, q, u):
     """Takes u to where damped least squares lead; returns by how much that misses the pose."""
     e, A = np.empty(6), np.empty((6, 6))
@@ -527,14 +607,14 @@ def _descend(T, q, u):
         stalled = length >= 0.5 * least and least <= 1e-10
         if length < least:
             least = length
-            best[:] = u
+            _take(best, u)
         if stalled:
             break
         _damped_step(A, e, length, step)
         _shorten(step)
         for j in range(6):
             u[j] += step[j]
-    u[:] = best
+    _take(u, best)
     return least
 
 
@@ -566,11 +646,12 @@ def _limited_step(A, e, length, wish, u, low, high, step):
                     A[i, j] = 0.0
 
 
-@_inner
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[::1], float64[::1])")
 def _pulled(T, q, u, near, low, high):
     """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
     e, A = np.empty(6), np.empty((6, 6))
     least, best, step, pull = math.inf, u.copy(), np.empty(6), 0.5
+    wish = np.empty(6)
     for k in range(1, 60 + 40 + 1):
         length = _look(T, q, u, e, A)
         if pull == 0.0:
@@ -578,15 +659,17 @@ def _pulled(T, q, u, near, low, high):
                 break
             if length < least:
                 least = length
-                best[:] = u
-        _limited_step(A, e, length, pull * (near - u), u, low, high, step)
+                _take(best, u)
+        for j in range(6):
+            wish[j] = pull * (near[j] - u[j])
+        _limited_step(A, e, length, wish, u, low, high, step)
         longest = 0.0
         for j in range(6):
             longest = max(longest, abs(step[j]))
             u[j] += step[j]
         if k >= 60 or longest < 1e-09:
             pull = 0.0
-    u[:] = best
+    _take(u, best)
     return least
 
 
@@ -605,7 +688,7 @@ def _wrap_angles(u):
             u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
 
 
-@_inner
+@_apart("int64(float64[:, ::1], float64[::1], float64[::1])")
 def _continuum(T, q, u):
     """Whether u is one of a continuum of solutions: 1 if there are others to both sides.
 
@@ -637,7 +720,7 @@ def _continuum(T, q, u):
     return 1
 
 
-@_inner
+@_apart("boolean(float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
 def _is_known(kept, kinds, count, u, singular):
     """Whether a solution is one of those found before."""
     between = np.empty(6)
@@ -653,7 +736,7 @@ def _is_known(kept, kinds, count, u, singular):
     return False
 
 
-@_inner
+@_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1])")
 def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
     if count == 16 or _is_known(kept, kinds, count, u, False):
@@ -662,12 +745,12 @@ def _keep(T, q, near, kept, kinds, count, u):
     if kind == 1:
         end = u.copy()
         if _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST) <= 1e-10:
-            u[:] = end
+            _take(u, end)
     _wrap_angles(u)
     if _is_known(kept, kinds, count, u, kind >= 0):
         return count
     kinds[count] = kind
-    kept[count] = u
+    _take(kept[count], u)
     return count + 1
 
 
@@ -688,10 +771,10 @@ def _sorted_rows(kept, kinds, count, joints, q, found, chosen):
         for j in range(6):
             joints[_SOLVED[j]] = _UNIT[j] * kept[k, j]
         while row > 0 and _stands_before(joints, q[row - 1]):
-            q[row] = q[row - 1]
+            _take(q[row], q[row - 1])
             chosen[row] = chosen[row - 1]
             row -= 1
-        q[row] = joints
+        _take(q[row], joints)
         chosen[row] = kinds[k] == 1
         found[k] = True
 
@@ -839,80 +922,23 @@ def _general_6r_move(T, joint, c, s):
 
 @_inner
 def _general_6r_close(T):
-    """The loop: K0 ... K4 and its pose P = L T R, in arm sizes."""
-    links = np.empty((6, 12))
-    K = _GENERAL_6R_CONSTANTS[0].copy()
-    links[0] = K
-    K = _GENERAL_6R_CONSTANTS[1].copy()
-    links[1] = K
-    K = _GENERAL_6R_CONSTANTS[2].copy()
-    links[2] = K
-    K = _GENERAL_6R_CONSTANTS[3].copy()
-    links[3] = K
-    K = _GENERAL_6R_CONSTANTS[4].copy()
-    links[4] = K
-    K = _GENERAL_6R_CONSTANTS[5].copy()
-    left = K
-    K = _GENERAL_6R_CONSTANTS[6].copy()
-    right = K
-    P = _general_6r_compose(_general_6r_compose(left, T.copy().reshape(16)), right)
+    """The loop: K0 ... K4 and its pose P = L T R, in arm sizes; in its place L stands before, then R."""
+    links, first = np.empty((7, 12)), (0, 1, 2, 3, 4, 5, 6)
+    for i in range(7):
+        _take(links[i], _GENERAL_6R_CONSTANTS[first[i]])
+    _take(links[5], _general_6r_compose(_general_6r_compose(links[5], T), links[6]))
     for i in range(3):
-        P[4 * i + 3] *= 1.5043214224895793
-    links[5] = P
+        links[5, 4 * i + 3] *= 1.5043214224895793
     return links
 
 
 @_inner
-def _general_6r_act(K, x):
-    """The features of a point and a direction, for all columns of x: 1, l, p, p.p, p.l, p x l and
-    (p.p) l - 2 (p.l) p, as a rigid motion acts on them, in place."""
-    t0, t1, t2 = K[3], K[7], K[11]
-    square = t0 * t0 + t1 * t1 + t2 * t2
-    for k in range(x.shape[1]):
-        for at in (1, 4, 9, 12):
-            a, b, c = x[at, k], x[at + 1, k], x[at + 2, k]
-            for i in range(3):
-                x[at + i, k] = K[4 * i] * a + K[4 * i + 1] * b + K[4 * i + 2] * c
-        u0, u1, u2, q0, q1, q2 = x[1, k], x[2, k], x[3, k], x[4, k], x[5, k], x[6, k]
-        v0, v1, v2, one = x[9, k], x[10, k], x[11, k], x[0, k]
-        along = t0 * u0 + t1 * u1 + t2 * u2
-        x[7, k] += 2.0 * (t0 * q0 + t1 * q1 + t2 * q2) + square * one
-        x[8, k] += along
-        twice = 2.0 * x[8, k]
-        x[4, k] += t0 * one
-        x[5, k] += t1 * one
-        x[6, k] += t2 * one
-        x[9, k] += t1 * u2 - t2 * u1
-        x[10, k] += t2 * u0 - t0 * u2
-        x[11, k] += t0 * u1 - t1 * u0
-        x[12, k] += square * u0 - twice * t0 - 2.0 * (t1 * v2 - t2 * v1)
-        x[13, k] += square * u1 - twice * t1 - 2.0 * (t2 * v0 - t0 * v2)
-        x[14, k] += square * u2 - twice * t2 - 2.0 * (t0 * v1 - t1 * v0)
-
-
-@_inner
-def _general_6r_pass(K, x, joint, powers):
-    """Columns of features pass a link, and each becomes three by what the joint before it does: the
-    coefficients of 1, cos and sin, or with `powers` of y^2, y and 1 for y = tan(phi/2), times
-    1 + y^2, or for the length of a slide. Column a columns + k is part a of column k."""
-    n = x.shape[1]
-    _general_6r_act(K, x)
-    to = np.zeros((15, 3 * n))
-    for i in range(15):
-        for k in range(n):
-            to[i, k] = x[i, k]
-    for at in (1, 4, 9, 12):
-        for k in range(n):
-            to[at, k] = to[at + 1, k] = 0.0
-            to[at, n + k] = to[at + 1, 2 * n + k] = x[at, k]
-            to[at + 1, n + k] = x[at + 1, k]
-            to[at, 2 * n + k] = -x[at + 1, k]
-    if powers:
-        for i in range(15):
-            for k in range(n):
-                one, cosine, sine = to[i, k], to[i, n + k], to[i, 2 * n + k]
-                to[i, k], to[i, n + k], to[i, 2 * n + k] = one - cosine, 2.0 * sine, one + cosine
-    return to
+def _general_6r_unit(c, s):
+    """A cosine and a sine without their common factor."""
+    length = math.sqrt(c * c + s * s)
+    if length < 1e-150:
+        return 1.0, 0.0
+    return c / length, s / length
 
 
 @_inner
@@ -940,20 +966,73 @@ def _general_6r_reflect(M, first, rest, column):
     return -length
 
 
-@_inner
+@_apart("float64[:, ::1](int64, float64[:, ::1])")
 def _general_6r_around(form, loop):
     """The links L0 ... L5 of a formulation."""
     links = np.empty((6, 12))
     for i in range(6):
         joint = _GENERAL_6R_JOINTS[form, i]
         if _GENERAL_6R_SIGNS[form] > 0.0:
-            links[i] = loop[joint] if joint < 5 else _general_6r_invert(loop[5])
+            _take(links[i], loop[joint] if joint < 5 else _general_6r_invert(loop[5]))
         else:
-            links[i] = _general_6r_invert(loop[joint - 1]) if joint > 0 else loop[5]
+            _take(links[i], _general_6r_invert(loop[joint - 1]) if joint > 0 else loop[5])
     return links
 
 
-@_inner
+@_apart("void(float64[::1], float64[:, ::1])")
+def _general_6r_act(K, x):
+    """The features of a point and a direction, for all columns of x: 1, l, p, p.p, p.l, p x l and
+    (p.p) l - 2 (p.l) p, as a rigid motion acts on them, in place."""
+    t0, t1, t2 = K[3], K[7], K[11]
+    square = t0 * t0 + t1 * t1 + t2 * t2
+    for k in range(x.shape[1]):
+        for at in (1, 4, 9, 12):
+            a, b, c = x[at, k], x[at + 1, k], x[at + 2, k]
+            for i in range(3):
+                x[at + i, k] = K[4 * i] * a + K[4 * i + 1] * b + K[4 * i + 2] * c
+        u0, u1, u2, q0, q1, q2 = x[1, k], x[2, k], x[3, k], x[4, k], x[5, k], x[6, k]
+        v0, v1, v2, one = x[9, k], x[10, k], x[11, k], x[0, k]
+        along = t0 * u0 + t1 * u1 + t2 * u2
+        x[7, k] += 2.0 * (t0 * q0 + t1 * q1 + t2 * q2) + square * one
+        x[8, k] += along
+        twice = 2.0 * x[8, k]
+        x[4, k] += t0 * one
+        x[5, k] += t1 * one
+        x[6, k] += t2 * one
+        x[9, k] += t1 * u2 - t2 * u1
+        x[10, k] += t2 * u0 - t0 * u2
+        x[11, k] += t0 * u1 - t1 * u0
+        x[12, k] += square * u0 - twice * t0 - 2.0 * (t1 * v2 - t2 * v1)
+        x[13, k] += square * u1 - twice * t1 - 2.0 * (t2 * v0 - t0 * v2)
+        x[14, k] += square * u2 - twice * t2 - 2.0 * (t0 * v1 - t1 * v0)
+
+
+@_apart("float64[:, ::1](float64[::1], float64[:, ::1], int64, boolean)")
+def _general_6r_pass(K, x, joint, powers):
+    """Columns of features pass a link, and each becomes three by what the joint before it does: the
+    coefficients of 1, cos and sin, or with `powers` of y^2, y and 1 for y = tan(phi/2), times
+    1 + y^2, or for the length of a slide. Column a columns + k is part a of column k."""
+    n = x.shape[1]
+    _general_6r_act(K, x)
+    to = np.zeros((15, 3 * n))
+    for i in range(15):
+        for k in range(n):
+            to[i, k] = x[i, k]
+    for at in (1, 4, 9, 12):
+        for k in range(n):
+            to[at, k] = to[at + 1, k] = 0.0
+            to[at, n + k] = to[at + 1, 2 * n + k] = x[at, k]
+            to[at + 1, n + k] = x[at + 1, k]
+            to[at, 2 * n + k] = -x[at + 1, k]
+    if powers:
+        for i in range(15):
+            for k in range(n):
+                one, cosine, sine = to[i, k], to[i, n + k], to[i, 2 * n + k]
+                to[i, k], to[i, n + k], to[i, 2 * n + k] = one - cosine, 2.0 * sine, one + cosine
+    return to
+
+
+@_apart("float64[:, ::1](int64[::1], float64[:, ::1])")
 def _general_6r_equations(joints, links):
     """The six equations of a formulation: columns 9 a + 3 j + i for 1, c1, s1 (a), the powers x3^2, x3,
     1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths."""
@@ -973,12 +1052,16 @@ def _general_6r_equations(joints, links):
             work[i, 8 + k] = left[1 + i, k] - right[1 + i, 0] * left[0, k]
     for column in range(8):
         _general_6r_reflect(work, column, column + 1, column)
-    return work[8:, 8:]
+    E = np.empty((6, 27))
+    for i in range(6):
+        for k in range(27):
+            E[i, k] = work[8 + i, 8 + k]
+    return E
 
 
-@_inner
-def _general_6r_fold(E, c, s):
-    """The determinant at a hidden angle, and the upper triangular factor whose null vectors are
+@_apart("float64(float64[:, ::1], float64, float64, float64[:, ::1])")
+def _general_6r_fold(E, c, s, factor):
+    """The determinant at a hidden angle, and into `factor` the upper triangular one whose null vectors are
     (x3, 1) x (x2^2, x2, 1). With A2, A1, A0 the blocks of x3^2, x3, 1 the matrix is
     [A2 A1 A0 0; 0 A2 A1 A0]; reflections fold it to 9x9 and to 6x6."""
     M = np.empty((6, 9))
@@ -991,7 +1074,6 @@ def _general_6r_fold(E, c, s):
         determinant *= _general_6r_reflect(M, column, column + 1, column)
     # now M is [R B1 B0; 0 D1 D0]; the other shift has R B1 B0 under D1 D0 0
     W = np.zeros((6, 9))
-    factor = np.empty((6, 6))
     for r in range(3):
         for k in range(9):
             W[r, k] = M[r, k]
@@ -1004,7 +1086,7 @@ def _general_6r_fold(E, c, s):
             factor[r, k] = W[3 + r, 3 + k]
     for column in range(5):
         determinant *= _general_6r_reflect(factor, column, column + 1, column)
-    return determinant * factor[5, 5], factor
+    return determinant * factor[5, 5]
 
 
 @_inner
@@ -1084,7 +1166,7 @@ def _general_6r_kind(low, high, h, scale, rounding):
     return 2 if min(e0, e1, e2, e3) > bound or max(e0, e1, e2, e3) < -bound else 3
 
 
-@_inner
+@_apart("float64(float64[::1], int64, float64, float64, boolean)")
 def _general_6r_between(f, order, low, high, rising):
     """Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs:
     Newton, with bisection where it leaves. `rising` says that it is negative at the lower one."""
@@ -1121,7 +1203,7 @@ def _general_6r_few(f, rounding, low, at_low, high, at_high, roots, counts):
         _general_6r_add_root(roots, counts, 0, _general_6r_between(f, 0, low, middle, at_low[0] < 0.0))
 
 
-@_inner
+@_apart("void(float64[:, ::1], int64[::1], int64, float64)")
 def _general_6r_add_root(roots, counts, twice, x):
     """Add a root; counts[2] says that nothing was given up."""
     if twice:
@@ -1136,7 +1218,7 @@ def _general_6r_add_root(roots, counts, twice, x):
     counts[twice] += 1
 
 
-@_inner
+@_apart("Tuple((float64[:, ::1], int64[::1]))(float64[::1], float64, float64)")
 def _general_6r_find_roots(f, scale, rounding):
     """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]]."""
     roots = np.empty((2, 24))
@@ -1178,6 +1260,47 @@ def _general_6r_find_roots(f, scale, rounding):
     return roots, counts
 
 
+# A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle maps the
+# circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where all roots
+# lie together, as near the boundary of reach, f drowns in rounding without it.
+
+
+@_inner
+def _general_6r_through(x, y, c, s):
+    """Cosine and sine of phi from those of psi, and |1 + conj(a) w|^16, which makes of f a polynomial
+    in psi."""
+    u, v, d, e = c + x, s + y, 1.0 + x * c + y * s, x * s - y * c
+    square = d * d + e * e
+    return (u * d + v * e) / square, (v * d - u * e) / square, square**8
+
+
+@_inner
+def _general_6r_spread(samples):
+    """The lens under which the roots are spread, from samples without one; 0, 0 when they are already.
+    log |f| is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside
+    the circle, that of its mirror image for z outside."""
+    x = y = 0.0
+    for k in range(12):
+        ratio = math.log((abs(samples[k]) + 1e-300) / (abs(samples[k + 12]) + 1e-300))
+        x += ratio * _GENERAL_6R_SAMPLE_C[k]
+        y += ratio * _GENERAL_6R_SAMPLE_S[k]
+    x, y = -0.005208333333333333 * x, -0.005208333333333333 * y
+    square = x * x + y * y
+    if not square > 0.12249999999999998:
+        return 0.0, 0.0
+    part = min(1.0, 0.9 / math.sqrt(square))
+    return part * x, part * y
+
+
+@_inner
+def _general_6r_behind(x, y, roots, counts):
+    """The roots as they are without the lens."""
+    for twice in range(2):
+        for i in range(counts[twice]):
+            c, s, _ = _general_6r_through(x, y, math.cos(roots[twice, i]), math.sin(roots[twice, i]))
+            roots[twice, i] = math.atan2(s, c)
+
+
 @_inner
 def _general_6r_inverse_iteration(U, x):
     """x = U^-1 U^-T x, to length one; a diagonal next to nothing is kept finite."""
@@ -1200,7 +1323,7 @@ def _general_6r_inverse_iteration(U, x):
         x[i] /= length
 
 
-@_inner
+@_apart("int64(float64[:, ::1], int64, float64[:, ::1], int64)")
 def _general_6r_split(n, shift, out, count):
     """Vectors w of the plane with up w = x down w for some x (least squares): their sums of the two
     null vectors n go to `out`. The shift, by 3 for x3 or by 1 for x2, takes `down` to `up`."""
@@ -1235,12 +1358,12 @@ def _general_6r_split(n, shift, out, count):
     return count
 
 
-@_inner
-def _general_6r_null_vectors(E, c, s, double):
+@_apart("int64(float64[:, ::1], float64, float64, boolean, float64[:, ::1])")
+def _general_6r_null_vectors(E, c, s, double, out):
     """Vectors near (x3, 1) x (x2^2, x2, 1): one of a simple root, and of a double one also those at
-    which one of the two shifts, x3 or x2, has an eigenvalue."""
-    out = np.empty((5, 6))
-    _, factor = _general_6r_fold(E, c, s)
+    which one of the two shifts, x3 or x2, has an eigenvalue. Into out; returns how many."""
+    factor = np.empty((6, 6))
+    _general_6r_fold(E, c, s, factor)
     n = _GENERAL_6R_START.copy()
     for _ in range(4 if double else 2):
         _general_6r_inverse_iteration(factor, n[0])
@@ -1254,25 +1377,16 @@ def _general_6r_null_vectors(E, c, s, double):
     for i in range(6):
         out[0, i] = n[0, i]
     if not double:
-        return out[:1]
+        return 1
     square = 0.0
     for i in range(6):
         square += n[1, i] * n[1, i]
     for i in range(6):
         n[1, i] /= math.sqrt(square) + 1e-300
-    count = np.int64(1)
+    count = 1
     for shift in (3, 1):
         count = _general_6r_split(n, shift, out, count)
-    return out[:count]
-
-
-@_inner
-def _general_6r_unit(c, s):
-    """A cosine and a sine without their common factor."""
-    length = math.sqrt(c * c + s * s)
-    if length < 1e-150:
-        return 1.0, 0.0
-    return c / length, s / length
+    return count
 
 
 @_inner
@@ -1315,7 +1429,7 @@ def _general_6r_middle(K, M, value):
     return _general_6r_unit(bb * ar - ab * br, aa * br - ab * ar)
 
 
-@_inner
+@_apart("void(int64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1])")
 def _general_6r_angles(joints, links, n, c, s):
     """The cosines and sines of phi_2 ... phi_6 from phi_1 and a null vector, in place; the length of a
     slide stands in the sine's place."""
@@ -1504,7 +1618,7 @@ def _general_6r_begun(q, c, s):
         s[i] = sine * _GENERAL_6R_ADVANCE_C[i] - cosine * _GENERAL_6R_ADVANCE_S[i]
 
 
-@_inner
+@_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
 def _general_6r_offer(links, c, s, afar, doubtful, q, residual, singular, count):
     """Polish a candidate and keep it unless it is known or none: (its place or -1, the count)."""
     missing = _general_6r_polish(links, c, s, afar)
@@ -1540,7 +1654,7 @@ def _general_6r_offer(links, c, s, afar, doubtful, q, residual, singular, count)
     return place, count
 
 
-@_inner
+@_apart("Tuple((boolean, int64))(int64, float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1], int64)")
 def _general_6r_attempt(form, loop, q, residual, singular, doubles_met, count):
     """Find what a formulation finds: (whether that is certainly everything, the count).
 
@@ -1549,14 +1663,22 @@ def _general_6r_attempt(form, loop, q, residual, singular, doubles_met, count):
     """
     joints, links = _GENERAL_6R_JOINTS[form], _general_6r_around(form, loop)
     E = _general_6r_equations(joints, links)
-    samples = np.empty(24)
-    for k in range(24):
-        samples[k] = _general_6r_fold(E, _GENERAL_6R_SAMPLE_C[k], _GENERAL_6R_SAMPLE_S[k])[0]
+    samples, factor = np.empty(24), np.empty((6, 6))
+    x = y = 0.0
+    for look in range(2):
+        for k in range(24):
+            c1, s1, weight = _general_6r_through(x, y, _GENERAL_6R_SAMPLE_C[k], _GENERAL_6R_SAMPLE_S[k])
+            samples[k] = weight * _general_6r_fold(E, c1, s1, factor)
+        if look == 0:
+            x, y = _general_6r_spread(samples)
+        if x == 0.0 and y == 0.0:
+            break
     f, scale, noise = _general_6r_fit(samples)
     if not noise <= 1e-06:
         return False, count
     rounding = scale * (3e-15 + 8.0 * noise)
     roots, counts = _general_6r_find_roots(f, scale, rounding)
+    _general_6r_behind(x, y, roots, counts)
     simple, doubles, complete = counts[0], counts[1], counts[2] == 1
     doubles_met[0] += doubles
     # simple roots, pairs of them that nearly meet, double roots
@@ -1576,13 +1698,13 @@ def _general_6r_attempt(form, loop, q, residual, singular, doubles_met, count):
         total += 1
     met = np.zeros(16, dtype=np.int64)
     c, s, tc, ts = np.empty(6), np.empty(6), np.empty(6), np.empty(6)
-    expected = simple
+    vectors, expected = np.empty((5, 6)), simple
     for i in range(total):
         cosine, sine = math.cos(angles[i]), math.sin(angles[i])
         singular_here = False
-        for n in _general_6r_null_vectors(E, cosine, sine, i >= simple):
+        for n in range(_general_6r_null_vectors(E, cosine, sine, i >= simple, vectors)):
             c[0], s[0] = cosine, sine
-            _general_6r_angles(joints, links, n, c, s)
+            _general_6r_angles(joints, links, vectors[n], c, s)
             for k in range(6):
                 tc[joints[k]], ts[joints[k]] = c[k], _GENERAL_6R_SIGNS[form] * s[k]
             place, count = _general_6r_offer(
@@ -1599,7 +1721,7 @@ def _general_6r_attempt(form, loop, q, residual, singular, doubles_met, count):
     return complete and _general_6r_marked(met) >= expected and regular % 2 == 0, count
 
 
-@_inner
+@_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1])")
 def _general_6r_try(loop, q, residual, singular, doubles_met):
     """Find what the methods find, one after the other, until that is certainly everything."""
     for i in range(16):
@@ -1611,7 +1733,7 @@ def _general_6r_try(loop, q, residual, singular, doubles_met):
     return complete, count
 
 
-@_inner
+@_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64)")
 def _general_6r_from_nearby(loop, q, residual, singular, count):
     """Solve poses close by, and follow their solutions back: (whether that is all, the count).
 
@@ -1624,7 +1746,7 @@ def _general_6r_from_nearby(loop, q, residual, singular, count):
     other, ignored, marks = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
     for n in range(10):
         nearby = loop.copy()
-        nearby[5] = _general_6r_compose(loop[5], _GENERAL_6R_NUDGES[n])
+        _take(nearby[5], _general_6r_compose(loop[5], _GENERAL_6R_NUDGES[n]))
         complete, found = _general_6r_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
         met = np.zeros(16, dtype=np.int64)
         singular_here = False
@@ -1660,12 +1782,12 @@ def _general_6r_before(a, b):
     return False
 
 
-@_inner
+@_apart("int64(float64[::1], float64[:, ::1], float64[::1])")
 def general_6r_general(T, q, residual):
     """All solutions of T = C0 J(q1) C1 ... J(q6) C6, at most 16.
 
     Args:
-        T: A rigid transform, (4, 4).
+        T: A rigid transform, twelve numbers.
         q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
             1e-09 in the order of q2, and so on.
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
@@ -1686,7 +1808,7 @@ def general_6r_general(T, q, residual):
     if not complete:
         seed = 1
         c, s = np.empty(6), np.empty(6)
-        for _ in range(64):
+        for _ in range(128):
             start = np.empty(6)
             for i in range(6):
                 seed = (seed * 1103515245 + 12345) % 2147483648
@@ -1715,37 +1837,38 @@ _FACING = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZERO = np.array([2.137, -2.341, -1.611, 0.482, 0.126, 1.904])
 
 
-@_inner
+@_apart("Tuple((float64[:, ::1], boolean[::1], boolean[::1]))(UniTuple(float64, 12), float64[::1])")
 def _all_joints(pose, seed):
     """All solutions, which rows hold one, and where a joint was indeterminate and follows the seed."""
-    T = np.zeros((4, 4))
+    flat, T = np.empty(12), np.empty((3, 4))
     for i in range(3):
         for j in range(4):
-            T[i, j] = pose[4 * i + j]
-    T[3, 3] = 1.0
+            flat[4 * i + j] = T[i, j] = pose[4 * i + j]
     angles, residual, joints = np.empty((16, 6)), np.empty(16), np.zeros(6)
-    known = general_6r_general(T, angles, residual)
+    known = general_6r_general(flat, angles, residual)
     q = np.zeros((16, 6))
     found, chosen = np.zeros(16, np.bool_), np.zeros(16, np.bool_)
-    kept, kinds, count = np.empty((16, 6)), np.full(16, -1), 0
-    near = np.empty(6)
+    kept, kinds, count = np.empty((16, 6)), np.empty(16, np.int64), 0
+    near, u = np.empty(6), np.empty(6)
     for j in range(6):
         near[j] = seed[_SOLVED[j]] / _UNIT[j]
+    for k in range(16):
+        kinds[k] = -1
     if known < 0:
-        u = near.copy()
+        _take(u, near)
         if _descend(T, joints, u) <= 1e-10:
             count = _keep(T, joints, near, kept, kinds, count, u)
     for k in range(-1 - known if known < 0 else known):
-        u = _FACING * (angles[k] - _ZERO) / _UNIT
+        for j in range(6):
+            u[j] = _FACING[j] * (angles[k, j] - _ZERO[j]) / _UNIT[j]
         if known < 0:
             count = _keep(T, joints, near, kept, kinds, count, u)
         else:
             _wrap_angles(u)
-            kept[count] = u
+            _take(kept[count], u)
             count += 1
     if known < 0:
         for k in range(1, 12):
-            u = np.empty(6)
             _start_of(k, near, u)
             if _descend(T, joints, u) <= 1e-10:
                 count = _keep(T, joints, near, kept, kinds, count, u)
@@ -1865,6 +1988,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (16, 6) or status.shape != (16,):
         raise ValueError("T, q and status must be (4, 4), (16, 6) and (16,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -1905,7 +2033,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
@@ -2015,6 +2144,20 @@ def ik_batch(T, *, cores=None):
     q, status = np.empty((len(T), 16, 6)), np.empty((len(T), 16), _BYTE)
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((16, 6)), np.empty(16, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(6))
+    ik_batch(T[np.newaxis])
+    for number in range(len(_APART)):
+        _address(number)
 
 
 def _share(solve, cores, *arrays):

@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -288,6 +286,7 @@ static const double d1 = 0.2015; /* joint offset 1 [m] */
 static const double a2 = 0.19; /* link length 2 [m] */
 static const double a3 = 0.139; /* link length 3 [m] */
 static const double d5 = 0.1473; /* joint offset 5 [m] */
+static const double second_weight = 0.6778; /* lengths count in arm sizes [m] */
 static const double free_limit1 = 6.777999999999999e-13; /* a length that fixes no angle [m] */
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
 static const double offset4 = -1.5707963267948966; /* offset of joint 4 [rad] */
@@ -313,8 +312,8 @@ static const double m3 = 1e-12; /* doubt_limit_squared^2 */
 static const double m4 = 2.631578947368421; /* a coefficient of S2 */
 static const double m5 = 0.04415526315789473; /* a coefficient of S2 */
 static const double m6 = 2.1106015755686555e-13; /* doubt_limit_squared2^2 [m^4] */
-static const double m7 = 0.19; /* a coefficient of v10 */
-static const double m8 = 0.139; /* a coefficient of v10 */
+static const double m7 = 0.19; /* a coefficient of v13 */
+static const double m8 = 0.139; /* a coefficient of v13 */
 static const double m9 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -474,38 +473,37 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = T14 * T14 + T24 * T24;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide factor1 = w1 * v2;
-    const wide c1 = T14 * factor1;
-    const wide s1 = T24 * factor1;
-    const wide angle1 = atan2_wide(T24, T14);
+    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23);
+    const wide v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
+    const wide w1 = sqrt_wide(v4);
+    const wide v5 = 1.0 / v4;
+    const wide factor1 = w1 * v5;
+    const wide c1 = v2 * factor1;
+    const wide s1 = v3 * factor1;
+    const wide angle1 = atan2_wide(v3, v2);
 
     /* theta234 */
-    const wide Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23));
-    const wide v3 = T33 * T33 + Z2_234 * Z2_234;
-    const wide factor234 = sqrt_wide(v3) * (1.0 / v3);
+    const wide Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3));
+    const wide v6 = T33 * T33 + Z2_234 * Z2_234;
+    const wide factor234 = sqrt_wide(v6) * (1.0 / v6);
     const wide angle2 = atan2_wide(-Z2_234, T33);
 
     /* theta5 */
-    const wide Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22));
-    const wide Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21));
-    const wide v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
-    const wide v5 = sqrt_wide(v4) * (1.0 / v4);
-    const wide v6 = Z1_5 * v5;
-    const wide v7 = Z2_5 * v5;
+    const wide Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22));
+    const wide Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21));
+    const wide v7 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v8 = sqrt_wide(v7) * (1.0 / v7), v9 = Z1_5 * v8;
+    const wide v10 = Z2_5 * v8;
     const wide angle3 = atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const wide v8 = factor234 * (d5 * T33);
-    const wide Z1_3 = T34 - d1 - v8;
-    const wide v9 = factor234 * (d5 * Z2_234);
-    const wide Z2_3 = w1 - v9;
+    const wide v11 = factor234 * (d5 * T33);
+    const wide Z1_3 = T34 - d1 - v11;
+    const wide v12 = factor234 * (d5 * Z2_234);
+    const wide Z2_3 = T14 * c1 + T24 * s1 - v12;
     const wide N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const wide K3 = N3 - k1;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v10 = w3 - w3;
+    const wide v13 = w3 - w3;
     const wide s3 = k2 * w3;
     const wide c3 = k2 * K3;
     const wide angle4 = atan2_wide(w3, K3);
@@ -513,140 +511,82 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     /* theta2 */
     const wide X1_2 = a2 + a3 * c3;
     const wide Y1_2 = a3 * s3;
-    const wide v11 = Z1_3 * X1_2;
-    const wide v12 = Z2_3 * Y1_2;
-    const wide v13 = v11 - v12;
-    const wide v14 = v11 + v12;
-    const wide v15 = m5 + m4 * N3;
-    const wide v16 = Z1_3 * v15;
-    const wide S2_pp = v16 - w3 * (m4 * Z2_3);
-    const wide S2_pm = v16 - w3 * (m4 * -Z2_3);
-    const wide v17 = Z2_3 * X1_2;
-    const wide v18 = Z1_3 * Y1_2;
-    const wide v19 = v17 + v18;
-    const wide v20 = v17 - v18;
-    const wide v21 = w3 * (m4 * Z1_3);
-    const wide v22 = w3 * (m4 * -Z1_3);
-    const wide v23 = Z2_3 * v15;
-    const wide C2_pp = v21 + v23;
-    const wide C2_pm = v22 + v23;
-    const wide C2_mp = v21 - v23;
-    const wide C2_mm = v22 - v23;
-    const wide v24 = S2_pp * S2_pp;
-    const wide v25 = v24 + C2_pp * C2_pp;
-    const wide v26 = S2_pm * S2_pm;
-    const wide v27 = v26 + C2_pm * C2_pm;
-    const wide v28 = v26 + C2_mp * C2_mp;
-    const wide v29 = v24 + C2_mm * C2_mm;
-    const wide w2_pp = sqrt_wide(v25);
-    const wide w2_pm = sqrt_wide(v27);
-    const wide w2_mp = sqrt_wide(v28);
-    const wide w2_mm = sqrt_wide(v29);
-    const wide v30 = 1.0 / v25;
-    const wide v31 = 1.0 / v27;
-    const wide v32 = 1.0 / v28;
-    const wide v33 = 1.0 / v29;
-    const wide angle5 = atan2_wide(S2_pp, C2_pp);
-    const wide angle6 = atan2_wide(S2_pm, C2_pm);
-    const wide angle7 = atan2_wide(S2_pm, C2_mp);
-    const wide angle8 = atan2_wide(S2_pp, C2_mm);
+    const wide v14 = Z1_3 * X1_2, v15 = Z2_3 * Y1_2, v16 = v14 - v15, v17 = v14 + v15;
+    const wide v18 = m5 + m4 * N3, v19 = Z1_3 * v18;
+    const wide S2_pp = v19 - w3 * (m4 * Z2_3), S2_pm = v19 - w3 * (m4 * -Z2_3);
+    const wide v20 = Z2_3 * X1_2, v21 = Z1_3 * Y1_2, v22 = v20 + v21, v23 = v20 - v21;
+    const wide v24 = w3 * (m4 * Z1_3), v25 = w3 * (m4 * -Z1_3), v26 = Z2_3 * v18;
+    const wide C2_pp = v24 + v26, C2_pm = v25 + v26, C2_mp = v24 - v26, C2_mm = v25 - v26;
+    const wide v27 = S2_pp * S2_pp, v28 = v27 + C2_pp * C2_pp, v29 = S2_pm * S2_pm;
+    const wide v30 = v29 + C2_pm * C2_pm, v31 = v29 + C2_mp * C2_mp, v32 = v27 + C2_mm * C2_mm;
+    const wide w2_pp = sqrt_wide(v28), w2_pm = sqrt_wide(v30), w2_mp = sqrt_wide(v31);
+    const wide w2_mm = sqrt_wide(v32);
+    const wide v33 = 1.0 / v28, v34 = 1.0 / v30, v35 = 1.0 / v31, v36 = 1.0 / v32;
+    const wide angle5 = atan2_wide(S2_pp, C2_pp), angle6 = atan2_wide(S2_pm, C2_pm);
+    const wide angle7 = atan2_wide(S2_pm, C2_mp), angle8 = atan2_wide(S2_pp, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const wide v34 = c1 * T33;
-    const wide v35 = m7 + m8 * c3;
-    const wide v36 = v19 * v35 - m8 * (s3 * v13);
-    const wide v37 = v9 + w2_pp * (v30 * v36);
-    const wide v38 = m8 * (s3 * v14);
-    const wide v39 = v9 + w2_pm * (v31 * (v20 * v35 + v38));
-    const wide v40 = w2_mp * (v32 * (-v20 * v35 - v38)) - v9;
-    const wide v41 = w2_mm * (v33 * -v36) - v9;
-    const wide v42 = s1 * T33;
-    const wide v43 = d1 + v8;
-    const double v44 = sqrt(-1.0);
-    const wide v45 = pick_wide(maximum_wide(abs_wide(T12 - (s1 * v6 + factor234 * (v7 * v34))),
-        maximum_wide(abs_wide(T11 - (s1 * v7 - factor234 * (v6 * v34))), maximum_wide(abs_wide(T13 -
-        factor234 * (c1 * Z2_234)), maximum_wide(abs_wide(T21 + (c1 * v7 + factor234 * (v6 * v42))),
-        maximum_wide(abs_wide(T22 - (factor234 * (v7 * v42) - c1 * v6)), maximum_wide(abs_wide(T23 -
-        factor234 * (s1 * Z2_234)), maximum_wide(abs_wide(T31 - factor234 * (Z2_234 * v6)),
-        maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32 + factor234 * (Z2_234 *
-        v7)))))))))) <= pose_slack, all_wide(0.0), all_wide(v44));
-    const wide v46 = s3 * v19 + c3 * v13;
-    const wide v47 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v37), maximum_wide(abs_wide(T34 -
-        (a3 * (w2_pp * (v30 * v46)) + (v43 + a2 * (S2_pp * (w2_pp * v30))))), abs_wide(T14 - c1 *
-        v37))) <= pose_slack1, all_wide(0.0), all_wide(v44));
-    const wide v48 = c3 * v14;
-    const wide v49 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v39), maximum_wide(abs_wide(T34 -
-        (a3 * (w2_pm * (v31 * (v48 - s3 * v20))) + (v43 + a2 * (S2_pm * (w2_pm * v31))))),
-        abs_wide(T14 - c1 * v39))) <= pose_slack1, all_wide(0.0), all_wide(v44));
-    const wide v50 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v40), maximum_wide(abs_wide(T34 -
-        (a3 * (w2_mp * (v32 * (v48 + s3 * -v20))) + (v43 + a2 * (S2_pm * (w2_mp * v32))))),
-        abs_wide(T14 + c1 * v40))) <= pose_slack1, all_wide(0.0), all_wide(v44));
-    const wide v51 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v41), maximum_wide(abs_wide(T34 -
-        (a3 * (w2_mm * (v33 * v46)) + (v43 + a2 * (S2_pp * (w2_mm * v33))))), abs_wide(T14 + c1 *
-        v41))) <= pose_slack1, all_wide(0.0), all_wide(v44));
+    const wide v37 = c1 * T33, v38 = m7 + m8 * c3, v39 = v22 * v38 - m8 * (s3 * v16);
+    const wide v40 = v12 + w2_pp * (v33 * v39), v41 = m8 * (s3 * v17);
+    const wide v42 = v12 + w2_pm * (v34 * (v23 * v38 + v41));
+    const wide v43 = w2_mp * (v35 * (-v23 * v38 - v41)) - v12, v44 = w2_mm * (v36 * -v39) - v12;
+    const wide v45 = s1 * T33, v46 = d1 + v11;
+    const double v47 = sqrt(-1.0);
+    const wide v48 = pick_wide(maximum_wide(abs_wide(T12 - (s1 * v9 + factor234 * (v10 * v37))),
+        maximum_wide(abs_wide(T11 - (s1 * v10 - factor234 * (v9 * v37))), maximum_wide(abs_wide(T13
+        - factor234 * (c1 * Z2_234)), maximum_wide(abs_wide(T21 + (c1 * v10 + factor234 * (v9 *
+        v45))), maximum_wide(abs_wide(T22 - (factor234 * (v10 * v45) - c1 * v9)),
+        maximum_wide(abs_wide(T23 - factor234 * (s1 * Z2_234)), maximum_wide(abs_wide(T31 -
+        factor234 * (Z2_234 * v9)), maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32 +
+        factor234 * (Z2_234 * v10)))))))))) <= pose_slack, all_wide(0.0), all_wide(v47));
+    const wide v49 = s3 * v22 + c3 * v16;
+    const wide v50 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v40), maximum_wide(abs_wide(T34 -
+        (a3 * (w2_pp * (v33 * v49)) + (v46 + a2 * (S2_pp * (w2_pp * v33))))), abs_wide(T14 - c1 *
+        v40))) <= pose_slack1, all_wide(0.0), all_wide(v47)), v51 = c3 * v17;
+    const wide v52 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v42), maximum_wide(abs_wide(T34 -
+        (a3 * (w2_pm * (v34 * (v51 - s3 * v23))) + (v46 + a2 * (S2_pm * (w2_pm * v34))))),
+        abs_wide(T14 - c1 * v42))) <= pose_slack1, all_wide(0.0), all_wide(v47));
+    const wide v53 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v43), maximum_wide(abs_wide(T34 -
+        (a3 * (w2_mp * (v35 * (v51 + s3 * -v23))) + (v46 + a2 * (S2_pm * (w2_mp * v35))))),
+        abs_wide(T14 + c1 * v43))) <= pose_slack1, all_wide(0.0), all_wide(v47));
+    const wide v54 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v44), maximum_wide(abs_wide(T34 -
+        (a3 * (w2_mm * (v36 * v49)) + (v46 + a2 * (S2_pp * (w2_mm * v36))))), abs_wide(T14 + c1 *
+        v44))) <= pose_slack1, all_wide(0.0), all_wide(v47));
 
     /* joint values */
-    const wide v52 = angle2 - (angle4 + angle5) - offset4;
-    const wide v53 = angle2 - (angle6 - angle4) - offset4;
-    const wide v54 = offset4 + (angle2 + (angle4 + angle7));
-    const wide v55 = offset4 + (angle2 + (angle8 - angle4));
-    const wide v56 = v52 - only_wide(half_turn < v52, m9) + only_wide(v52 <= -half_turn, m9);
-    const wide v57 = v53 - only_wide(half_turn < v53, m9) + only_wide(v53 <= -half_turn, m9);
-    const wide v58 = only_wide(-v54 <= -half_turn, m9) - (v54 + only_wide(half_turn < -v54, m9));
-    const wide v59 = only_wide(-v55 <= -half_turn, m9) - (v55 + only_wide(half_turn < -v55, m9));
-    const wide v60 = v45 + (angle1 + v10);
-    const wide v61 = v45 + (v10 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
-    const wide q1_pp = v47 + v60;
-    const wide q1_pm = v49 + v60;
-    const wide q1_mp = v50 + v61;
-    const wide q1_mm = v51 + v61;
-    const wide q2_pp = v47 + (angle5 + v45);
-    const wide q2_pm = v49 + (angle6 + v45);
-    const wide q2_mp = v50 + (angle7 + v45);
-    const wide q2_mm = v51 + (angle8 + v45);
-    const wide v62 = angle4 + v45;
-    const wide v63 = v45 - angle4;
-    const wide q3_pp = v47 + v62;
-    const wide q3_pm = v49 + v63;
-    const wide q3_mp = v50 + v62;
-    const wide q3_mm = v51 + v63;
-    const wide q4_pp = v47 + (v45 + (v56 - only_wide(half_turn < v56, m9)));
-    const wide q4_pm = v49 + (v45 + (v57 - only_wide(half_turn < v57, m9)));
-    const wide q4_mp = v50 + (v45 + (v58 - only_wide(half_turn < v58, m9)));
-    const wide q4_mm = v51 + (v45 + (v59 - only_wide(half_turn < v59, m9)));
-    const wide v64 = v45 + (angle3 + v10);
-    const wide v65 = v45 + (v10 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -Z2_5)));
-    const wide q5_pp = v47 + v64;
-    const wide q5_pm = v49 + v64;
-    const wide q5_mp = v50 + v65;
-    const wide q5_mm = v51 + v65;
-    const wide_mask doubt1 = (v3 <= m3) | ((v1 <= m1) | ((v4 <= m3) | ((((shortest3_reach <= N3) &
-        (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v29
-        <= m6) | ((v28 <= m6) | ((v25 <= m6) | (v27 <= m6)))))));
+    const wide v55 = angle2 - (angle4 + angle5) - offset4;
+    const wide v56 = angle2 - (angle6 - angle4) - offset4;
+    const wide v57 = offset4 + (angle2 + (angle4 + angle7));
+    const wide v58 = offset4 + (angle2 + (angle8 - angle4));
+    const wide v59 = v55 - only_wide(half_turn < v55, m9) + only_wide(v55 <= -half_turn, m9);
+    const wide v60 = v56 - only_wide(half_turn < v56, m9) + only_wide(v56 <= -half_turn, m9);
+    const wide v61 = only_wide(-v57 <= -half_turn, m9) - (v57 + only_wide(half_turn < -v57, m9));
+    const wide v62 = only_wide(-v58 <= -half_turn, m9) - (v58 + only_wide(half_turn < -v58, m9));
+    const wide v63 = v48 + (angle1 + v13);
+    const wide v64 = v48 + (v13 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1));
+    const wide q1_pp = v50 + v63, q1_pm = v52 + v63, q1_mp = v53 + v64, q1_mm = v54 + v64;
+    const wide q2_pp = v50 + (angle5 + v48), q2_pm = v52 + (angle6 + v48);
+    const wide q2_mp = v53 + (angle7 + v48), q2_mm = v54 + (angle8 + v48);
+    const wide v65 = angle4 + v48, v66 = v48 - angle4;
+    const wide q3_pp = v50 + v65, q3_pm = v52 + v66, q3_mp = v53 + v65, q3_mm = v54 + v66;
+    const wide q4_pp = v50 + (v48 + (v59 - only_wide(half_turn < v59, m9)));
+    const wide q4_pm = v52 + (v48 + (v60 - only_wide(half_turn < v60, m9)));
+    const wide q4_mp = v53 + (v48 + (v61 - only_wide(half_turn < v61, m9)));
+    const wide q4_mm = v54 + (v48 + (v62 - only_wide(half_turn < v62, m9)));
+    const wide v67 = v48 + (angle3 + v13);
+    const wide v68 = v48 + (v13 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -Z2_5)));
+    const wide q5_pp = v50 + v67, q5_pm = v52 + v67, q5_mp = v53 + v68, q5_mm = v54 + v68;
+    const wide_mask doubt1 = (v6 <= m3) | ((v4 <= m1) | ((v7 <= m3) | ((((shortest3_reach <= N3) &
+        (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v32
+        <= m6) | ((v31 <= m6) | ((v28 <= m6) | (v30 <= m6)))))));
 
-    q[0] = q1_pp;
-    q[1] = q2_pp;
-    q[2] = q3_pp;
-    q[3] = q4_pp;
-    q[4] = q5_pp;
+    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_pm;
-    q[6] = q2_pm;
-    q[7] = q3_pm;
-    q[8] = q4_pm;
-    q[9] = q5_pm;
+    q[5] = q1_pm; q[6] = q2_pm; q[7] = q3_pm; q[8] = q4_pm; q[9] = q5_pm;
     kind[1] = kind_of(q[5] != q[5], 0);
-    q[10] = q1_mp;
-    q[11] = q2_mp;
-    q[12] = q3_mp;
-    q[13] = q4_mp;
-    q[14] = q5_mp;
+    q[10] = q1_mp; q[11] = q2_mp; q[12] = q3_mp; q[13] = q4_mp; q[14] = q5_mp;
     kind[2] = kind_of(q[10] != q[10], 0);
-    q[15] = q1_mm;
-    q[16] = q2_mm;
-    q[17] = q3_mm;
-    q[18] = q4_mm;
-    q[19] = q5_mm;
+    q[15] = q1_mm; q[16] = q2_mm; q[17] = q3_mm; q[18] = q4_mm; q[19] = q5_mm;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -665,108 +605,93 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = T14 * T14 + T24 * T24;
-    const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1;
-    const double factor1 = w1 * v2;
-    const double c1 = T14 * factor1;
-    const double s1 = T24 * factor1;
-    const double v3 = copysign(half_turn, T24);
-    const four v4 = m2 * (e1 - 1.0);
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1;
+    const double v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
+    const double w1 = sqrt(v4);
+    const double v5 = 1.0 / v4;
+    const double factor1 = w1 * v5;
+    const double c1 = v2 * factor1;
+    const double s1 = v3 * factor1;
+    const double v6 = copysign(half_turn, v3);
+    const four v7 = m2 * (e1 - 1.0);
 
     /* theta234 */
-    const double Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23));
-    const double v5 = T33 * T33 + Z2_234 * Z2_234;
-    const double factor234 = sqrt(v5) * (1.0 / v5);
+    const double Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3));
+    const double v8 = T33 * T33 + Z2_234 * Z2_234;
+    const double factor234 = sqrt(v8) * (1.0 / v8);
 
     /* theta5 */
-    const double Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22));
-    const double Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21));
-    const double v6 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
-    const double v7 = sqrt(v6) * (1.0 / v6);
-    const double v8 = Z1_5 * v7;
-    const double v9 = Z2_5 * v7;
-    const double v10 = copysign(half_turn, -Z2_5);
+    const double Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22));
+    const double Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21));
+    const double v9 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v10 = sqrt(v9) * (1.0 / v9), v11 = Z1_5 * v10;
+    const double v12 = Z2_5 * v10, v13 = copysign(half_turn, -Z2_5);
 
     /* theta3 */
-    const double v11 = factor234 * (d5 * T33);
-    const double Z1_3 = T34 - d1 - v11;
-    const double v12 = factor234 * (d5 * Z2_234);
-    const double Z2_3 = w1 - v12;
+    const double v14 = factor234 * (d5 * T33);
+    const double Z1_3 = T34 - d1 - v14;
+    const double v15 = factor234 * (d5 * Z2_234);
+    const double Z2_3 = T14 * c1 + T24 * s1 - v15;
     const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const double K3 = N3 - k1;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v13 = w3 - w3;
+    const double v16 = w3 - w3;
     const double s3 = k2 * w3;
     const double c3 = k2 * K3;
 
     /* theta2 */
     const double X1_2 = a2 + a3 * c3;
     const double Y1_2 = a3 * s3;
-    const double v14 = Z1_3 * X1_2;
-    const double v15 = Z2_3 * Y1_2;
-    const four v16 = e1 * e2;
-    const four v17 = v14 - v15 * v16;
-    const double v18 = m5 + m4 * N3;
-    const double v19 = Z1_3 * v18;
-    const four S2 = v19 - w3 * (m4 * (Z2_3 * v16));
-    const double v20 = Z2_3 * X1_2;
-    const double v21 = Z1_3 * Y1_2;
-    const four v22 = e1 * v20;
-    const four v23 = e2 * v21;
-    const four v24 = v22 + v23;
-    const four v25 = w3 * (m4 * (e2 * Z1_3));
-    const four v26 = Z2_3 * (e1 * v18);
-    const four C2 = v25 + v26;
-    const four v27 = S2 * S2 + C2 * C2;
-    const four w2 = sqrt_four(v27);
-    const four_mask doubt2 = v27 <= m6;
-    const four v28 = 1.0 / v27;
+    const double v17 = Z1_3 * X1_2, v18 = Z2_3 * Y1_2;
+    const four v19 = e1 * e2, v20 = v17 - v18 * v19;
+    const double v21 = m5 + m4 * N3, v22 = Z1_3 * v21;
+    const four S2 = v22 - w3 * (m4 * (Z2_3 * v19));
+    const double v23 = Z2_3 * X1_2, v24 = Z1_3 * Y1_2;
+    const four v25 = e1 * v23, v26 = e2 * v24, v27 = v25 + v26, v28 = w3 * (m4 * (e2 * Z1_3));
+    const four v29 = Z2_3 * (e1 * v21);
+    const four C2 = v28 + v29;
+    const four v30 = S2 * S2 + C2 * C2;
+    const four w2 = sqrt_four(v30);
+    const four_mask doubt2 = v30 <= m6;
+    const four v31 = 1.0 / v30;
 
     /* is the pose one that the arm can take? */
-    const double v29 = c1 * T33;
-    const four v30 = e2 * s3;
-    const four v31 = e1 * v12;
-    const double v32 = m7 + m8 * c3;
-    const four v33 = v31 + w2 * (v28 * (v24 * v32 - m8 * (v17 * v30)));
-    const double v34 = s1 * T33;
-    const double v35 = d1 + v11;
-    const double v36 = sqrt(-1.0);
-    const double v37 = (maximum_double(fabs(T12 - (s1 * v8 + factor234 * (v9 * v29))),
-        maximum_double(fabs(T11 - (s1 * v9 - factor234 * (v8 * v29))), maximum_double(fabs(T13 -
-        factor234 * (c1 * Z2_234)), maximum_double(fabs(T21 + (c1 * v9 + factor234 * (v8 * v34))),
-        maximum_double(fabs(T22 - (factor234 * (v9 * v34) - c1 * v8)), maximum_double(fabs(T23 -
-        factor234 * (s1 * Z2_234)), maximum_double(fabs(T31 - factor234 * (Z2_234 * v8)),
-        maximum_double(fabs(T33 - T33 * factor234), fabs(T32 + factor234 * (Z2_234 * v9)))))))))) <=
-        pose_slack) ? 0.0 : v36;
-    const four v38 = pick_four(maximum_four(abs_four(T24 - e1 * (s1 * v33)),
-        maximum_four(abs_four(T34 - (a3 * (w2 * (v28 * (v24 * v30 + c3 * v17))) + (v35 + a2 * (S2 *
-        (w2 * v28))))), abs_four(T14 - e1 * (c1 * v33)))) <= pose_slack1, all_four(0.0),
-        all_four(v36));
+    const double v32 = c1 * T33;
+    const four v33 = e2 * s3, v34 = e1 * v15;
+    const double v35 = m7 + m8 * c3;
+    const four v36 = v34 + w2 * (v31 * (v27 * v35 - m8 * (v20 * v33)));
+    const double v37 = s1 * T33, v38 = d1 + v14, v39 = sqrt(-1.0);
+    const double v40 = (maximum_double(fabs(T12 - (s1 * v11 + factor234 * (v12 * v32))),
+        maximum_double(fabs(T11 - (s1 * v12 - factor234 * (v11 * v32))), maximum_double(fabs(T13 -
+        factor234 * (c1 * Z2_234)), maximum_double(fabs(T21 + (c1 * v12 + factor234 * (v11 * v37))),
+        maximum_double(fabs(T22 - (factor234 * (v12 * v37) - c1 * v11)), maximum_double(fabs(T23 -
+        factor234 * (s1 * Z2_234)), maximum_double(fabs(T31 - factor234 * (Z2_234 * v11)),
+        maximum_double(fabs(T33 - T33 * factor234), fabs(T32 + factor234 * (Z2_234 * v12))))))))))
+        <= pose_slack) ? 0.0 : v39;
+    const four v41 = pick_four(maximum_four(abs_four(T24 - e1 * (s1 * v36)),
+        maximum_four(abs_four(T34 - (a3 * (w2 * (v31 * (v27 * v33 + c3 * v20))) + (v38 + a2 * (S2 *
+        (w2 * v31))))), abs_four(T14 - e1 * (c1 * v36)))) <= pose_slack1, all_four(0.0),
+        all_four(v39));
 
     /* joint values */
-    const int doubt1 = (v5 <= m3) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v6 <= m3)));
+    const int doubt1 = (v8 <= m3) | ((v4 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v9 <= m3)));
 
     const four angle5 = atan2_four(S2, C2);
-    const four packed2 = atan2_four((four){ T24, -Z2_234, -Z2_5, w3 }, (four){ T14, T33, -Z1_5, K3
-        });
+    const four packed2 = atan2_four((four){ v3, -Z2_234, -Z2_5, w3 }, (four){ v2, T33, -Z1_5, K3 });
     const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
     const four angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
     const four angle4 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v39 = e2 * angle4;
-    const four v40 = e1 * angle2;
-    const four v41 = v40 - (angle5 + v39) - offset4;
-    const four v42 = v41 - only_four(half_turn < v41, m9) + only_four(v41 <= -half_turn, m9);
-    const four v43 = v37 + (v13 + (angle1 + v3 * v4));
-    const four q1 = v38 + v43;
-    const four q2 = v38 + (angle5 + v37);
-    const four v44 = v37 + v39;
-    const four q3 = v38 + v44;
-    const four q4 = v38 + (v37 + (v42 - only_four(half_turn < v42, m9)));
-    const four v45 = v37 + (v13 + (angle3 + v4 * v10));
-    const four q5 = v38 + v45;
+    const four v42 = e2 * angle4, v43 = e1 * angle2, v44 = v43 - (angle5 + v42) - offset4;
+    const four v45 = v44 - only_four(half_turn < v44, m9) + only_four(v44 <= -half_turn, m9);
+    const four v46 = v40 + (v16 + (angle1 + v6 * v7));
+    const four q1 = v41 + v46;
+    const four q2 = v41 + (angle5 + v40);
+    const four v47 = v40 + v42;
+    const four q3 = v41 + v47;
+    const four q4 = v41 + (v40 + (v45 - only_four(half_turn < v45, m9)));
+    const four v48 = v40 + (v16 + (angle3 + v7 * v13));
+    const four q5 = v41 + v48;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -844,34 +769,37 @@ static void solve(
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
-    /* theta1, type 2: U1[3, 4] */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    /* theta1, type 2: U1[3, 4] and U1[3, 3] */
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23);
+    const double v2 = T14 + T13 * v1;
+    const double v3 = T24 + T23 * v1;
+    const double w1 = sqrt(v2 * v2 + v3 * v3);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v1 = T33 * T33;
-    const double v2 = seed[1] + seed[2] + (seed[3] + offset4);
+    const double v4 = T33 * T33;
+    const double v5 = seed[1] + seed[2] + (seed[3] + offset4);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v5 = T34 - d1;
+    const double v8 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : T14 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : T24 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : v2 * factor1;
+        const double s1 = free1 ? sin(seed[0]) : v3 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
-        const double w234 = sqrt(Z2_234 * Z2_234 + v1);
+        const double w234 = sqrt(Z2_234 * Z2_234 + v4);
         const int free234 = w234 <= free_limit_squared;
         const double factor234 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v2) : T33 * factor234;
-        const double s234 = free234 ? sin(v2) : -(Z2_234 * factor234);
+        const double c234 = free234 ? cos(v5) : T33 * factor234;
+        const double s234 = free234 ? sin(v5) : -(Z2_234 * factor234);
         const double theta234 = atan2(s234, c234);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
@@ -879,16 +807,16 @@ static void solve(
         const double Z2_5 = T11 * s1 - T21 * c1;
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
         const int free5 = w5 <= free_limit_squared;
-        const double v3 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v3);
-        const double s5 = free5 ? sin(seed[4]) : -(Z2_5 * v3);
+        const double v6 = 1.0 / (free5 ? 1.0 : w5);
+        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v6);
+        const double s5 = free5 ? sin(seed[4]) : -(Z2_5 * v6);
         const double q5 = atan2(s5, c5);
 
         /* theta3 */
-        const double v4 = c234 * d5;
-        const double Z1_3 = v5 - v4;
-        const double v6 = s234 * d5;
-        const double Z2_3 = w1 * e1 + v6;
+        const double v7 = c234 * d5;
+        const double Z1_3 = v8 - v7;
+        const double v9 = s234 * d5;
+        const double Z2_3 = v9 + (T14 * c1 + T24 * s1);
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
@@ -917,18 +845,18 @@ static void solve(
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
         const double X1_2 = a2 + a3 * c3;
-        const double v7 = Z1_3 * X1_2;
-        const double v8 = Z2_3 * X1_2;
+        const double v10 = Z1_3 * X1_2;
+        const double v11 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v9 = c1 * c234;
-        const double v11 = s1 * c234;
-        const double v12 = d1 + v4;
+        const double v12 = c1 * c234;
+        const double v14 = s1 * c234;
+        const double v15 = d1 + v7;
         if (!(fabs(T33 - c234) <= pose_slack && (fabs(T32 + s234 * s5) <= pose_slack && (fabs(T31 -
             s234 * c5) <= pose_slack && (fabs(T23 + s1 * s234) <= pose_slack && (fabs(T22 - (c1 * c5
-            - s5 * v11)) <= pose_slack && (fabs(T21 - (c5 * v11 + c1 * s5)) <= pose_slack &&
-            (fabs(T13 + c1 * s234) <= pose_slack && (fabs(T11 - (c5 * v9 - s1 * s5)) <= pose_slack
-            && fabs(T12 + (s1 * c5 + s5 * v9)) <= pose_slack)))))))))
+            - s5 * v14)) <= pose_slack && (fabs(T21 - (c5 * v14 + c1 * s5)) <= pose_slack &&
+            (fabs(T13 + c1 * s234) <= pose_slack && (fabs(T11 - (c5 * v12 - s1 * s5)) <= pose_slack
+            && fabs(T12 + (s1 * c5 + s5 * v12)) <= pose_slack)))))))))
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
@@ -940,8 +868,8 @@ static void solve(
 
             /* theta2 */
             const double Y1_2 = a3 * s3;
-            const double S2 = v7 - Z2_3 * Y1_2;
-            const double C2 = v8 + Z1_3 * Y1_2;
+            const double S2 = v10 - Z2_3 * Y1_2;
+            const double C2 = v11 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
@@ -952,9 +880,9 @@ static void solve(
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2;
             const double s23 = c3 * s2 + s3 * c2;
-            const double v10 = a3 * c23 + (a2 * c2 - v6);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v12))) <= pose_slack1 && (fabs(T14 - c1 * v10)
-                <= pose_slack1 && fabs(T24 - s1 * v10) <= pose_slack1)))
+            const double v13 = a3 * c23 + (a2 * c2 - v9);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 && (fabs(T14 - c1 * v13)
+                <= pose_slack1 && fabs(T24 - s1 * v13) <= pose_slack1)))
                 continue; /* the arm can't take this pose */
 
             /* joint values */

@@ -15,7 +15,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -46,7 +46,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -82,6 +83,7 @@ d1 = 0.2015  # joint offset 1 [m]
 a2 = 0.19  # link length 2 [m]
 a3 = 0.139  # link length 3 [m]
 d5 = 0.1473  # joint offset 5 [m]
+second_weight = 0.6778  # lengths count in arm sizes [m]
 free_limit1 = 6.777999999999999e-13  # a length that fixes no angle [m]
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 offset4 = -1.5707963267948966  # offset of joint 4 [rad]
@@ -102,8 +104,8 @@ m3 = 1e-12  # doubt_limit_squared^2
 m4 = 2.631578947368421  # a coefficient of S2
 m5 = 0.04415526315789473  # a coefficient of S2
 m6 = 2.1106015755686555e-13  # doubt_limit_squared2^2 [m^4]
-m7 = 0.19  # a coefficient of v10
-m8 = 0.139  # a coefficient of v10
+m7 = 0.19  # a coefficient of v13
+m8 = 0.139  # a coefficient of v13
 m9 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -297,17 +299,20 @@ def _solve(pose, seed, q, status):
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    # theta1, type 2: U1[3, 4]
-    w1 = math.sqrt(T14 * T14 + T24 * T24)
+    # theta1, type 2: U1[3, 4] and U1[3, 3]
+    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    v2 = T14 + T13 * v1
+    v3 = T24 + T23 * v1
+    w1 = math.sqrt(v2 * v2 + v3 * v3)
     free1 = w1 <= free_limit1
     divisor1 = 1.0 if free1 else w1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v1 = T33 * T33
-    v2 = seed[1] + seed[2] + (seed[3] + offset4)
+    v4 = T33 * T33
+    v5 = seed[1] + seed[2] + (seed[3] + offset4)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v5 = T34 - d1
+    v8 = T34 - d1
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -315,17 +320,17 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and free1:
             continue  # both signs give the same
         factor1 = e1 / divisor1
-        c1 = math.cos(seed[0]) if free1 else T14 * factor1
-        s1 = math.sin(seed[0]) if free1 else T24 * factor1
+        c1 = math.cos(seed[0]) if free1 else v2 * factor1
+        s1 = math.sin(seed[0]) if free1 else v3 * factor1
         q1 = _atan2(s1, c1)
 
         # theta234
         Z2_234 = T13 * c1 + T23 * s1
-        w234 = math.sqrt(Z2_234 * Z2_234 + v1)
+        w234 = math.sqrt(Z2_234 * Z2_234 + v4)
         free234 = w234 <= free_limit_squared
         factor234 = 1.0 / (1.0 if free234 else w234)
-        c234 = math.cos(v2) if free234 else T33 * factor234
-        s234 = math.sin(v2) if free234 else -(Z2_234 * factor234)
+        c234 = math.cos(v5) if free234 else T33 * factor234
+        s234 = math.sin(v5) if free234 else -(Z2_234 * factor234)
         theta234 = _atan2(s234, c234)
 
         # theta5, type 3: U1[3, 2] and U1[3, 1]
@@ -333,16 +338,16 @@ def _solve(pose, seed, q, status):
         Z2_5 = T11 * s1 - T21 * c1
         w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
         free5 = w5 <= free_limit_squared
-        v3 = 1.0 / (1.0 if free5 else w5)
-        c5 = math.cos(seed[4]) if free5 else -(Z1_5 * v3)
-        s5 = math.sin(seed[4]) if free5 else -(Z2_5 * v3)
+        v6 = 1.0 / (1.0 if free5 else w5)
+        c5 = math.cos(seed[4]) if free5 else -(Z1_5 * v6)
+        s5 = math.sin(seed[4]) if free5 else -(Z2_5 * v6)
         q5 = _atan2(s5, c5)
 
         # theta3
-        v4 = c234 * d5
-        Z1_3 = v5 - v4
-        v6 = s234 * d5
-        Z2_3 = w1 * e1 + v6
+        v7 = c234 * d5
+        Z1_3 = v8 - v7
+        v9 = s234 * d5
+        Z2_3 = v9 + (T14 * c1 + T24 * s1)
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
@@ -366,19 +371,19 @@ def _solve(pose, seed, q, status):
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2 = a2 + a3 * c3
-        v7 = Z1_3 * X1_2
-        v8 = Z2_3 * X1_2
+        v10 = Z1_3 * X1_2
+        v11 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v9 = c1 * c234
-        v11 = s1 * c234
-        v12 = d1 + v4
+        v12 = c1 * c234
+        v14 = s1 * c234
+        v15 = d1 + v7
         if (
             not (abs(T33 - c234) <= pose_slack and (abs(T32 + s234 * s5) <= pose_slack and (abs(T31
             - s234 * c5) <= pose_slack and (abs(T23 + s1 * s234) <= pose_slack and (abs(T22 - (c1 *
-            c5 - s5 * v11)) <= pose_slack and (abs(T21 - (c5 * v11 + c1 * s5)) <= pose_slack and
-            (abs(T13 + c1 * s234) <= pose_slack and (abs(T11 - (c5 * v9 - s1 * s5)) <= pose_slack
-            and abs(T12 + (s1 * c5 + s5 * v9)) <= pose_slack))))))))
+            c5 - s5 * v14)) <= pose_slack and (abs(T21 - (c5 * v14 + c1 * s5)) <= pose_slack and
+            (abs(T13 + c1 * s234) <= pose_slack and (abs(T11 - (c5 * v12 - s1 * s5)) <= pose_slack
+            and abs(T12 + (s1 * c5 + s5 * v12)) <= pose_slack))))))))
         ):
             continue  # the arm can't take this pose
 
@@ -392,8 +397,8 @@ def _solve(pose, seed, q, status):
 
             # theta2
             Y1_2 = a3 * s3
-            S2 = v7 - Z2_3 * Y1_2
-            C2 = v8 + Z1_3 * Y1_2
+            S2 = v10 - Z2_3 * Y1_2
+            C2 = v11 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
@@ -404,10 +409,10 @@ def _solve(pose, seed, q, status):
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v10 = a3 * c23 + (a2 * c2 - v6)
+            v13 = a3 * c23 + (a2 * c2 - v9)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v12))) <= pose_slack1 and (abs(T14 - c1 * v10)
-                <= pose_slack1 and abs(T24 - s1 * v10) <= pose_slack1))
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 and (abs(T14 - c1 * v13)
+                <= pose_slack1 and abs(T24 - s1 * v13) <= pose_slack1))
             ):
                 continue  # the arm can't take this pose
 
@@ -616,123 +621,126 @@ def _regular(pose, q, status):
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
     room = carray(_room(16), 16)
 
-    # theta1, type 2: U1[3, 4]
-    v1 = T14 * T14 + T24 * T24
-    w1 = math.sqrt(v1)
-    v2 = 1.0 / v1
-    factor1 = w1 * v2
-    c1 = T14 * factor1
-    s1 = T24 * factor1
+    # theta1, type 2: U1[3, 4] and U1[3, 3]
+    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    v2 = T14 + T13 * v1
+    v3 = T24 + T23 * v1
+    v4 = v2 * v2 + v3 * v3
+    w1 = math.sqrt(v4)
+    v5 = 1.0 / v4
+    factor1 = w1 * v5
+    c1 = v2 * factor1
+    s1 = v3 * factor1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23))
-    v3 = T33 * T33 + Z2_234 * Z2_234
-    factor234 = math.sqrt(v3) * (1.0 / v3)
+    Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3))
+    v6 = T33 * T33 + Z2_234 * Z2_234
+    factor234 = math.sqrt(v6) * (1.0 / v6)
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
-    Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22))
-    Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21))
-    v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-    v5 = math.sqrt(v4) * (1.0 / v4)
-    v6 = Z1_5 * v5
-    v7 = Z2_5 * v5
+    Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22))
+    Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21))
+    v7 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+    v8 = math.sqrt(v7) * (1.0 / v7)
+    v9 = Z1_5 * v8
+    v10 = Z2_5 * v8
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v8 = factor234 * (d5 * T33)
-    Z1_3 = T34 - d1 - v8
-    v9 = factor234 * (d5 * Z2_234)
-    Z2_3 = w1 - v9
+    v11 = factor234 * (d5 * T33)
+    Z1_3 = T34 - d1 - v11
+    v12 = factor234 * (d5 * Z2_234)
+    Z2_3 = T14 * c1 + T24 * s1 - v12
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
     K3 = N3 - k1
     w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-    v10 = w3 - w3
+    v13 = w3 - w3
     s3 = k2 * w3
     c3 = k2 * K3
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
     X1_2 = a2 + a3 * c3
     Y1_2 = a3 * s3
-    v11 = Z1_3 * X1_2
-    v12 = Z2_3 * Y1_2
-    v13 = v11 - v12
-    v14 = v11 + v12
-    v15 = m5 + m4 * N3
-    v16 = Z1_3 * v15
-    S2_pp = v16 - w3 * (m4 * Z2_3)
-    S2_pm = v16 - w3 * (m4 * -Z2_3)
-    v17 = Z2_3 * X1_2
-    v18 = Z1_3 * Y1_2
-    v19 = v17 + v18
-    v20 = v17 - v18
-    v21 = w3 * (m4 * Z1_3)
-    v22 = w3 * (m4 * -Z1_3)
-    v23 = Z2_3 * v15
-    C2_pp = v21 + v23
-    C2_pm = v22 + v23
-    C2_mp = v21 - v23
-    C2_mm = v22 - v23
-    v24 = S2_pp * S2_pp
-    v25 = v24 + C2_pp * C2_pp
-    v26 = S2_pm * S2_pm
-    v27 = v26 + C2_pm * C2_pm
-    v28 = v26 + C2_mp * C2_mp
-    v29 = v24 + C2_mm * C2_mm
-    w2_pp = math.sqrt(v25)
-    w2_pm = math.sqrt(v27)
-    w2_mp = math.sqrt(v28)
-    w2_mm = math.sqrt(v29)
-    v30 = 1.0 / v25
-    v31 = 1.0 / v27
-    v32 = 1.0 / v28
-    v33 = 1.0 / v29
+    v14 = Z1_3 * X1_2
+    v15 = Z2_3 * Y1_2
+    v16 = v14 - v15
+    v17 = v14 + v15
+    v18 = m5 + m4 * N3
+    v19 = Z1_3 * v18
+    S2_pp = v19 - w3 * (m4 * Z2_3)
+    S2_pm = v19 - w3 * (m4 * -Z2_3)
+    v20 = Z2_3 * X1_2
+    v21 = Z1_3 * Y1_2
+    v22 = v20 + v21
+    v23 = v20 - v21
+    v24 = w3 * (m4 * Z1_3)
+    v25 = w3 * (m4 * -Z1_3)
+    v26 = Z2_3 * v18
+    C2_pp = v24 + v26
+    C2_pm = v25 + v26
+    C2_mp = v24 - v26
+    C2_mm = v25 - v26
+    v27 = S2_pp * S2_pp
+    v28 = v27 + C2_pp * C2_pp
+    v29 = S2_pm * S2_pm
+    v30 = v29 + C2_pm * C2_pm
+    v31 = v29 + C2_mp * C2_mp
+    v32 = v27 + C2_mm * C2_mm
+    w2_pp = math.sqrt(v28)
+    w2_pm = math.sqrt(v30)
+    w2_mp = math.sqrt(v31)
+    w2_mm = math.sqrt(v32)
+    v33 = 1.0 / v28
+    v34 = 1.0 / v30
+    v35 = 1.0 / v31
+    v36 = 1.0 / v32
 
     # is the pose one that the arm can take?
-    v34 = c1 * T33
-    v35 = m7 + m8 * c3
-    v36 = v19 * v35 - m8 * (s3 * v13)
-    v37 = v9 + w2_pp * (v30 * v36)
-    v38 = m8 * (s3 * v14)
-    v39 = v9 + w2_pm * (v31 * (v20 * v35 + v38))
-    v40 = w2_mp * (v32 * (-v20 * v35 - v38)) - v9
-    v41 = w2_mm * (v33 * -v36) - v9
-    v42 = s1 * T33
-    v43 = d1 + v8
-    v44 = math.sqrt(-1.0)
-    v45 = (
-        0.0 if max(abs(T12 - (s1 * v6 + factor234 * (v7 * v34))), max(abs(T11 - (s1 * v7 - factor234
-        * (v6 * v34))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 + (c1 * v7 + factor234
-        * (v6 * v42))), max(abs(T22 - (factor234 * (v7 * v42) - c1 * v6)), max(abs(T23 - factor234 *
-        (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 * v6)), max(abs(T33 - T33 * factor234),
-        abs(T32 + factor234 * (Z2_234 * v7)))))))))) <= pose_slack else v44
+    v37 = c1 * T33
+    v38 = m7 + m8 * c3
+    v39 = v22 * v38 - m8 * (s3 * v16)
+    v40 = v12 + w2_pp * (v33 * v39)
+    v41 = m8 * (s3 * v17)
+    v42 = v12 + w2_pm * (v34 * (v23 * v38 + v41))
+    v43 = w2_mp * (v35 * (-v23 * v38 - v41)) - v12
+    v44 = w2_mm * (v36 * -v39) - v12
+    v45 = s1 * T33
+    v46 = d1 + v11
+    v47 = math.sqrt(-1.0)
+    v48 = (
+        0.0 if max(abs(T12 - (s1 * v9 + factor234 * (v10 * v37))), max(abs(T11 - (s1 * v10 -
+        factor234 * (v9 * v37))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 + (c1 * v10
+        + factor234 * (v9 * v45))), max(abs(T22 - (factor234 * (v10 * v45) - c1 * v9)), max(abs(T23
+        - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 * v9)), max(abs(T33 - T33 *
+        factor234), abs(T32 + factor234 * (Z2_234 * v10)))))))))) <= pose_slack else v47
     )
-    v46 = s3 * v19 + c3 * v13
-    v47 = (
-        0.0 if max(abs(T24 - s1 * v37), max(abs(T34 - (a3 * (w2_pp * (v30 * v46)) + (v43 + a2 *
-        (S2_pp * (w2_pp * v30))))), abs(T14 - c1 * v37))) <= pose_slack1 else v44
-    )
-    v48 = c3 * v14
-    v49 = (
-        0.0 if max(abs(T24 - s1 * v39), max(abs(T34 - (a3 * (w2_pm * (v31 * (v48 - s3 * v20))) +
-        (v43 + a2 * (S2_pm * (w2_pm * v31))))), abs(T14 - c1 * v39))) <= pose_slack1 else v44
-    )
+    v49 = s3 * v22 + c3 * v16
     v50 = (
-        0.0 if max(abs(T24 + s1 * v40), max(abs(T34 - (a3 * (w2_mp * (v32 * (v48 + s3 * -v20))) +
-        (v43 + a2 * (S2_pm * (w2_mp * v32))))), abs(T14 + c1 * v40))) <= pose_slack1 else v44
+        0.0 if max(abs(T24 - s1 * v40), max(abs(T34 - (a3 * (w2_pp * (v33 * v49)) + (v46 + a2 *
+        (S2_pp * (w2_pp * v33))))), abs(T14 - c1 * v40))) <= pose_slack1 else v47
     )
-    v51 = (
-        0.0 if max(abs(T24 + s1 * v41), max(abs(T34 - (a3 * (w2_mm * (v33 * v46)) + (v43 + a2 *
-        (S2_pp * (w2_mm * v33))))), abs(T14 + c1 * v41))) <= pose_slack1 else v44
+    v51 = c3 * v17
+    v52 = (
+        0.0 if max(abs(T24 - s1 * v42), max(abs(T34 - (a3 * (w2_pm * (v34 * (v51 - s3 * v23))) +
+        (v46 + a2 * (S2_pm * (w2_pm * v34))))), abs(T14 - c1 * v42))) <= pose_slack1 else v47
+    )
+    v53 = (
+        0.0 if max(abs(T24 + s1 * v43), max(abs(T34 - (a3 * (w2_mp * (v35 * (v51 + s3 * -v23))) +
+        (v46 + a2 * (S2_pm * (w2_mp * v35))))), abs(T14 + c1 * v43))) <= pose_slack1 else v47
+    )
+    v54 = (
+        0.0 if max(abs(T24 + s1 * v44), max(abs(T34 - (a3 * (w2_mm * (v36 * v49)) + (v46 + a2 *
+        (S2_pp * (w2_mm * v36))))), abs(T14 + c1 * v44))) <= pose_slack1 else v47
     )
 
     # joint values
     doubt1 = (
-        v3 <= m3 or (v1 <= m1 or (v4 <= m3 or (shortest3_reach <= N3 and N3 <= longest3_reach and
-        not (shortest3_apart < N3 and N3 < longest3_apart) or (v29 <= m6 or (v28 <= m6 or (v25 <= m6
-        or v27 <= m6))))))
+        v6 <= m3 or (v4 <= m1 or (v7 <= m3 or ((shortest3_reach <= N3 and N3 <= longest3_reach and
+        not (shortest3_apart < N3 and N3 < longest3_apart)) or (v32 <= m6 or (v31 <= m6 or (v28 <=
+        m6 or v30 <= m6))))))
     )
 
     # angles, side by side
-    room[0] = T24
+    room[0] = v3
     room[1] = -Z2_234
     room[2] = -Z2_5
     room[3] = w3
@@ -740,7 +748,7 @@ def _regular(pose, q, status):
     room[5] = S2_pm
     room[6] = S2_pm
     room[7] = S2_pp
-    room[8] = T14
+    room[8] = v2
     room[9] = T33
     room[10] = -Z1_5
     room[11] = K3
@@ -760,40 +768,40 @@ def _regular(pose, q, status):
     angle8 = room[7]
 
     # joint values
-    v52 = angle2 - (angle4 + angle5) - offset4
-    v53 = angle2 - (angle6 - angle4) - offset4
-    v54 = offset4 + (angle2 + (angle4 + angle7))
-    v55 = offset4 + (angle2 + (angle8 - angle4))
-    v56 = v52 - (m9 if half_turn < v52 else 0.0) + (m9 if v52 <= -half_turn else 0.0)
-    v57 = v53 - (m9 if half_turn < v53 else 0.0) + (m9 if v53 <= -half_turn else 0.0)
-    v58 = (m9 if -v54 <= -half_turn else 0.0) - (v54 + (m9 if half_turn < -v54 else 0.0))
-    v59 = (m9 if -v55 <= -half_turn else 0.0) - (v55 + (m9 if half_turn < -v55 else 0.0))
-    v60 = v45 + (angle1 + v10)
-    v61 = v45 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
-    q1_pp = v47 + v60
-    q1_pm = v49 + v60
-    q1_mp = v50 + v61
-    q1_mm = v51 + v61
-    q2_pp = v47 + (angle5 + v45)
-    q2_pm = v49 + (angle6 + v45)
-    q2_mp = v50 + (angle7 + v45)
-    q2_mm = v51 + (angle8 + v45)
-    v62 = angle4 + v45
-    v63 = v45 - angle4
-    q3_pp = v47 + v62
-    q3_pm = v49 + v63
-    q3_mp = v50 + v62
-    q3_mm = v51 + v63
-    q4_pp = v47 + (v45 + (v56 - (m9 if half_turn < v56 else 0.0)))
-    q4_pm = v49 + (v45 + (v57 - (m9 if half_turn < v57 else 0.0)))
-    q4_mp = v50 + (v45 + (v58 - (m9 if half_turn < v58 else 0.0)))
-    q4_mm = v51 + (v45 + (v59 - (m9 if half_turn < v59 else 0.0)))
-    v64 = v45 + (angle3 + v10)
-    v65 = v45 + (v10 + (angle3 - h1 * math.copysign(half_turn, -Z2_5)))
-    q5_pp = v47 + v64
-    q5_pm = v49 + v64
-    q5_mp = v50 + v65
-    q5_mm = v51 + v65
+    v55 = angle2 - (angle4 + angle5) - offset4
+    v56 = angle2 - (angle6 - angle4) - offset4
+    v57 = offset4 + (angle2 + (angle4 + angle7))
+    v58 = offset4 + (angle2 + (angle8 - angle4))
+    v59 = v55 - (m9 if half_turn < v55 else 0.0) + (m9 if v55 <= -half_turn else 0.0)
+    v60 = v56 - (m9 if half_turn < v56 else 0.0) + (m9 if v56 <= -half_turn else 0.0)
+    v61 = (m9 if -v57 <= -half_turn else 0.0) - (v57 + (m9 if half_turn < -v57 else 0.0))
+    v62 = (m9 if -v58 <= -half_turn else 0.0) - (v58 + (m9 if half_turn < -v58 else 0.0))
+    v63 = v48 + (angle1 + v13)
+    v64 = v48 + (v13 + (angle1 - math.copysign(half_turn, v3) * h1))
+    q1_pp = v50 + v63
+    q1_pm = v52 + v63
+    q1_mp = v53 + v64
+    q1_mm = v54 + v64
+    q2_pp = v50 + (angle5 + v48)
+    q2_pm = v52 + (angle6 + v48)
+    q2_mp = v53 + (angle7 + v48)
+    q2_mm = v54 + (angle8 + v48)
+    v65 = angle4 + v48
+    v66 = v48 - angle4
+    q3_pp = v50 + v65
+    q3_pm = v52 + v66
+    q3_mp = v53 + v65
+    q3_mm = v54 + v66
+    q4_pp = v50 + (v48 + (v59 - (m9 if half_turn < v59 else 0.0)))
+    q4_pm = v52 + (v48 + (v60 - (m9 if half_turn < v60 else 0.0)))
+    q4_mp = v53 + (v48 + (v61 - (m9 if half_turn < v61 else 0.0)))
+    q4_mm = v54 + (v48 + (v62 - (m9 if half_turn < v62 else 0.0)))
+    v67 = v48 + (angle3 + v13)
+    v68 = v48 + (v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5)))
+    q5_pp = v50 + v67
+    q5_pm = v52 + v67
+    q5_mp = v53 + v68
+    q5_mm = v54 + v68
 
     # a joint is free, or branches meet
     if doubt1:
@@ -830,6 +838,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -875,7 +888,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(5), 5)) if q_seed is None else q_seed
     if seed.shape != (5,):
@@ -977,12 +991,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1312, 1344, 1376, 1408, 1440],
-    [1472, 1504, 1536, 1568, 1600],
-    [1632, 1664, 1696, 1728, 1760],
-    [1792, 1824, 1856, 1888, 1920],
+    [1344, 1376, 1408, 1440, 1472],
+    [1504, 1536, 1568, 1600, 1632],
+    [1664, 1696, 1728, 1760, 1792],
+    [1824, 1856, 1888, 1920, 1952],
 ])
-_KINDS = np.array([1952, 1984, 2016, 2048])
+_KINDS = np.array([1984, 2016, 2048, 2080])
 _LEFT_OVER = 255
 
 
@@ -993,7 +1007,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2080)
+    work = np.empty(2112)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1029,232 +1043,236 @@ def _in_tiles(T, q, status):
             T32 = work[288 + k]
             T33 = work[320 + k]
             T34 = work[352 + k]
-            v1 = T14 * T14 + T24 * T24
-            w1 = math.sqrt(v1)
-            v2 = 1.0 / v1
-            factor1 = w1 * v2
-            c1 = T14 * factor1
-            s1 = T24 * factor1
-            Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23))
-            v3 = T33 * T33 + Z2_234 * Z2_234
-            factor234 = math.sqrt(v3) * (1.0 / v3)
-            Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22))
-            Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21))
-            v4 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-            v5 = math.sqrt(v4) * (1.0 / v4)
-            v6 = Z1_5 * v5
-            v7 = Z2_5 * v5
-            v8 = factor234 * (d5 * T33)
-            Z1_3 = T34 - d1 - v8
-            v9 = factor234 * (d5 * Z2_234)
-            Z2_3 = w1 - v9
+            v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+            v2 = T14 + T13 * v1
+            v3 = T24 + T23 * v1
+            v4 = v2 * v2 + v3 * v3
+            w1 = math.sqrt(v4)
+            v5 = 1.0 / v4
+            factor1 = w1 * v5
+            c1 = v2 * factor1
+            s1 = v3 * factor1
+            Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3))
+            v6 = T33 * T33 + Z2_234 * Z2_234
+            factor234 = math.sqrt(v6) * (1.0 / v6)
+            Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22))
+            Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21))
+            v7 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+            v8 = math.sqrt(v7) * (1.0 / v7)
+            v9 = Z1_5 * v8
+            v10 = Z2_5 * v8
+            v11 = factor234 * (d5 * T33)
+            Z1_3 = T34 - d1 - v11
+            v12 = factor234 * (d5 * Z2_234)
+            Z2_3 = T14 * c1 + T24 * s1 - v12
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
             K3 = N3 - k1
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
-            v10 = w3 - w3
+            v13 = w3 - w3
             s3 = k2 * w3
             c3 = k2 * K3
             X1_2 = a2 + a3 * c3
             Y1_2 = a3 * s3
-            v11 = Z1_3 * X1_2
-            v12 = Z2_3 * Y1_2
-            v13 = v11 - v12
-            v14 = v11 + v12
-            v15 = m5 + m4 * N3
-            v16 = Z1_3 * v15
-            S2_pp = v16 - w3 * (m4 * Z2_3)
-            S2_pm = v16 - w3 * (m4 * -Z2_3)
-            v17 = Z2_3 * X1_2
-            v18 = Z1_3 * Y1_2
-            v19 = v17 + v18
-            v20 = v17 - v18
-            v21 = w3 * (m4 * Z1_3)
-            v22 = w3 * (m4 * -Z1_3)
-            v23 = Z2_3 * v15
-            C2_pp = v21 + v23
-            C2_pm = v22 + v23
-            C2_mp = v21 - v23
-            C2_mm = v22 - v23
-            v24 = S2_pp * S2_pp
-            v25 = v24 + C2_pp * C2_pp
-            v26 = S2_pm * S2_pm
-            v27 = v26 + C2_pm * C2_pm
-            v28 = v26 + C2_mp * C2_mp
-            v29 = v24 + C2_mm * C2_mm
-            w2_pp = math.sqrt(v25)
-            w2_pm = math.sqrt(v27)
-            w2_mp = math.sqrt(v28)
-            w2_mm = math.sqrt(v29)
-            v30 = 1.0 / v25
-            v31 = 1.0 / v27
-            v32 = 1.0 / v28
-            v33 = 1.0 / v29
-            v34 = c1 * T33
-            v35 = m7 + m8 * c3
-            v36 = v19 * v35 - m8 * (s3 * v13)
-            v37 = v9 + w2_pp * (v30 * v36)
-            v38 = m8 * (s3 * v14)
-            v39 = v9 + w2_pm * (v31 * (v20 * v35 + v38))
-            v40 = w2_mp * (v32 * (-v20 * v35 - v38)) - v9
-            v41 = w2_mm * (v33 * -v36) - v9
-            v42 = s1 * T33
-            v43 = d1 + v8
-            v44 = math.sqrt(-1.0)
-            v45 = (
-                0.0 if max(abs(T12 - (s1 * v6 + factor234 * (v7 * v34))), max(abs(T11 - (s1 * v7 -
-                factor234 * (v6 * v34))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 +
-                (c1 * v7 + factor234 * (v6 * v42))), max(abs(T22 - (factor234 * (v7 * v42) - c1 *
-                v6)), max(abs(T23 - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 *
-                v6)), max(abs(T33 - T33 * factor234), abs(T32 + factor234 * (Z2_234 * v7))))))))))
-                <= pose_slack else v44
+            v14 = Z1_3 * X1_2
+            v15 = Z2_3 * Y1_2
+            v16 = v14 - v15
+            v17 = v14 + v15
+            v18 = m5 + m4 * N3
+            v19 = Z1_3 * v18
+            S2_pp = v19 - w3 * (m4 * Z2_3)
+            S2_pm = v19 - w3 * (m4 * -Z2_3)
+            v20 = Z2_3 * X1_2
+            v21 = Z1_3 * Y1_2
+            v22 = v20 + v21
+            v23 = v20 - v21
+            v24 = w3 * (m4 * Z1_3)
+            v25 = w3 * (m4 * -Z1_3)
+            v26 = Z2_3 * v18
+            C2_pp = v24 + v26
+            C2_pm = v25 + v26
+            C2_mp = v24 - v26
+            C2_mm = v25 - v26
+            v27 = S2_pp * S2_pp
+            v28 = v27 + C2_pp * C2_pp
+            v29 = S2_pm * S2_pm
+            v30 = v29 + C2_pm * C2_pm
+            v31 = v29 + C2_mp * C2_mp
+            v32 = v27 + C2_mm * C2_mm
+            w2_pp = math.sqrt(v28)
+            w2_pm = math.sqrt(v30)
+            w2_mp = math.sqrt(v31)
+            w2_mm = math.sqrt(v32)
+            v33 = 1.0 / v28
+            v34 = 1.0 / v30
+            v35 = 1.0 / v31
+            v36 = 1.0 / v32
+            v37 = c1 * T33
+            v38 = m7 + m8 * c3
+            v39 = v22 * v38 - m8 * (s3 * v16)
+            v40 = v12 + w2_pp * (v33 * v39)
+            v41 = m8 * (s3 * v17)
+            v42 = v12 + w2_pm * (v34 * (v23 * v38 + v41))
+            v43 = w2_mp * (v35 * (-v23 * v38 - v41)) - v12
+            v44 = w2_mm * (v36 * -v39) - v12
+            v45 = s1 * T33
+            v46 = d1 + v11
+            v47 = math.sqrt(-1.0)
+            v48 = (
+                0.0 if max(abs(T12 - (s1 * v9 + factor234 * (v10 * v37))), max(abs(T11 - (s1 * v10 -
+                factor234 * (v9 * v37))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 +
+                (c1 * v10 + factor234 * (v9 * v45))), max(abs(T22 - (factor234 * (v10 * v45) - c1 *
+                v9)), max(abs(T23 - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 *
+                v9)), max(abs(T33 - T33 * factor234), abs(T32 + factor234 * (Z2_234 * v10))))))))))
+                <= pose_slack else v47
             )
-            v46 = s3 * v19 + c3 * v13
-            v47 = (
-                0.0 if max(abs(T24 - s1 * v37), max(abs(T34 - (a3 * (w2_pp * (v30 * v46)) + (v43 +
-                a2 * (S2_pp * (w2_pp * v30))))), abs(T14 - c1 * v37))) <= pose_slack1 else v44
-            )
-            v48 = c3 * v14
-            v49 = (
-                0.0 if max(abs(T24 - s1 * v39), max(abs(T34 - (a3 * (w2_pm * (v31 * (v48 - s3 *
-                v20))) + (v43 + a2 * (S2_pm * (w2_pm * v31))))), abs(T14 - c1 * v39))) <=
-                pose_slack1 else v44
-            )
+            v49 = s3 * v22 + c3 * v16
             v50 = (
-                0.0 if max(abs(T24 + s1 * v40), max(abs(T34 - (a3 * (w2_mp * (v32 * (v48 + s3 *
-                -v20))) + (v43 + a2 * (S2_pm * (w2_mp * v32))))), abs(T14 + c1 * v40))) <=
-                pose_slack1 else v44
+                0.0 if max(abs(T24 - s1 * v40), max(abs(T34 - (a3 * (w2_pp * (v33 * v49)) + (v46 +
+                a2 * (S2_pp * (w2_pp * v33))))), abs(T14 - c1 * v40))) <= pose_slack1 else v47
             )
-            v51 = (
-                0.0 if max(abs(T24 + s1 * v41), max(abs(T34 - (a3 * (w2_mm * (v33 * v46)) + (v43 +
-                a2 * (S2_pp * (w2_mm * v33))))), abs(T14 + c1 * v41))) <= pose_slack1 else v44
+            v51 = c3 * v17
+            v52 = (
+                0.0 if max(abs(T24 - s1 * v42), max(abs(T34 - (a3 * (w2_pm * (v34 * (v51 - s3 *
+                v23))) + (v46 + a2 * (S2_pm * (w2_pm * v34))))), abs(T14 - c1 * v42))) <=
+                pose_slack1 else v47
+            )
+            v53 = (
+                0.0 if max(abs(T24 + s1 * v43), max(abs(T34 - (a3 * (w2_mp * (v35 * (v51 + s3 *
+                -v23))) + (v46 + a2 * (S2_pm * (w2_mp * v35))))), abs(T14 + c1 * v43))) <=
+                pose_slack1 else v47
+            )
+            v54 = (
+                0.0 if max(abs(T24 + s1 * v44), max(abs(T34 - (a3 * (w2_mm * (v36 * v49)) + (v46 +
+                a2 * (S2_pp * (w2_mm * v36))))), abs(T14 + c1 * v44))) <= pose_slack1 else v47
             )
             doubt1 = (
-                v3 <= m3 or (v1 <= m1 or (v4 <= m3 or (shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart) or (v29 <= m6
-                or (v28 <= m6 or (v25 <= m6 or v27 <= m6))))))
+                v6 <= m3 or (v4 <= m1 or (v7 <= m3 or ((shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or (v32 <= m6
+                or (v31 <= m6 or (v28 <= m6 or v30 <= m6))))))
             )
-            work[544 + k] = Z2_5
-            work[576 + k] = v10
-            work[608 + k] = v45
-            work[640 + k] = v47
-            work[672 + k] = v49
-            work[704 + k] = v50
-            work[736 + k] = v51
-            work[768 + k] = doubt1
-            work[800 + k] = T24
-            work[832 + k] = -Z2_234
-            work[864 + k] = -Z2_5
-            work[896 + k] = w3
-            work[928 + k] = S2_pp
-            work[960 + k] = S2_pm
+            work[544 + k] = v3
+            work[576 + k] = Z2_5
+            work[608 + k] = v13
+            work[640 + k] = v48
+            work[672 + k] = v50
+            work[704 + k] = v52
+            work[736 + k] = v53
+            work[768 + k] = v54
+            work[800 + k] = doubt1
+            work[832 + k] = v3
+            work[864 + k] = -Z2_234
+            work[896 + k] = -Z2_5
+            work[928 + k] = w3
+            work[960 + k] = S2_pp
             work[992 + k] = S2_pm
-            work[1024 + k] = S2_pp
-            work[1056 + k] = T14
-            work[1088 + k] = T33
-            work[1120 + k] = -Z1_5
-            work[1152 + k] = K3
-            work[1184 + k] = C2_pp
-            work[1216 + k] = C2_pm
-            work[1248 + k] = C2_mp
-            work[1280 + k] = C2_mm
-        for k in range(800, 1056):
+            work[1024 + k] = S2_pm
+            work[1056 + k] = S2_pp
+            work[1088 + k] = v2
+            work[1120 + k] = T33
+            work[1152 + k] = -Z1_5
+            work[1184 + k] = K3
+            work[1216 + k] = C2_pp
+            work[1248 + k] = C2_pm
+            work[1280 + k] = C2_mp
+            work[1312 + k] = C2_mm
+        for k in range(832, 1088):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
-            T24 = work[224 + k]
-            Z2_5 = work[544 + k]
-            v10 = work[576 + k]
-            v45 = work[608 + k]
-            v47 = work[640 + k]
-            v49 = work[672 + k]
-            v50 = work[704 + k]
-            v51 = work[736 + k]
-            doubt1 = work[768 + k] != 0.0
-            angle1 = work[800 + k]
-            angle2 = work[832 + k]
-            angle3 = work[864 + k]
-            angle4 = work[896 + k]
-            angle5 = work[928 + k]
-            angle6 = work[960 + k]
-            angle7 = work[992 + k]
-            angle8 = work[1024 + k]
-            v52 = angle2 - (angle4 + angle5) - offset4
-            v53 = angle2 - (angle6 - angle4) - offset4
-            v54 = offset4 + (angle2 + (angle4 + angle7))
-            v55 = offset4 + (angle2 + (angle8 - angle4))
-            v56 = v52 - (m9 if half_turn < v52 else 0.0) + (m9 if v52 <= -half_turn else 0.0)
-            v57 = v53 - (m9 if half_turn < v53 else 0.0) + (m9 if v53 <= -half_turn else 0.0)
-            v58 = (m9 if -v54 <= -half_turn else 0.0) - (v54 + (m9 if half_turn < -v54 else 0.0))
-            v59 = (m9 if -v55 <= -half_turn else 0.0) - (v55 + (m9 if half_turn < -v55 else 0.0))
-            v60 = v45 + (angle1 + v10)
-            v61 = v45 + (v10 + (angle1 - math.copysign(half_turn, T24) * h1))
-            q1_pp = v47 + v60
-            q1_pm = v49 + v60
-            q1_mp = v50 + v61
-            q1_mm = v51 + v61
-            q2_pp = v47 + (angle5 + v45)
-            q2_pm = v49 + (angle6 + v45)
-            q2_mp = v50 + (angle7 + v45)
-            q2_mm = v51 + (angle8 + v45)
-            v62 = angle4 + v45
-            v63 = v45 - angle4
-            q3_pp = v47 + v62
-            q3_pm = v49 + v63
-            q3_mp = v50 + v62
-            q3_mm = v51 + v63
-            q4_pp = v47 + (v45 + (v56 - (m9 if half_turn < v56 else 0.0)))
-            q4_pm = v49 + (v45 + (v57 - (m9 if half_turn < v57 else 0.0)))
-            q4_mp = v50 + (v45 + (v58 - (m9 if half_turn < v58 else 0.0)))
-            q4_mm = v51 + (v45 + (v59 - (m9 if half_turn < v59 else 0.0)))
-            v64 = v45 + (angle3 + v10)
-            v65 = v45 + (v10 + (angle3 - h1 * math.copysign(half_turn, -Z2_5)))
-            q5_pp = v47 + v64
-            q5_pm = v49 + v64
-            q5_mp = v50 + v65
-            q5_mm = v51 + v65
-            _1312 = q1_pp
-            work[1312 + k] = _1312
-            _1344 = q2_pp
+            v3 = work[544 + k]
+            Z2_5 = work[576 + k]
+            v13 = work[608 + k]
+            v48 = work[640 + k]
+            v50 = work[672 + k]
+            v52 = work[704 + k]
+            v53 = work[736 + k]
+            v54 = work[768 + k]
+            doubt1 = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle2 = work[864 + k]
+            angle3 = work[896 + k]
+            angle4 = work[928 + k]
+            angle5 = work[960 + k]
+            angle6 = work[992 + k]
+            angle7 = work[1024 + k]
+            angle8 = work[1056 + k]
+            v55 = angle2 - (angle4 + angle5) - offset4
+            v56 = angle2 - (angle6 - angle4) - offset4
+            v57 = offset4 + (angle2 + (angle4 + angle7))
+            v58 = offset4 + (angle2 + (angle8 - angle4))
+            v59 = v55 - (m9 if half_turn < v55 else 0.0) + (m9 if v55 <= -half_turn else 0.0)
+            v60 = v56 - (m9 if half_turn < v56 else 0.0) + (m9 if v56 <= -half_turn else 0.0)
+            v61 = (m9 if -v57 <= -half_turn else 0.0) - (v57 + (m9 if half_turn < -v57 else 0.0))
+            v62 = (m9 if -v58 <= -half_turn else 0.0) - (v58 + (m9 if half_turn < -v58 else 0.0))
+            v63 = v48 + (angle1 + v13)
+            v64 = v48 + (v13 + (angle1 - math.copysign(half_turn, v3) * h1))
+            q1_pp = v50 + v63
+            q1_pm = v52 + v63
+            q1_mp = v53 + v64
+            q1_mm = v54 + v64
+            q2_pp = v50 + (angle5 + v48)
+            q2_pm = v52 + (angle6 + v48)
+            q2_mp = v53 + (angle7 + v48)
+            q2_mm = v54 + (angle8 + v48)
+            v65 = angle4 + v48
+            v66 = v48 - angle4
+            q3_pp = v50 + v65
+            q3_pm = v52 + v66
+            q3_mp = v53 + v65
+            q3_mm = v54 + v66
+            q4_pp = v50 + (v48 + (v59 - (m9 if half_turn < v59 else 0.0)))
+            q4_pm = v52 + (v48 + (v60 - (m9 if half_turn < v60 else 0.0)))
+            q4_mp = v53 + (v48 + (v61 - (m9 if half_turn < v61 else 0.0)))
+            q4_mm = v54 + (v48 + (v62 - (m9 if half_turn < v62 else 0.0)))
+            v67 = v48 + (angle3 + v13)
+            v68 = v48 + (v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5)))
+            q5_pp = v50 + v67
+            q5_pm = v52 + v67
+            q5_mp = v53 + v68
+            q5_mm = v54 + v68
+            _1344 = q1_pp
             work[1344 + k] = _1344
-            _1376 = q3_pp
+            _1376 = q2_pp
             work[1376 + k] = _1376
-            _1408 = q4_pp
+            _1408 = q3_pp
             work[1408 + k] = _1408
-            _1440 = q5_pp
+            _1440 = q4_pp
             work[1440 + k] = _1440
-            _1472 = q1_pm
+            _1472 = q5_pp
             work[1472 + k] = _1472
-            _1504 = q2_pm
+            _1504 = q1_pm
             work[1504 + k] = _1504
-            _1536 = q3_pm
+            _1536 = q2_pm
             work[1536 + k] = _1536
-            _1568 = q4_pm
+            _1568 = q3_pm
             work[1568 + k] = _1568
-            _1600 = q5_pm
+            _1600 = q4_pm
             work[1600 + k] = _1600
-            _1632 = q1_mp
+            _1632 = q5_pm
             work[1632 + k] = _1632
-            _1664 = q2_mp
+            _1664 = q1_mp
             work[1664 + k] = _1664
-            _1696 = q3_mp
+            _1696 = q2_mp
             work[1696 + k] = _1696
-            _1728 = q4_mp
+            _1728 = q3_mp
             work[1728 + k] = _1728
-            _1760 = q5_mp
+            _1760 = q4_mp
             work[1760 + k] = _1760
-            _1792 = q1_mm
+            _1792 = q5_mp
             work[1792 + k] = _1792
-            _1824 = q2_mm
+            _1824 = q1_mm
             work[1824 + k] = _1824
-            _1856 = q3_mm
+            _1856 = q2_mm
             work[1856 + k] = _1856
-            _1888 = q4_mm
+            _1888 = q3_mm
             work[1888 + k] = _1888
-            _1920 = q5_mm
+            _1920 = q4_mm
             work[1920 + k] = _1920
-            work[1952 + k] = UNREACHABLE if _1312 != _1312 else OK
-            work[1984 + k] = UNREACHABLE if _1472 != _1472 else OK
-            work[2016 + k] = UNREACHABLE if _1632 != _1632 else OK
-            work[2048 + k] = UNREACHABLE if _1792 != _1792 else OK
+            _1952 = q5_mm
+            work[1952 + k] = _1952
+            work[1984 + k] = UNREACHABLE if _1344 != _1344 else OK
+            work[2016 + k] = UNREACHABLE if _1504 != _1504 else OK
+            work[2048 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[2080 + k] = UNREACHABLE if _1824 != _1824 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
@@ -1281,6 +1299,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((4, 5)), np.empty(4, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(5))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

@@ -87,8 +87,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -113,8 +112,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -539,85 +537,44 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Z1_3 = d1 + (d6 * T33 - T34);
     const wide N3 = v1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v4 = w3 - w3;
-    const wide v5 = k1 * (N3 - k2);
+    const wide v4 = w3 - w3, v5 = k1 * (N3 - k2);
     const wide s3 = k3 * v5;
-    const wide v6 = k1 * w3;
-    const wide v7 = k3 * v6;
+    const wide v6 = k1 * w3, v7 = k3 * v6;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * s3;
     const wide X2_2 = d4 * v7;
-    const wide v8 = Z1_3 * X1_2;
-    const wide v9 = w1 * X2_2;
-    const wide v10 = v8 + v9;
-    const wide v11 = v8 - v9;
-    const wide v12 = m2 * N3 - m3;
-    const wide v13 = Z1_3 * v12;
-    const wide v14 = w3 * (m2 * w1);
-    const wide S2_pp = v13 + v14;
-    const wide S2_pm = v13 - v14;
-    const wide v15 = w1 * X1_2;
-    const wide v16 = Z1_3 * X2_2;
-    const wide v17 = v15 - v16;
-    const wide v18 = v15 + v16;
-    const wide v19 = w3 * (m2 * Z1_3);
-    const wide v20 = w1 * v12;
-    const wide v21 = w1 * -v12;
-    const wide C2_pp = v20 - v19;
-    const wide C2_pm = v19 + v20;
-    const wide C2_mp = v21 - v19;
-    const wide C2_mm = v19 + v21;
-    const wide v22 = S2_pp * S2_pp;
-    const wide v23 = v22 + C2_pp * C2_pp;
-    const wide v24 = S2_pm * S2_pm;
-    const wide v25 = v24 + C2_pm * C2_pm;
-    const wide v26 = v24 + C2_mp * C2_mp;
-    const wide v27 = v22 + C2_mm * C2_mm;
-    const wide w2_pp = sqrt_wide(v23);
-    const wide w2_pm = sqrt_wide(v25);
-    const wide w2_mp = sqrt_wide(v26);
+    const wide v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9, v11 = v8 - v9, v12 = m2 * N3 - m3;
+    const wide v13 = Z1_3 * v12, v14 = w3 * (m2 * w1);
+    const wide S2_pp = v13 + v14, S2_pm = v13 - v14;
+    const wide v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16, v18 = v15 + v16;
+    const wide v19 = w3 * (m2 * Z1_3), v20 = w1 * v12, v21 = w1 * -v12;
+    const wide C2_pp = v20 - v19, C2_pm = v19 + v20, C2_mp = v21 - v19, C2_mm = v19 + v21;
+    const wide v22 = S2_pp * S2_pp, v23 = v22 + C2_pp * C2_pp, v24 = S2_pm * S2_pm;
+    const wide v25 = v24 + C2_pm * C2_pm, v26 = v24 + C2_mp * C2_mp, v27 = v22 + C2_mm * C2_mm;
+    const wide w2_pp = sqrt_wide(v23), w2_pm = sqrt_wide(v25), w2_mp = sqrt_wide(v26);
     const wide w2_mm = sqrt_wide(v27);
-    const wide v28 = 1.0 / v23;
-    const wide v29 = 1.0 / v25;
-    const wide v30 = 1.0 / v26;
-    const wide v31 = 1.0 / v27;
+    const wide v28 = 1.0 / v23, v29 = 1.0 / v25, v30 = 1.0 / v26, v31 = 1.0 / v27;
 
     /* theta4 */
     const wide v32 = s3 * v10;
     const wide c2m3_pp = w2_pp * (v28 * (v32 - v7 * v17));
     const wide v33 = s3 * v11 + v7 * v18;
-    const wide c2m3_pm = w2_pm * (v29 * v33);
-    const wide c2m3_mp = w2_mp * (v30 * v33);
+    const wide c2m3_pm = w2_pm * (v29 * v33), c2m3_mp = w2_mp * (v30 * v33);
     const wide c2m3_mm = w2_mm * (v31 * (v32 + v7 * -v17));
-    const wide v34 = v7 * v10;
-    const wide v35 = w2_pp * (v28 * (v34 + s3 * v17));
-    const wide v36 = s3 * v18 - v7 * v11;
-    const wide v37 = w2_pm * (v29 * v36);
-    const wide v38 = w2_mp * (v30 * -v36);
-    const wide v39 = w2_mm * (v31 * (s3 * -v17 - v34));
-    const wide v40 = w1 * (v2 * (T13 * X1 + T23 * wy));
-    const wide v41 = T33 * v35 - c2m3_pp * v40;
-    const wide v42 = T33 * v37 - c2m3_pm * v40;
-    const wide v43 = T33 * v38 + c2m3_mp * v40;
-    const wide v44 = T33 * v39 + c2m3_mm * v40;
-    const wide v45 = T13 * s1 - T23 * v3;
-    const wide v46 = w1 * (v2 * (T13 * wy - X1 * T23));
-    const wide v47 = v46 * v46;
-    const wide v48 = v47 + v41 * v41;
-    const wide v49 = v47 + v42 * v42;
-    const wide v50 = v47 + v43 * v43;
-    const wide v51 = v47 + v44 * v44;
-    const wide v52 = 1.0 / v48;
-    const wide v53 = 1.0 / v49;
-    const wide v54 = 1.0 / v50;
+    const wide v34 = v7 * v10, v35 = w2_pp * (v28 * (v34 + s3 * v17)), v36 = s3 * v18 - v7 * v11;
+    const wide v37 = w2_pm * (v29 * v36), v38 = w2_mp * (v30 * -v36);
+    const wide v39 = w2_mm * (v31 * (s3 * -v17 - v34)), v40 = w1 * (v2 * (T13 * X1 + T23 * wy));
+    const wide v41 = T33 * v35 - c2m3_pp * v40, v42 = T33 * v37 - c2m3_pm * v40;
+    const wide v43 = T33 * v38 + c2m3_mp * v40, v44 = T33 * v39 + c2m3_mm * v40;
+    const wide v45 = T13 * s1 - T23 * v3, v46 = w1 * (v2 * (T13 * wy - X1 * T23)), v47 = v46 * v46;
+    const wide v48 = v47 + v41 * v41, v49 = v47 + v42 * v42, v50 = v47 + v43 * v43;
+    const wide v51 = v47 + v44 * v44, v52 = 1.0 / v48, v53 = 1.0 / v49, v54 = 1.0 / v50;
     const wide v55 = 1.0 / v51;
 
     /* theta6 */
-    const wide v56 = s1 * T12 - v3 * T22;
-    const wide v57 = w1 * (v2 * (X1 * T12 + wy * T22));
-    const wide v58 = s1 * T11 - v3 * T21;
-    const wide v59 = w1 * (v2 * (X1 * T11 + wy * T21));
+    const wide v56 = s1 * T12 - v3 * T22, v57 = w1 * (v2 * (X1 * T12 + wy * T22));
+    const wide v58 = s1 * T11 - v3 * T21, v59 = w1 * (v2 * (X1 * T11 + wy * T21));
 
     /* joint values */
     const wide angle1 = atan2_wide(wy, -X1);
@@ -640,19 +597,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v67 = h1 * copysign_wide(all_wide(half_turn), v5) - angle6 - offset3;
     const wide q3_ppp = v66 + only_wide(v66 <= -half_turn, m7);
     const wide q3_pmp = v67 + only_wide(v67 <= -half_turn, m7);
-    const wide angle7 = atan2_wide(-v46, v41);
-    const wide angle8 = atan2_wide(-v46, v42);
-    const wide angle9 = atan2_wide(v46, v43);
-    const wide angle10 = atan2_wide(v46, v44);
+    const wide angle7 = atan2_wide(-v46, v41), angle8 = atan2_wide(-v46, v42);
+    const wide angle9 = atan2_wide(v46, v43), angle10 = atan2_wide(v46, v44);
     const wide v68 = h1 * copysign_wide(all_wide(half_turn), -v46);
-    const wide v69 = h1 * copysign_wide(all_wide(half_turn), v46);
-    const wide v70 = angle7 - offset4;
-    const wide v71 = angle7 - v68 - offset4;
-    const wide v72 = angle8 - offset4;
-    const wide v73 = angle8 - v68 - offset4;
-    const wide v74 = angle9 - offset4;
-    const wide v75 = angle9 - v69 - offset4;
-    const wide v76 = angle10 - offset4;
+    const wide v69 = h1 * copysign_wide(all_wide(half_turn), v46), v70 = angle7 - offset4;
+    const wide v71 = angle7 - v68 - offset4, v72 = angle8 - offset4, v73 = angle8 - v68 - offset4;
+    const wide v74 = angle9 - offset4, v75 = angle9 - v69 - offset4, v76 = angle10 - offset4;
     const wide v77 = angle10 - v69 - offset4;
     const wide q4_ppp = v70 + only_wide(v70 <= -half_turn, m7);
     const wide q4_ppm = v71 + only_wide(v71 <= -half_turn, m7);
@@ -666,14 +616,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle12 = atan2_wide(sqrt_wide(v49), T33 * c2m3_pm + v37 * v40);
     const wide angle13 = atan2_wide(sqrt_wide(v50), T33 * c2m3_mp - v38 * v40);
     const wide angle14 = atan2_wide(sqrt_wide(v51), T33 * c2m3_mm - v39 * v40);
-    const wide v78 = angle11 - offset5;
-    const wide v79 = offset5 + angle11;
-    const wide v80 = angle12 - offset5;
-    const wide v81 = offset5 + angle12;
-    const wide v82 = angle13 - offset5;
-    const wide v83 = offset5 + angle13;
-    const wide v84 = angle14 - offset5;
-    const wide v85 = offset5 + angle14;
+    const wide v78 = angle11 - offset5, v79 = offset5 + angle11, v80 = angle12 - offset5;
+    const wide v81 = offset5 + angle12, v82 = angle13 - offset5, v83 = offset5 + angle13;
+    const wide v84 = angle14 - offset5, v85 = offset5 + angle14;
     const wide q5_ppp = v78 + only_wide(v78 <= -half_turn, m7);
     const wide q5_ppm = only_wide(-v79 <= -half_turn, m7) - v79;
     const wide q5_pmp = v80 + only_wide(v80 <= -half_turn, m7);
@@ -696,8 +641,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v91 = angle16 - h1 * copysign_wide(all_wide(half_turn), v87) - offset6;
     const wide v92 = angle17 - offset6;
     const wide v93 = angle17 - h1 * copysign_wide(all_wide(half_turn), -(v54 * (v43 * v58 - v45 *
-        (v38 * T31 + c2m3_mp * v59)))) - offset6;
-    const wide v94 = angle18 - offset6;
+        (v38 * T31 + c2m3_mp * v59)))) - offset6, v94 = angle18 - offset6;
     const wide v95 = angle18 - h1 * copysign_wide(all_wide(half_turn), -(v55 * (v44 * v58 - v45 *
         (v39 * T31 + c2m3_mm * v59)))) - offset6;
     const wide q6_ppp = v88 + only_wide(v88 <= -half_turn, m7);
@@ -729,61 +673,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v23 <=
         m4))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_ppp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_ppp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_pmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_pmp;
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -815,28 +719,19 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = d1 + (d6 * T33 - T34);
     const double N3 = v1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = w3 - w3;
-    const double v5 = k1 * (N3 - k2);
+    const double v4 = w3 - w3, v5 = k1 * (N3 - k2);
     const double s3 = k3 * v5;
-    const double v6 = k1 * w3;
-    const double v7 = k3 * v6;
+    const double v6 = k1 * w3, v7 = k3 * v6;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3;
     const double X2_2 = d4 * v7;
-    const double v8 = Z1_3 * X1_2;
-    const double v9 = w1 * X2_2;
-    const four v10 = e1 * e2;
-    const four v11 = v8 + v9 * v10;
-    const double v12 = m2 * N3 - m3;
-    const double v13 = Z1_3 * v12;
+    const double v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
+    const four v10 = e1 * e2, v11 = v8 + v9 * v10;
+    const double v12 = m2 * N3 - m3, v13 = Z1_3 * v12;
     const four S2 = v13 + w3 * (m2 * (w1 * v10));
-    const double v14 = w1 * X1_2;
-    const double v15 = Z1_3 * X2_2;
-    const four v16 = e1 * v14;
-    const four v17 = e2 * v15;
-    const four v18 = v16 - v17;
-    const four v19 = w3 * (m2 * (e2 * Z1_3));
+    const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
+    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m2 * (e2 * Z1_3));
     const four v20 = w1 * (e1 * v12);
     const four C2 = v20 - v19;
     const four v21 = S2 * S2 + C2 * C2;
@@ -849,46 +744,37 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v24 = w2 * (v22 * (v11 * v23 + s3 * v18));
     const double v25 = w1 * (v2 * (T13 * X1 + T23 * wy));
     const four v26 = T33 * v24 - e1 * (c2m3 * v25);
-    const double v27 = T13 * s1 - T23 * v3;
-    const double v28 = w1 * (v2 * (T13 * wy - X1 * T23));
+    const double v27 = T13 * s1 - T23 * v3, v28 = w1 * (v2 * (T13 * wy - X1 * T23));
     const double v29 = v28 * v28;
-    const four v30 = v29 + v26 * v26;
-    const four v31 = 1.0 / v30;
+    const four v30 = v29 + v26 * v26, v31 = 1.0 / v30;
 
     /* theta6 */
-    const double v32 = s1 * T12 - v3 * T22;
-    const double v33 = w1 * (v2 * (X1 * T12 + wy * T22));
-    const double v34 = s1 * T11 - v3 * T21;
-    const double v35 = w1 * (v2 * (X1 * T11 + wy * T21));
+    const double v32 = s1 * T12 - v3 * T22, v33 = w1 * (v2 * (X1 * T12 + wy * T22));
+    const double v34 = s1 * T11 - v3 * T21, v35 = w1 * (v2 * (X1 * T11 + wy * T21));
 
     /* joint values */
-    const double v36 = copysign(half_turn, wy);
-    const double v39 = copysign(half_turn, v5);
+    const double v36 = copysign(half_turn, wy), v39 = copysign(half_turn, v5);
     const four v41 = copysign_four(all_four(half_turn), -(e1 * v28)) * h1;
     const four v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
     const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
     const four_mask doubt2 = (v21 <= m4) | (v30 <= m5);
 
-    const four angle2 = atan2_four(S2, C2);
-    const four angle4 = atan2_four(-(e1 * v28), v26);
+    const four angle2 = atan2_four(S2, C2), angle4 = atan2_four(-(e1 * v28), v26);
     const four angle5 = atan2_four(sqrt_four(v30), T33 * c2m3 + e1 * (v24 * v25));
     const four angle6 = atan2_four(v46, e1 * (v31 * (v26 * v32 - v27 * (v24 * T32 - e1 * (c2m3 *
         v33)))));
     const four packed5 = atan2_four((four){ wy, v5, wy, wy }, (four){ -X1, -v6, -X1, -X1 });
     const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
     const four angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four v37 = angle1 + v36 * (m6 * (e1 - 1.0)) - offset1;
-    const four v38 = angle2 - offset2;
+    const four v37 = angle1 + v36 * (m6 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2;
     const four q2_p = v38 - only_four(half_turn < v38, m7);
     const four v40 = e2 * angle3 + v39 * (m6 * (1.0 - e2)) - offset3;
     const four q3_p = v40 + only_four(v40 <= -half_turn, m7);
-    const four v42 = angle4 - offset4;
-    const four v43 = angle4 - v41 - offset4;
+    const four v42 = angle4 - offset4, v43 = angle4 - v41 - offset4;
     const four q4_p = v42 + only_four(v42 <= -half_turn, m7);
     const four q4_m = v43 + only_four(v43 <= -half_turn, m7);
-    const four v44 = angle5 - offset5;
-    const four v45 = offset5 + angle5;
+    const four v44 = angle5 - offset5, v45 = offset5 + angle5;
     const four q5_p = v44 + only_four(v44 <= -half_turn, m7);
     const four q5_m = only_four(-v45 <= -half_turn, m7) - v45;
     const four v47 = angle6 - offset6;

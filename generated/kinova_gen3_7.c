@@ -404,7 +404,7 @@ static inline kinova_gen3_7_lane kinova_gen3_7_with_sign(kinova_gen3_7_lane x, k
 
 static inline kinova_gen3_7_lane kinova_gen3_7_sqrt(kinova_gen3_7_lane x)
 {
-    kinova_gen3_7_lane r;
+    kinova_gen3_7_lane r = x;
     for (int k = 0; k < KINOVA_GEN3_7_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
@@ -503,9 +503,10 @@ typedef struct {
     double sign;
 } kinova_gen3_7_formulation;
 
-static const kinova_gen3_7_formulation kinova_gen3_7_formulations[2] = {
+static const kinova_gen3_7_formulation kinova_gen3_7_formulations[3] = {
     { { 3, 4, 5, 0, 1, 2 }, 1.0 },
     { { 0, 5, 4, 3, 2, 1 }, -1.0 },
+    { { 4, 3, 2, 1, 0, 5 }, -1.0 },
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
@@ -1296,6 +1297,82 @@ static void kinova_gen3_7_close(const double T[16], const double free_joints[1],
     }
 }
 
+/* a rigid transform for each lane */
+typedef kinova_gen3_7_lane kinova_gen3_7_rigid[3][4];
+
+/* T Rz */
+static inline void kinova_gen3_7_turn(kinova_gen3_7_rigid T, kinova_gen3_7_lane c,
+    kinova_gen3_7_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const kinova_gen3_7_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void kinova_gen3_7_move(kinova_gen3_7_rigid T, int joint, kinova_gen3_7_lane c,
+    kinova_gen3_7_lane s)
+{
+    (void)joint;
+    kinova_gen3_7_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void kinova_gen3_7_follow(kinova_gen3_7_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const kinova_gen3_7_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void kinova_gen3_7_begin(kinova_gen3_7_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = kinova_gen3_7_all(K[i]);
+    }
+}
+
+static inline void kinova_gen3_7_to_unit(kinova_gen3_7_lane *c, kinova_gen3_7_lane *s)
+{
+    const kinova_gen3_7_lane square = *c * *c + *s * *s, factor = 1.0 / kinova_gen3_7_sqrt(square +
+        1e-300);
+    *c = kinova_gen3_7_select(square > 1e-300, *c * factor, kinova_gen3_7_all(1.0));
+    *s = kinova_gen3_7_select(square > 1e-300, *s * factor, kinova_gen3_7_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline kinova_gen3_7_lane kinova_gen3_7_reflect(kinova_gen3_7_lane *const *row, int rows, int
+    column, int columns)
+{
+    kinova_gen3_7_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = kinova_gen3_7_with_sign(kinova_gen3_7_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        kinova_gen3_7_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
  * and
  * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
@@ -1474,33 +1551,6 @@ static void kinova_gen3_7_equations(const kinova_gen3_7_formulation *form, doubl
             KINOVA_GEN3_7_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
-static inline kinova_gen3_7_lane kinova_gen3_7_reflect(kinova_gen3_7_lane *const *row, int rows, int
-    column, int columns)
-{
-    kinova_gen3_7_lane axis[6], square = {0}, length, factor;
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        square += axis[i] * axis[i];
-    }
-    length = kinova_gen3_7_with_sign(kinova_gen3_7_sqrt(square), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        kinova_gen3_7_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
-        }
-        sum *= factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
 }
 
 /* The determinant at hidden angles, and the upper triangular factor whose null vectors are
@@ -2012,6 +2062,73 @@ static void kinova_gen3_7_find_roots(const kinova_gen3_7_trigonometric *f, kinov
     }
 }
 
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} kinova_gen3_7_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline kinova_gen3_7_lane kinova_gen3_7_through(const kinova_gen3_7_lens *a,
+    kinova_gen3_7_lane *c, kinova_gen3_7_lane *s)
+{
+    const kinova_gen3_7_lane u = *c + a->x, v = *s + a->y;
+    const kinova_gen3_7_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const kinova_gen3_7_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline kinova_gen3_7_lane kinova_gen3_7_weighted(kinova_gen3_7_lane f, kinova_gen3_7_lane
+    square)
+{
+    const kinova_gen3_7_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int kinova_gen3_7_spread(const double samples[24], kinova_gen3_7_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * kinova_gen3_7_sample_c[k];
+        y += ratio * kinova_gen3_7_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void kinova_gen3_7_behind(const kinova_gen3_7_lens *a, int count, double *cosine, double
+    *sine)
+{
+    for (int i = 0; i < count; i += KINOVA_GEN3_7_LANES) {
+        kinova_gen3_7_lane c = KINOVA_GEN3_7_LOAD(cosine + i), s = KINOVA_GEN3_7_LOAD(sine + i);
+        (void)kinova_gen3_7_through(a, &c, &s);
+        KINOVA_GEN3_7_STORE(cosine + i, c);
+        KINOVA_GEN3_7_STORE(sine + i, s);
+    }
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
@@ -2020,9 +2137,6 @@ typedef struct {
     int count, groups, group[KINOVA_GEN3_7_CANDIDATES];
     double c[KINOVA_GEN3_7_CANDIDATES], s[KINOVA_GEN3_7_CANDIDATES], n[6][KINOVA_GEN3_7_CANDIDATES];
 } kinova_gen3_7_candidates;
-
-/* a rigid transform for each lane */
-typedef kinova_gen3_7_lane kinova_gen3_7_rigid[3][4];
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
 static inline void kinova_gen3_7_inverse_iteration(kinova_gen3_7_lane U[6][6], const
@@ -2210,44 +2324,6 @@ static void kinova_gen3_7_null_plane(const double *E, double c, double s, kinova
     out->groups++;
 }
 
-/* T Rz */
-static inline void kinova_gen3_7_turn(kinova_gen3_7_rigid T, kinova_gen3_7_lane c,
-    kinova_gen3_7_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const kinova_gen3_7_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void kinova_gen3_7_move(kinova_gen3_7_rigid T, int joint, kinova_gen3_7_lane c,
-    kinova_gen3_7_lane s)
-{
-    (void)joint;
-    kinova_gen3_7_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void kinova_gen3_7_follow(kinova_gen3_7_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const kinova_gen3_7_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void kinova_gen3_7_begin(kinova_gen3_7_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = kinova_gen3_7_all(K[i]);
-    }
-}
-
 /* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
  * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
 static void kinova_gen3_7_invariants(const double K[12], const double M[12], double w[5],
@@ -2287,14 +2363,6 @@ static void kinova_gen3_7_invariants(const double K[12], const double M[12], dou
         solve[0][i] = (bb * a[i] - ab * b[i]) / det;
         solve[1][i] = (aa * b[i] - ab * a[i]) / det;
     }
-}
-
-static inline void kinova_gen3_7_to_unit(kinova_gen3_7_lane *c, kinova_gen3_7_lane *s)
-{
-    const kinova_gen3_7_lane square = *c * *c + *s * *s, factor = 1.0 / kinova_gen3_7_sqrt(square +
-        1e-300);
-    *c = kinova_gen3_7_select(square > 1e-300, *c * factor, kinova_gen3_7_all(1.0));
-    *s = kinova_gen3_7_select(square > 1e-300, *s * factor, kinova_gen3_7_all(0.0));
 }
 
 /* phi_2 and phi_3 from the null vector */
@@ -2611,22 +2679,6 @@ static unsigned kinova_gen3_7_offer(const kinova_gen3_7_loop *loop, kinova_gen3_
     return met;
 }
 
-/* Roots that nearly meet are tried as one double root too. */
-static void kinova_gen3_7_close_roots(const double *E, const kinova_gen3_7_roots *roots,
-    kinova_gen3_7_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                kinova_gen3_7_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
-}
-
 static int kinova_gen3_7_bits(unsigned set)
 {
     int count = 0;
@@ -2657,6 +2709,22 @@ static void kinova_gen3_7_around(const kinova_gen3_7_formulation *form, const ki
             kinova_gen3_7_invert(loop->link[joint - 1], link[i]);
         } else {
             kinova_gen3_7_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void kinova_gen3_7_close_roots(const double *E, const kinova_gen3_7_roots *roots,
+    kinova_gen3_7_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                kinova_gen3_7_null_plane(E, c * factor, s * factor, out);
+            }
         }
     }
 }
@@ -2705,6 +2773,20 @@ static int kinova_gen3_7_settle(const kinova_gen3_7_formulation *form, const kin
     return complete && kinova_gen3_7_bits(met) >= expected && kinova_gen3_7_paired(found);
 }
 
+/* The determinant at the sample angles, through a lens. */
+static void kinova_gen3_7_sample(const double *E, const kinova_gen3_7_lens *lens, double
+    samples[24])
+{
+    for (int k = 0; k < 24; k += KINOVA_GEN3_7_LANES) {
+        kinova_gen3_7_lane factor[6][6];
+        kinova_gen3_7_lane c = KINOVA_GEN3_7_LOAD(kinova_gen3_7_sample_c + k), s =
+            KINOVA_GEN3_7_LOAD(kinova_gen3_7_sample_s + k);
+        const kinova_gen3_7_lane square = kinova_gen3_7_through(lens, &c, &s);
+        KINOVA_GEN3_7_STORE(samples + k, kinova_gen3_7_weighted(kinova_gen3_7_fold(E, c, s, factor),
+            square));
+    }
+}
+
 /* Find what a formulation finds; whether that is certainly everything. */
 static int kinova_gen3_7_attempt(const kinova_gen3_7_formulation *form, const kinova_gen3_7_loop
     *loop,
@@ -2714,19 +2796,20 @@ static int kinova_gen3_7_attempt(const kinova_gen3_7_formulation *form, const ki
     kinova_gen3_7_trigonometric f;
     kinova_gen3_7_roots roots;
     kinova_gen3_7_candidates all;
+    kinova_gen3_7_lens lens = {0.0, 0.0};
     kinova_gen3_7_around(form, loop, link);
     kinova_gen3_7_equations(form, link, E);
-    for (int k = 0; k < 24; k += KINOVA_GEN3_7_LANES) {
-        kinova_gen3_7_lane factor[6][6];
-        KINOVA_GEN3_7_STORE(samples + k, kinova_gen3_7_fold(E,
-            KINOVA_GEN3_7_LOAD(kinova_gen3_7_sample_c + k),
-                                   KINOVA_GEN3_7_LOAD(kinova_gen3_7_sample_s + k), factor));
+    kinova_gen3_7_sample(E, &lens, samples);
+    if (kinova_gen3_7_spread(samples, &lens)) {
+        kinova_gen3_7_sample(E, &lens, samples);
     }
     kinova_gen3_7_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }
     kinova_gen3_7_find_roots(&f, &roots);
+    kinova_gen3_7_behind(&lens, roots.simple, roots.c, roots.s);
+    kinova_gen3_7_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     kinova_gen3_7_null_vectors(E, &roots, &all);
     kinova_gen3_7_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
@@ -2741,7 +2824,7 @@ static int kinova_gen3_7_attempt(const kinova_gen3_7_formulation *form, const ki
 static int kinova_gen3_7_try(const kinova_gen3_7_loop *loop, kinova_gen3_7_found *found)
 {
     int complete = 0;
-    for (int i = 0; i < 2 && !complete; i++) {
+    for (int i = 0; i < 3 && !complete; i++) {
         complete = kinova_gen3_7_attempt(&kinova_gen3_7_formulations[i], loop, found);
     }
     return complete;
@@ -2814,7 +2897,7 @@ static int kinova_gen3_7_from_nearby(const kinova_gen3_7_loop *loop, kinova_gen3
 static void kinova_gen3_7_from_anywhere(const kinova_gen3_7_loop *loop, kinova_gen3_7_found *found)
 {
     unsigned long long seed = 1;
-    for (int batch = 0; batch < 8; batch++) {
+    for (int batch = 0; batch < 16; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
@@ -2870,7 +2953,7 @@ static int kinova_gen3_7_before(const double a[6], const double b[6])
  * are
  * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
 static int kinova_gen3_7_general(const double T[16], const double free_joints[1], double q[16][6],
-    double residual[16])
+                         double residual[16])
 {
     kinova_gen3_7_found found;
     kinova_gen3_7_loop whole;

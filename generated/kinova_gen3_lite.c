@@ -403,7 +403,7 @@ static inline kinova_gen3_lite_lane kinova_gen3_lite_with_sign(kinova_gen3_lite_
 
 static inline kinova_gen3_lite_lane kinova_gen3_lite_sqrt(kinova_gen3_lite_lane x)
 {
-    kinova_gen3_lite_lane r;
+    kinova_gen3_lite_lane r = x;
     for (int k = 0; k < KINOVA_GEN3_LITE_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
@@ -1284,6 +1284,82 @@ static void kinova_gen3_lite_close(const double T[16], kinova_gen3_lite_loop *lo
     }
 }
 
+/* a rigid transform for each lane */
+typedef kinova_gen3_lite_lane kinova_gen3_lite_rigid[3][4];
+
+/* T Rz */
+static inline void kinova_gen3_lite_turn(kinova_gen3_lite_rigid T, kinova_gen3_lite_lane c,
+    kinova_gen3_lite_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const kinova_gen3_lite_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void kinova_gen3_lite_move(kinova_gen3_lite_rigid T, int joint, kinova_gen3_lite_lane
+    c, kinova_gen3_lite_lane s)
+{
+    (void)joint;
+    kinova_gen3_lite_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void kinova_gen3_lite_follow(kinova_gen3_lite_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const kinova_gen3_lite_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void kinova_gen3_lite_begin(kinova_gen3_lite_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = kinova_gen3_lite_all(K[i]);
+    }
+}
+
+static inline void kinova_gen3_lite_to_unit(kinova_gen3_lite_lane *c, kinova_gen3_lite_lane *s)
+{
+    const kinova_gen3_lite_lane square = *c * *c + *s * *s, factor = 1.0 /
+        kinova_gen3_lite_sqrt(square + 1e-300);
+    *c = kinova_gen3_lite_select(square > 1e-300, *c * factor, kinova_gen3_lite_all(1.0));
+    *s = kinova_gen3_lite_select(square > 1e-300, *s * factor, kinova_gen3_lite_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline kinova_gen3_lite_lane kinova_gen3_lite_reflect(kinova_gen3_lite_lane *const *row, int
+    rows, int column, int columns)
+{
+    kinova_gen3_lite_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = kinova_gen3_lite_with_sign(kinova_gen3_lite_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        kinova_gen3_lite_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
  * and
  * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
@@ -1462,33 +1538,6 @@ static void kinova_gen3_lite_equations(const kinova_gen3_lite_formulation *form,
             KINOVA_GEN3_LITE_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
-static inline kinova_gen3_lite_lane kinova_gen3_lite_reflect(kinova_gen3_lite_lane *const *row, int
-    rows, int column, int columns)
-{
-    kinova_gen3_lite_lane axis[6], square = {0}, length, factor;
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        square += axis[i] * axis[i];
-    }
-    length = kinova_gen3_lite_with_sign(kinova_gen3_lite_sqrt(square), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        kinova_gen3_lite_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
-        }
-        sum *= factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
 }
 
 /* The determinant at hidden angles, and the upper triangular factor whose null vectors are
@@ -2010,6 +2059,74 @@ static void kinova_gen3_lite_find_roots(const kinova_gen3_lite_trigonometric *f,
     }
 }
 
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} kinova_gen3_lite_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline kinova_gen3_lite_lane kinova_gen3_lite_through(const kinova_gen3_lite_lens *a,
+    kinova_gen3_lite_lane *c, kinova_gen3_lite_lane *s)
+{
+    const kinova_gen3_lite_lane u = *c + a->x, v = *s + a->y;
+    const kinova_gen3_lite_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const kinova_gen3_lite_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline kinova_gen3_lite_lane kinova_gen3_lite_weighted(kinova_gen3_lite_lane f,
+    kinova_gen3_lite_lane square)
+{
+    const kinova_gen3_lite_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int kinova_gen3_lite_spread(const double samples[24], kinova_gen3_lite_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * kinova_gen3_lite_sample_c[k];
+        y += ratio * kinova_gen3_lite_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void kinova_gen3_lite_behind(const kinova_gen3_lite_lens *a, int count, double *cosine,
+    double *sine)
+{
+    for (int i = 0; i < count; i += KINOVA_GEN3_LITE_LANES) {
+        kinova_gen3_lite_lane c = KINOVA_GEN3_LITE_LOAD(cosine + i), s = KINOVA_GEN3_LITE_LOAD(sine
+            + i);
+        (void)kinova_gen3_lite_through(a, &c, &s);
+        KINOVA_GEN3_LITE_STORE(cosine + i, c);
+        KINOVA_GEN3_LITE_STORE(sine + i, s);
+    }
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
@@ -2019,9 +2136,6 @@ typedef struct {
     double c[KINOVA_GEN3_LITE_CANDIDATES], s[KINOVA_GEN3_LITE_CANDIDATES],
         n[6][KINOVA_GEN3_LITE_CANDIDATES];
 } kinova_gen3_lite_candidates;
-
-/* a rigid transform for each lane */
-typedef kinova_gen3_lite_lane kinova_gen3_lite_rigid[3][4];
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
 static inline void kinova_gen3_lite_inverse_iteration(kinova_gen3_lite_lane U[6][6], const
@@ -2210,44 +2324,6 @@ static void kinova_gen3_lite_null_plane(const double *E, double c, double s,
     out->groups++;
 }
 
-/* T Rz */
-static inline void kinova_gen3_lite_turn(kinova_gen3_lite_rigid T, kinova_gen3_lite_lane c,
-    kinova_gen3_lite_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const kinova_gen3_lite_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void kinova_gen3_lite_move(kinova_gen3_lite_rigid T, int joint, kinova_gen3_lite_lane
-    c, kinova_gen3_lite_lane s)
-{
-    (void)joint;
-    kinova_gen3_lite_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void kinova_gen3_lite_follow(kinova_gen3_lite_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const kinova_gen3_lite_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void kinova_gen3_lite_begin(kinova_gen3_lite_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = kinova_gen3_lite_all(K[i]);
-    }
-}
-
 /* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
  * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
 static void kinova_gen3_lite_invariants(const double K[12], const double M[12], double w[5],
@@ -2287,14 +2363,6 @@ static void kinova_gen3_lite_invariants(const double K[12], const double M[12], 
         solve[0][i] = (bb * a[i] - ab * b[i]) / det;
         solve[1][i] = (aa * b[i] - ab * a[i]) / det;
     }
-}
-
-static inline void kinova_gen3_lite_to_unit(kinova_gen3_lite_lane *c, kinova_gen3_lite_lane *s)
-{
-    const kinova_gen3_lite_lane square = *c * *c + *s * *s, factor = 1.0 /
-        kinova_gen3_lite_sqrt(square + 1e-300);
-    *c = kinova_gen3_lite_select(square > 1e-300, *c * factor, kinova_gen3_lite_all(1.0));
-    *s = kinova_gen3_lite_select(square > 1e-300, *s * factor, kinova_gen3_lite_all(0.0));
 }
 
 /* phi_2 and phi_3 from the null vector */
@@ -2614,22 +2682,6 @@ static unsigned kinova_gen3_lite_offer(const kinova_gen3_lite_loop *loop, kinova
     return met;
 }
 
-/* Roots that nearly meet are tried as one double root too. */
-static void kinova_gen3_lite_close_roots(const double *E, const kinova_gen3_lite_roots *roots,
-    kinova_gen3_lite_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                kinova_gen3_lite_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
-}
-
 static int kinova_gen3_lite_bits(unsigned set)
 {
     int count = 0;
@@ -2660,6 +2712,22 @@ static void kinova_gen3_lite_around(const kinova_gen3_lite_formulation *form, co
             kinova_gen3_lite_invert(loop->link[joint - 1], link[i]);
         } else {
             kinova_gen3_lite_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void kinova_gen3_lite_close_roots(const double *E, const kinova_gen3_lite_roots *roots,
+    kinova_gen3_lite_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                kinova_gen3_lite_null_plane(E, c * factor, s * factor, out);
+            }
         }
     }
 }
@@ -2708,6 +2776,20 @@ static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, con
     return complete && kinova_gen3_lite_bits(met) >= expected && kinova_gen3_lite_paired(found);
 }
 
+/* The determinant at the sample angles, through a lens. */
+static void kinova_gen3_lite_sample(const double *E, const kinova_gen3_lite_lens *lens, double
+    samples[24])
+{
+    for (int k = 0; k < 24; k += KINOVA_GEN3_LITE_LANES) {
+        kinova_gen3_lite_lane factor[6][6];
+        kinova_gen3_lite_lane c = KINOVA_GEN3_LITE_LOAD(kinova_gen3_lite_sample_c + k), s =
+            KINOVA_GEN3_LITE_LOAD(kinova_gen3_lite_sample_s + k);
+        const kinova_gen3_lite_lane square = kinova_gen3_lite_through(lens, &c, &s);
+        KINOVA_GEN3_LITE_STORE(samples + k, kinova_gen3_lite_weighted(kinova_gen3_lite_fold(E, c, s,
+            factor), square));
+    }
+}
+
 /* Find what a formulation finds; whether that is certainly everything. */
 static int kinova_gen3_lite_attempt(const kinova_gen3_lite_formulation *form, const
     kinova_gen3_lite_loop *loop,
@@ -2717,19 +2799,20 @@ static int kinova_gen3_lite_attempt(const kinova_gen3_lite_formulation *form, co
     kinova_gen3_lite_trigonometric f;
     kinova_gen3_lite_roots roots;
     kinova_gen3_lite_candidates all;
+    kinova_gen3_lite_lens lens = {0.0, 0.0};
     kinova_gen3_lite_around(form, loop, link);
     kinova_gen3_lite_equations(form, link, E);
-    for (int k = 0; k < 24; k += KINOVA_GEN3_LITE_LANES) {
-        kinova_gen3_lite_lane factor[6][6];
-        KINOVA_GEN3_LITE_STORE(samples + k, kinova_gen3_lite_fold(E,
-            KINOVA_GEN3_LITE_LOAD(kinova_gen3_lite_sample_c + k),
-                                   KINOVA_GEN3_LITE_LOAD(kinova_gen3_lite_sample_s + k), factor));
+    kinova_gen3_lite_sample(E, &lens, samples);
+    if (kinova_gen3_lite_spread(samples, &lens)) {
+        kinova_gen3_lite_sample(E, &lens, samples);
     }
     kinova_gen3_lite_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }
     kinova_gen3_lite_find_roots(&f, &roots);
+    kinova_gen3_lite_behind(&lens, roots.simple, roots.c, roots.s);
+    kinova_gen3_lite_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     kinova_gen3_lite_null_vectors(E, &roots, &all);
     kinova_gen3_lite_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
@@ -2820,7 +2903,7 @@ static void kinova_gen3_lite_from_anywhere(const kinova_gen3_lite_loop *loop, ki
     *found)
 {
     unsigned long long seed = 1;
-    for (int batch = 0; batch < 8; batch++) {
+    for (int batch = 0; batch < 16; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
@@ -2875,7 +2958,8 @@ static int kinova_gen3_lite_before(const double a[6], const double b[6])
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
  * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
-static int kinova_gen3_lite_general(const double T[16], double q[16][6], double residual[16])
+static int kinova_gen3_lite_general(const double T[16], double q[16][6],
+                         double residual[16])
 {
     kinova_gen3_lite_found found;
     kinova_gen3_lite_loop whole;

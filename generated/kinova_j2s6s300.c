@@ -87,8 +87,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -113,8 +112,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -534,93 +532,57 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide X1 = d6 * T13 - T14;
     const wide wy = d6 * T23 - T24;
     const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k2;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
     const wide v2 = inverse1 * (k1 * wy);
-    const wide c1_p = v2 - w1 * (X1 * inverse1);
-    const wide c1_m = v2 - w1 * (inverse1 * -X1);
+    const wide c1_p = v2 - w1 * (X1 * inverse1), c1_m = v2 - w1 * (inverse1 * -X1);
     const wide v3 = inverse1 * (k1 * X1);
-    const wide s1_p = v3 + w1 * (wy * inverse1);
-    const wide s1_m = v3 + w1 * (inverse1 * -wy);
+    const wide s1_p = v3 + w1 * (wy * inverse1), s1_m = v3 + w1 * (inverse1 * -wy);
 
     /* theta3 */
     const wide Z1_3 = d1 + (d6 * T33 - T34);
     const wide N3 = D1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v4 = w3 - w3;
-    const wide v5 = k5 * (N3 - k6);
-    const wide v6 = k7 * v5;
-    const wide v7 = k5 * w3;
+    const wide v4 = w3 - w3, v5 = k5 * (N3 - k6), v6 = k7 * v5, v7 = k5 * w3;
     const wide c3 = k7 * v7;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * v6;
     const wide X2_2 = d4 * c3;
-    const wide v8 = Z1_3 * X1_2;
-    const wide v9 = w1 * X2_2;
-    const wide v10 = v8 + v9;
-    const wide v11 = v8 - v9;
-    const wide v12 = m2 + m1 * N3;
-    const wide v13 = Z1_3 * v12;
-    const wide v14 = w3 * (m1 * w1);
-    const wide S2_pp = v13 + v14;
-    const wide S2_pm = v13 - v14;
-    const wide v15 = w1 * X1_2;
-    const wide v16 = Z1_3 * X2_2;
-    const wide v17 = v15 - v16;
-    const wide v18 = v15 + v16;
-    const wide v19 = w3 * (m1 * Z1_3);
-    const wide v20 = w1 * v12;
-    const wide C2_pp = v20 - v19;
-    const wide C2_pm = v19 + v20;
-    const wide v21 = S2_pp * S2_pp;
-    const wide v22 = v21 + C2_pp * C2_pp;
-    const wide v23 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9, v11 = v8 - v9, v12 = m2 + m1 * N3;
+    const wide v13 = Z1_3 * v12, v14 = w3 * (m1 * w1);
+    const wide S2_pp = v13 + v14, S2_pm = v13 - v14;
+    const wide v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16, v18 = v15 + v16;
+    const wide v19 = w3 * (m1 * Z1_3), v20 = w1 * v12;
+    const wide C2_pp = v20 - v19, C2_pm = v19 + v20;
+    const wide v21 = S2_pp * S2_pp, v22 = v21 + C2_pp * C2_pp, v23 = S2_pm * S2_pm + C2_pm * C2_pm;
     const wide v24 = v21 + -C2_pp * -C2_pp;
-    const wide w2_pp = sqrt_wide(v22);
-    const wide w2_pm = sqrt_wide(v23);
-    const wide w2_mm = sqrt_wide(v24);
-    const wide v25 = 1.0 / v22;
-    const wide v26 = 1.0 / v23;
-    const wide v27 = 1.0 / v24;
+    const wide w2_pp = sqrt_wide(v22), w2_pm = sqrt_wide(v23), w2_mm = sqrt_wide(v24);
+    const wide v25 = 1.0 / v22, v26 = 1.0 / v23, v27 = 1.0 / v24;
 
     /* theta4 */
     const wide v28 = v6 * v10;
     const wide c2m3_pp = w2_pp * (v25 * (c3 * v17 - v28));
-    const wide v29 = w2_pm * (v26 * (c3 * v18 + v6 * v11));
-    const wide v30 = w2_mm * (v27 * (v28 + c3 * -v17));
+    const wide v29 = w2_pm * (v26 * (c3 * v18 + v6 * v11)), v30 = w2_mm * (v27 * (v28 + c3 * -v17));
     const wide v31 = c3 * v10;
     const wide s2m3_pp = w2_pp * (v25 * (v31 + v6 * v17));
     const wide v32 = v6 * v18 - c3 * v11;
-    const wide s2m3_pm = w2_pm * (v26 * v32);
-    const wide s2m3_mp = w2_pm * (v26 * -v32);
+    const wide s2m3_pm = w2_pm * (v26 * v32), s2m3_mp = w2_pm * (v26 * -v32);
     const wide s2m3_mm = w2_mm * (v27 * (v6 * -v17 - v31));
-    const wide v33 = T13 * c1_p - T23 * s1_p;
-    const wide v34 = T13 * c1_m - T23 * s1_m;
-    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v33;
-    const wide X4_pm = T33 * s2m3_pm + v29 * v33;
-    const wide X4_mp = T33 * s2m3_mp + v29 * v34;
-    const wide X4_mm = T33 * s2m3_mm + v30 * v34;
-    const wide v35 = T23 * c1_p + T13 * s1_p;
-    const wide v36 = T23 * c1_m + T13 * s1_m;
-    const wide v37 = v35 * v35;
-    const wide v38 = v36 * v36;
-    const wide v39 = v37 + X4_pp * X4_pp;
-    const wide v40 = v37 + X4_pm * X4_pm;
-    const wide v41 = v38 + X4_mp * X4_mp;
-    const wide v42 = v38 + X4_mm * X4_mm;
-    const wide angle1 = atan2_wide(-v35, -X4_pp);
-    const wide angle2 = atan2_wide(-v35, -X4_pm);
-    const wide angle3 = atan2_wide(-v36, -X4_mp);
-    const wide angle4 = atan2_wide(-v36, -X4_mm);
+    const wide v33 = T13 * c1_p - T23 * s1_p, v34 = T13 * c1_m - T23 * s1_m;
+    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v33, X4_pm = T33 * s2m3_pm + v29 * v33;
+    const wide X4_mp = T33 * s2m3_mp + v29 * v34, X4_mm = T33 * s2m3_mm + v30 * v34;
+    const wide v35 = T23 * c1_p + T13 * s1_p, v36 = T23 * c1_m + T13 * s1_m, v37 = v35 * v35;
+    const wide v38 = v36 * v36, v39 = v37 + X4_pp * X4_pp, v40 = v37 + X4_pm * X4_pm;
+    const wide v41 = v38 + X4_mp * X4_mp, v42 = v38 + X4_mm * X4_mm;
+    const wide angle1 = atan2_wide(-v35, -X4_pp), angle2 = atan2_wide(-v35, -X4_pm);
+    const wide angle3 = atan2_wide(-v36, -X4_mp), angle4 = atan2_wide(-v36, -X4_mm);
     const wide v43 = copysign_wide(all_wide(half_turn), -v35) * h1;
     const wide v44 = copysign_wide(all_wide(half_turn), -v36) * h1;
-    const wide q4_ppm = angle1 - v43;
-    const wide q4_pmm = angle2 - v43;
-    const wide q4_mpm = angle3 - v44;
+    const wide q4_ppm = angle1 - v43, q4_pmm = angle2 - v43, q4_mpm = angle3 - v44;
     const wide q4_mmm = angle4 - v44;
 
     /* theta5 */
@@ -631,14 +593,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle8 = atan2_wide(-sqrt_wide(v42), T33 * v30 - s2m3_mm * v34);
 
     /* theta6 */
-    const wide v46 = c1_p * T22 + s1_p * T12;
-    const wide v47 = c1_m * T22 + s1_m * T12;
-    const wide v48 = c1_p * T12 - s1_p * T22;
-    const wide v49 = c1_m * T12 - s1_m * T22;
-    const wide v50 = c1_p * T21 + s1_p * T11;
-    const wide v51 = c1_m * T21 + s1_m * T11;
-    const wide v52 = c1_p * T11 - s1_p * T21;
-    const wide v53 = c1_m * T11 - s1_m * T21;
+    const wide v46 = c1_p * T22 + s1_p * T12, v47 = c1_m * T22 + s1_m * T12;
+    const wide v48 = c1_p * T12 - s1_p * T22, v49 = c1_m * T12 - s1_m * T22;
+    const wide v50 = c1_p * T21 + s1_p * T11, v51 = c1_m * T21 + s1_m * T11;
+    const wide v52 = c1_p * T11 - s1_p * T21, v53 = c1_m * T11 - s1_m * T21;
     const wide s6_pp = -X4_pp * v50 - v35 * (c2m3_pp * v52 - s2m3_pp * T31);
     const wide s6_pm = v35 * (v29 * v52 + s2m3_pm * T31) - X4_pm * v50;
     const wide s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51;
@@ -690,18 +648,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v71 = q2__pm + only_wide(q2__pm < low2, whole_turn);
     const wide v72 = q2__mp + only_wide(q2__mp < low2, whole_turn);
     const wide v73 = q2__mm + only_wide(q2__mm < low2, whole_turn);
-    const wide_mask v74 = (v70 < low2) | (high2 < v70);
-    const wide_mask v75 = (v71 < low2) | (high2 < v71);
-    const wide_mask v76 = (v72 < low2) | (high2 < v72);
-    const wide_mask v77 = (v73 < low2) | (high2 < v73);
-    const wide q2_ppp = pick_wide(v74, q2__pp, v70);
-    const wide q2_pmp = pick_wide(v75, q2__pm, v71);
-    const wide q2_mpp = pick_wide(v76, q2__mp, v72);
-    const wide q2_mmp = pick_wide(v77, q2__mm, v73);
+    const wide_mask v74 = (v70 < low2) | (high2 < v70), v75 = (v71 < low2) | (high2 < v71);
+    const wide_mask v76 = (v72 < low2) | (high2 < v72), v77 = (v73 < low2) | (high2 < v73);
+    const wide q2_ppp = pick_wide(v74, q2__pp, v70), q2_pmp = pick_wide(v75, q2__pm, v71);
+    const wide q2_mpp = pick_wide(v76, q2__mp, v72), q2_mmp = pick_wide(v77, q2__mm, v73);
     const wide v78 = q3__p + only_wide(q3__p < low3, whole_turn);
     const wide v79 = q3__m + only_wide(q3__m < low3, whole_turn);
-    const wide_mask v80 = (v78 < low3) | (high3 < v78);
-    const wide_mask v81 = (v79 < low3) | (high3 < v79);
+    const wide_mask v80 = (v78 < low3) | (high3 < v78), v81 = (v79 < low3) | (high3 < v79);
     const wide v82 = angle5 + only_wide(angle5 < low5, whole_turn);
     const wide v83 = only_wide(-angle5 < low5, whole_turn) - angle5;
     const wide v84 = angle6 + only_wide(angle6 < low5, whole_turn);
@@ -710,98 +663,41 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v87 = only_wide(-angle7 < low5, whole_turn) - angle7;
     const wide v88 = angle8 + only_wide(angle8 < low5, whole_turn);
     const wide v89 = only_wide(-angle8 < low5, whole_turn) - angle8;
-    const wide_mask v90 = (v82 < low5) | (high5 < v82);
-    const wide_mask v91 = (v83 < low5) | (high5 < v83);
-    const wide_mask v92 = (v84 < low5) | (high5 < v84);
-    const wide_mask v93 = (v85 < low5) | (high5 < v85);
-    const wide_mask v94 = (v86 < low5) | (high5 < v86);
-    const wide_mask v95 = (v87 < low5) | (high5 < v87);
-    const wide_mask v96 = (v88 < low5) | (high5 < v88);
-    const wide_mask v97 = (v89 < low5) | (high5 < v89);
-    const wide q5_ppp = pick_wide(v90, angle5, v82);
-    const wide q5_ppm = pick_wide(v91, -angle5, v83);
-    const wide q5_pmp = pick_wide(v92, angle6, v84);
-    const wide q5_pmm = pick_wide(v93, -angle6, v85);
-    const wide q5_mpp = pick_wide(v94, angle7, v86);
-    const wide q5_mpm = pick_wide(v95, -angle7, v87);
-    const wide q5_mmp = pick_wide(v96, angle8, v88);
-    const wide q5_mmm = pick_wide(v97, -angle8, v89);
+    const wide_mask v90 = (v82 < low5) | (high5 < v82), v91 = (v83 < low5) | (high5 < v83);
+    const wide_mask v92 = (v84 < low5) | (high5 < v84), v93 = (v85 < low5) | (high5 < v85);
+    const wide_mask v94 = (v86 < low5) | (high5 < v86), v95 = (v87 < low5) | (high5 < v87);
+    const wide_mask v96 = (v88 < low5) | (high5 < v88), v97 = (v89 < low5) | (high5 < v89);
+    const wide q5_ppp = pick_wide(v90, angle5, v82), q5_ppm = pick_wide(v91, -angle5, v83);
+    const wide q5_pmp = pick_wide(v92, angle6, v84), q5_pmm = pick_wide(v93, -angle6, v85);
+    const wide q5_mpp = pick_wide(v94, angle7, v86), q5_mpm = pick_wide(v95, -angle7, v87);
+    const wide q5_mmp = pick_wide(v96, angle8, v88), q5_mmm = pick_wide(v97, -angle8, v89);
     const wide q1_ppp = v4 + (v54 + only_wide(v54 <= -half_turn, m6));
     const wide q1_mpp = v4 + (v55 + only_wide(v55 <= -half_turn, m6));
-    const wide q3_ppp = v1 + pick_wide(v80, q3__p, v78);
-    const wide q3_pmp = v1 + pick_wide(v81, q3__m, v79);
-    const wide_mask v98 = v74 | v80;
-    const wide_mask v99 = v75 | v81;
-    const wide_mask v100 = v76 | v80;
-    const wide_mask v101 = v77 | v81;
-    const wide_mask outside_ppp = v90 | v98;
-    const wide_mask outside_ppm = v91 | v98;
-    const wide_mask outside_pmp = v92 | v99;
-    const wide_mask outside_pmm = v93 | v99;
-    const wide_mask outside_mpp = v94 | v100;
-    const wide_mask outside_mpm = v95 | v100;
-    const wide_mask outside_mmp = v96 | v101;
-    const wide_mask outside_mmm = v97 | v101;
+    const wide q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
+    const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81;
+    const wide_mask outside_ppp = v90 | v98, outside_ppm = v91 | v98, outside_pmp = v92 | v99;
+    const wide_mask outside_pmm = v93 | v99, outside_mpp = v94 | v100, outside_mpm = v95 | v100;
+    const wide_mask outside_mmp = v96 | v101, outside_mmm = v97 | v101;
     const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v42 <= m4) |
         ((v24 <= m3) | ((v41 <= m4) | ((v40 <= m4) | ((v23 <= m3) | ((v39 <= m4) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v22 <= m3)))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = angle1;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = angle2;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2; q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_ppp;
-    q[27] = angle3;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_ppp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_pmp;
-    q[39] = angle4;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4; q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_pmp;
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -823,8 +719,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double X1 = d6 * T13 - T14;
     const double wy = d6 * T23 - T24;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k2;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
@@ -837,28 +733,18 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = d1 + (d6 * T33 - T34);
     const double N3 = D1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = w3 - w3;
-    const double v5 = k5 * (N3 - k6);
-    const double v6 = k7 * v5;
-    const double v7 = k5 * w3;
+    const double v4 = w3 - w3, v5 = k5 * (N3 - k6), v6 = k7 * v5, v7 = k5 * w3;
     const double c3 = k7 * v7;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * v6;
     const double X2_2 = d4 * c3;
-    const double v8 = Z1_3 * X1_2;
-    const double v9 = w1 * X2_2;
-    const four v10 = e1 * e2;
-    const four v11 = v8 + v9 * v10;
-    const double v12 = m2 + m1 * N3;
-    const double v13 = Z1_3 * v12;
+    const double v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
+    const four v10 = e1 * e2, v11 = v8 + v9 * v10;
+    const double v12 = m2 + m1 * N3, v13 = Z1_3 * v12;
     const four S2 = v13 + w3 * (m1 * (w1 * v10));
-    const double v14 = w1 * X1_2;
-    const double v15 = Z1_3 * X2_2;
-    const four v16 = e1 * v14;
-    const four v17 = e2 * v15;
-    const four v18 = v16 - v17;
-    const four v19 = w3 * (m1 * (e2 * Z1_3));
+    const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
+    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m1 * (e2 * Z1_3));
     const four v20 = w1 * (e1 * v12);
     const four C2 = v20 - v19;
     const four v21 = S2 * S2 + C2 * C2;
@@ -871,15 +757,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four s2m3 = w2 * (v22 * (v11 * v23 + v6 * v18));
     const four v24 = T13 * c1 - T23 * s1;
     const four X4 = T33 * s2m3 - c2m3 * v24;
-    const four v25 = T23 * c1 + T13 * s1;
-    const four v26 = v25 * v25;
-    const four v27 = v26 + X4 * X4;
+    const four v25 = T23 * c1 + T13 * s1, v26 = v25 * v25, v27 = v26 + X4 * X4;
     const four v28 = copysign_four(all_four(half_turn), -v25) * h1;
 
     /* theta6 */
-    const four v29 = c1 * T22 + s1 * T12;
-    const four v30 = c1 * T12 - s1 * T22;
-    const four v31 = c1 * T21 + s1 * T11;
+    const four v29 = c1 * T22 + s1 * T12, v30 = c1 * T12 - s1 * T22, v31 = c1 * T21 + s1 * T11;
     const four v32 = c1 * T11 - s1 * T21;
     const four s6 = -X4 * v31 - v25 * (c2m3 * v32 - s2m3 * T31);
 
@@ -898,8 +780,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q4_m = angle1 - v28;
-    const four v33 = angle3 - offset1;
-    const four v34 = angle4 - offset2;
+    const four v33 = angle3 - offset1, v34 = angle4 - offset2;
     const four q2_ = v34 + only_four(v34 <= -half_turn, m6);
     const four v36 = e2 * angle5 + v35 * (m5 * (1.0 - e2)) - offset3;
     const four q3_ = v36 + only_four(v36 <= -half_turn, m6);
@@ -914,15 +795,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask v42 = (v41 < low3) | (high3 < v41);
     const four v43 = angle2 + only_four(angle2 < low5, whole_turn);
     const four v44 = only_four(-angle2 < low5, whole_turn) - angle2;
-    const four_mask v45 = (v43 < low5) | (high5 < v43);
-    const four_mask v46 = (v44 < low5) | (high5 < v44);
-    const four q5_p = pick_four(v45, angle2, v43);
-    const four q5_m = pick_four(v46, -angle2, v44);
+    const four_mask v45 = (v43 < low5) | (high5 < v43), v46 = (v44 < low5) | (high5 < v44);
+    const four q5_p = pick_four(v45, angle2, v43), q5_m = pick_four(v46, -angle2, v44);
     const four q1_p = v4 + (v33 + only_four(v33 <= -half_turn, m6));
     const four q3_p = v1 + pick_four(v42, q3_, v41);
     const four_mask v47 = v40 | v42;
-    const four_mask outside_p = v45 | v47;
-    const four_mask outside_m = v46 | v47;
+    const four_mask outside_p = v45 | v47, outside_m = v46 | v47;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -1005,12 +883,12 @@ static void solve(
     const double X1 = T13 * d6 - T14;
     const double wy = d6 * T23 - T24;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k2;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k2;
     const int apart1 = k4 < D1;
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : -(k1 * sqrt(N1))));
     const double v1 = X1 * k1;
     const double v2 = wy * k1;
     const double v3 = seed[0] + offset1;

@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -126,8 +125,7 @@ HELPER four sin_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -318,10 +316,16 @@ static const double d1 = 0.36; /* joint offset 1 [m] */
 static const double d3 = 0.42; /* joint offset 3 [m] */
 static const double d5 = 0.4; /* joint offset 5 [m] */
 static const double d7 = 0.126; /* joint offset 7 [m] */
-/* rounding at the boundary of the workspace [m^2] */
-static const double reach_slack2 = 1.7056360000000002e-13;
-/* nearer to that boundary two branches are one [m^2] */
-static const double merge_slack2 = 1.705636e-14;
+static const double longest4 = 0.6724000000000001; /* square of the longest reach [m^2] */
+static const double shortest4 = 0.0003999999999999985; /* square of the shortest reach [m^2] */
+/* the longest, with what rounding adds [m^2] */
+static const double longest4_reach = 0.6724000000002143;
+/* the shortest, with what rounding adds [m^2] */
+static const double shortest4_reach = 0.0003999999999947745;
+/* the longest, where branches merge [m^2] */
+static const double longest4_apart = 0.6723999999999786;
+/* the shortest, where branches merge [m^2] */
+static const double shortest4_apart = 0.00040000000000052087;
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 1.705636e-24;
 /* rounding at the boundary of the workspace [m] */
@@ -333,10 +337,8 @@ static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double offset4 = 3.141592653589793; /* offset of joint 4 [rad] */
 static const double offset6 = 3.141592653589793; /* offset of joint 6 [rad] */
 static const double k1 = 0.336; /* 2 * d5 * d3 [m^2] */
-static const double k2 = 0.72; /* 2 * d1 [m] */
-static const double k3 = -0.2068; /* d1^2 - (d3^2 + d5^2) [m^2] */
-static const double k4 = 0.11289600000000001; /* (2 * d5 * d3)^2 [m^4] */
-static const double k5 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
+static const double k2 = 0.33640000000000003; /* d3^2 + d5^2 [m^2] */
+static const double k3 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 1.705636e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
@@ -579,333 +581,226 @@ HELPER wide_mask solve_wide(
     /* theta4 */
     const wide wx = T14 - d7 * T13;
     const wide wy = T24 - d7 * T23;
-    const wide wz = T34 - d7 * T33;
     const wide v1 = wy * wy;
-    const wide Z4 = wx * wx + (v1 + (k3 + wz * (wz - k2)));
-    const wide D4 = k4 - Z4 * Z4;
-    const wide v2 = 2.0 * abs_wide(Z4);
-    const wide w4 = sqrt_wide(D4);
-    const wide v3 = k1 * Z4;
-    const wide v4 = k5 * v3;
-    const wide v5 = k1 * w4;
-    const wide v6 = k5 * v5;
+    const wide Z1_2 = T34 - d7 * T33 - d1;
+    const wide V4 = v1 + wx * wx + Z1_2 * Z1_2;
+    const wide w4 = sqrt_wide((longest4 - V4) * (V4 - shortest4));
+    const wide v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
 
     /* theta1 */
-    const wide Z1 = d5 * (s3 * v6);
     const wide N1 = v1 + -wx * -wx;
-    const wide D1 = N1 - Z1 * Z1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
-    const wide v7 = 2.0 * abs_wide(Z1);
+    const wide Z1 = d5 * (s3 * v5);
+    const wide D1 = N1 - Z1 * Z1;
+    const wide v6 = abs_wide(Z1) * 2.0;
     const wide w1 = sqrt_wide(D1);
-    const wide v8 = w1 - w1;
+    const wide v7 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v9 = Z1 * -wx;
-    const wide v10 = wy * Z1;
-    const wide v11 = w1 * (-wx * inverse1);
-    const wide v12 = w1 * (wx * inverse1);
-    const wide v13 = inverse1 * v10;
-    const wide c1_pp = v13 - v11;
-    const wide c1_pm = v13 - v12;
-    const wide v14 = v11 + v13;
-    const wide v15 = v12 + v13;
-    const wide v16 = w1 * (wy * inverse1);
-    const wide v17 = w1 * (inverse1 * -wy);
-    const wide v18 = inverse1 * v9;
-    const wide s1_pp = v16 + v18;
-    const wide s1_pm = v17 + v18;
-    const wide s1_mp = v16 - v18;
-    const wide s1_mm = v17 - v18;
+    const wide v8 = -wx * Z1, v9 = wy * Z1, v10 = w1 * (-wx * inverse1), v11 = w1 * (wx * inverse1);
+    const wide v12 = inverse1 * v9;
+    const wide c1_pp = v12 - v10, c1_pm = v12 - v11;
+    const wide v13 = v10 + v12, v14 = v11 + v12, v15 = w1 * (wy * inverse1);
+    const wide v16 = w1 * (inverse1 * -wy), v17 = inverse1 * v8;
+    const wide s1_pp = v15 + v17, s1_pm = v16 + v17, s1_mp = v15 - v17, s1_mm = v16 - v17;
 
     /* theta2 */
-    const wide v19 = d5 * (c3 * v6);
-    const wide X2_2 = d3 + d5 * v4;
-    const wide Z1_2 = wz - d1;
-    const wide v20 = v19 * Z1_2;
-    const wide v21 = w1 * X2_2;
-    const wide S2_pp = v21 - v20;
-    const wide S2_mp = v20 + v21;
-    const wide v22 = X2_2 * Z1_2;
-    const wide v23 = w1 * v19;
-    const wide v24 = v22 + v23;
-    const wide v25 = v22 - v23;
-    const wide v26 = v24 * v24;
-    const wide v27 = S2_pp * S2_pp + v26;
-    const wide v28 = S2_mp * S2_mp + v25 * v25;
-    const wide v29 = v26 + -S2_pp * -S2_pp;
-    const wide factor2_pp = sqrt_wide(v27) * (1.0 / v27);
-    const wide factor2_pm = sqrt_wide(v28) * (1.0 / v28);
-    const wide factor2_mm = sqrt_wide(v29) * (1.0 / v29);
+    const wide v18 = d5 * (c3 * v5);
+    const wide X2_2 = d3 + d5 * v3;
+    const wide v19 = Z1_2 * v18, v20 = w1 * X2_2;
+    const wide S2_pp = v20 - v19, S2_mp = v19 + v20;
+    const wide v21 = Z1_2 * X2_2, v22 = w1 * v18, v23 = v21 + v22, v24 = v21 - v22, v25 = v23 * v23;
+    const wide v26 = S2_pp * S2_pp + v25, v27 = S2_mp * S2_mp + v24 * v24;
+    const wide v28 = v25 + -S2_pp * -S2_pp;
+    const wide factor2_pp = sqrt_wide(v26) * (1.0 / v26), factor2_pm = sqrt_wide(v27) * (1.0 / v27);
+    const wide factor2_mm = sqrt_wide(v28) * (1.0 / v28);
 
     /* theta5 */
-    const wide v30 = c3 * T13;
-    const wide v31 = v4 * v30;
-    const wide v32 = c3 * T23;
-    const wide v33 = v4 * v32;
-    const wide v34 = T33 * v6;
-    const wide v35 = T13 * v6;
-    const wide v36 = T23 * v6;
-    const wide v37 = c3 * T33;
-    const wide v38 = v4 * v37;
-    const wide v39 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)));
-    const wide v40 = T13 * v9 - T23 * v10;
-    const wide v41 = inverse1 * (s3 * v40);
-    const wide v42 = inverse1 * (s3 * -v40);
-    const wide v43 = v39 + v41;
-    const wide v44 = v41 - v39;
-    const wide v45 = v39 + v42;
-    const wide v46 = v42 - v39;
-    const wide X5_pp = v4 * v43 + factor2_pp * (v24 * (v34 - (c1_pp * v31 + s1_pp * v33)) + S2_pp *
-        (v38 + (c1_pp * v35 + s1_pp * v36)));
-    const wide X5_pm = v4 * v44 + factor2_pm * (v25 * (v34 - (c1_pm * v31 + s1_pm * v33)) - S2_mp *
-        (v38 + (c1_pm * v35 + s1_pm * v36)));
-    const wide X5_mp = v4 * v45 + factor2_pm * (S2_mp * (v38 + (v14 * v35 - s1_mp * v36)) - v25 *
-        (v34 + (s1_mp * v33 - v14 * v31)));
-    const wide X5_mm = v4 * v46 + factor2_mm * (-S2_pp * (v38 + (v15 * v35 - s1_mm * v36)) - v24 *
-        (v34 + (s1_mm * v33 - v15 * v31)));
-    const wide v47 = s3 * T33;
-    const wide Y5_pp = factor2_pp * (S2_pp * v47 - v24 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 *
+    const wide v29 = c3 * T13, v30 = v3 * v29, v31 = c3 * T23, v32 = v3 * v31, v33 = T33 * v5;
+    const wide v34 = T13 * v5, v35 = T23 * v5, v36 = c3 * T33, v37 = v3 * v36;
+    const wide v38 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx))), v39 = T13 * v8 - T23 * v9;
+    const wide v40 = inverse1 * (s3 * v39), v41 = inverse1 * (s3 * -v39), v42 = v38 + v40;
+    const wide v43 = v40 - v38, v44 = v38 + v41, v45 = v41 - v38;
+    const wide X5_pp = v3 * v42 + factor2_pp * (v23 * (v33 - (c1_pp * v30 + s1_pp * v32)) + S2_pp *
+        (v37 + (c1_pp * v34 + s1_pp * v35)));
+    const wide X5_pm = v3 * v43 + factor2_pm * (v24 * (v33 - (c1_pm * v30 + s1_pm * v32)) - S2_mp *
+        (v37 + (c1_pm * v34 + s1_pm * v35)));
+    const wide X5_mp = v3 * v44 + factor2_pm * (S2_mp * (v37 + (v13 * v34 - s1_mp * v35)) - v24 *
+        (v33 + (s1_mp * v32 - v13 * v30)));
+    const wide X5_mm = v3 * v45 + factor2_mm * (-S2_pp * (v37 + (v14 * v34 - s1_mm * v35)) - v23 *
+        (v33 + (s1_mm * v32 - v14 * v30)));
+    const wide v46 = s3 * T33;
+    const wide Y5_pp = factor2_pp * (S2_pp * v46 - v23 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 *
         (T13 * s1_pp - T23 * c1_pp);
-    const wide v48 = S2_mp * v47;
-    const wide v49 = factor2_pm * (v48 + v25 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 *
+    const wide v47 = S2_mp * v46;
+    const wide v48 = factor2_pm * (v47 + v24 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 *
         s1_pm - T23 * c1_pm);
-    const wide Y5_mp = factor2_pm * (v48 - v25 * (s3 * (T23 * s1_mp - T13 * v14))) - c3 * (T13 *
-        s1_mp + T23 * v14);
-    const wide Y5_mm = factor2_mm * (-S2_pp * v47 - v24 * (s3 * (T23 * s1_mm - T13 * v15))) - c3 *
-        (T13 * s1_mm + T23 * v15);
-    const wide v50 = X5_pp * X5_pp + Y5_pp * Y5_pp;
-    const wide v51 = X5_pm * X5_pm + v49 * v49;
-    const wide v52 = X5_mp * X5_mp + Y5_mp * Y5_mp;
-    const wide v53 = X5_mm * X5_mm + Y5_mm * Y5_mm;
-    const wide angle1 = atan2_wide(Y5_pp, -X5_pp);
-    const wide angle2 = atan2_wide(-v49, -X5_pm);
-    const wide angle3 = atan2_wide(Y5_mp, -X5_mp);
-    const wide angle4 = atan2_wide(Y5_mm, -X5_mm);
+    const wide Y5_mp = factor2_pm * (v47 - v24 * (s3 * (T23 * s1_mp - T13 * v13))) - c3 * (T13 *
+        s1_mp + T23 * v13);
+    const wide Y5_mm = factor2_mm * (-S2_pp * v46 - v23 * (s3 * (T23 * s1_mm - T13 * v14))) - c3 *
+        (T13 * s1_mm + T23 * v14);
+    const wide v49 = X5_pp * X5_pp + Y5_pp * Y5_pp, v50 = X5_pm * X5_pm + v48 * v48;
+    const wide v51 = X5_mp * X5_mp + Y5_mp * Y5_mp, v52 = X5_mm * X5_mm + Y5_mm * Y5_mm;
+    const wide angle1 = atan2_wide(Y5_pp, -X5_pp), angle2 = atan2_wide(-v48, -X5_pm);
+    const wide angle3 = atan2_wide(Y5_mp, -X5_mp), angle4 = atan2_wide(Y5_mm, -X5_mm);
     const wide q5_ppm = angle1 - copysign_wide(all_wide(half_turn), Y5_pp) * h1;
-    const wide q5_pmm = angle2 - copysign_wide(all_wide(half_turn), -v49) * h1;
+    const wide q5_pmm = angle2 - copysign_wide(all_wide(half_turn), -v48) * h1;
     const wide q5_mpm = angle3 - copysign_wide(all_wide(half_turn), Y5_mp) * h1;
     const wide q5_mmm = angle4 - copysign_wide(all_wide(half_turn), Y5_mm) * h1;
 
     /* theta6 */
-    const wide v54 = v6 * v30;
-    const wide v55 = v6 * v32;
-    const wide v56 = T33 * v4;
-    const wide v57 = T13 * v4;
-    const wide v58 = T23 * v4;
-    const wide v59 = v6 * v37;
+    const wide v53 = v5 * v29, v54 = v5 * v31, v55 = T33 * v3, v56 = T13 * v3, v57 = T23 * v3;
+    const wide v58 = v5 * v36;
 
     /* theta7 */
-    const wide v60 = s3 * T32;
-    const wide v61 = s1_pp * T12 - c1_pp * T22;
-    const wide v62 = s1_pm * T12 - c1_pm * T22;
-    const wide v63 = s1_mp * T12 + v14 * T22;
-    const wide v64 = s1_mm * T12 + v15 * T22;
-    const wide v65 = v4 * (c3 * T12);
-    const wide v66 = v4 * (c3 * T22);
-    const wide v67 = v6 * T32;
-    const wide v68 = v6 * T12;
-    const wide v69 = v6 * T22;
-    const wide v70 = v4 * (c3 * T32);
-    const wide v71 = s3 * T31;
-    const wide v72 = s1_pp * T11 - c1_pp * T21;
-    const wide v73 = s1_pm * T11 - c1_pm * T21;
-    const wide v74 = s1_mp * T11 + v14 * T21;
-    const wide v75 = s1_mm * T11 + v15 * T21;
-    const wide v76 = v4 * (c3 * T11);
-    const wide v77 = v4 * (c3 * T21);
-    const wide v78 = v6 * T31;
-    const wide v79 = v6 * T11;
-    const wide v80 = v6 * T21;
-    const wide v81 = v4 * (c3 * T31);
-    const wide angle5 = atan2_wide(-(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24 * (s3 *
-        (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78 -
-        (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80))))), -(X5_pp * (c3
-        * v61 - factor2_pp * (S2_pp * v60 - v24 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v4
-        * (s3 * v61) + factor2_pp * (v24 * (v67 - (c1_pp * v65 + s1_pp * v66)) + S2_pp * (v70 +
-        (c1_pp * v68 + s1_pp * v69))))));
-    const wide v82 = S2_mp * v71;
-    const wide v83 = v49 * (v4 * (s3 * v73) + factor2_pm * (v25 * (v78 - (c1_pm * v76 + s1_pm *
-        v77)) - S2_mp * (v81 + (c1_pm * v79 + s1_pm * v80)))) - X5_pm * (c3 * v73 + factor2_pm *
-        (v82 + v25 * (s3 * (c1_pm * T11 + s1_pm * T21))));
-    const wide v84 = S2_mp * v60;
-    const wide angle6 = atan2_wide(v83, v49 * (v4 * (s3 * v62) + factor2_pm * (v25 * (v67 - (c1_pm *
-        v65 + s1_pm * v66)) - S2_mp * (v70 + (c1_pm * v68 + s1_pm * v69)))) - X5_pm * (c3 * v62 +
-        factor2_pm * (v84 + v25 * (s3 * (c1_pm * T12 + s1_pm * T22)))));
-    const wide angle7 = atan2_wide(-(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 * (s1_mp *
-        T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14 * v79 -
-        s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 * v76))))), -(X5_mp * (c3 * v63 - factor2_pm
-        * (v84 - v25 * (s3 * (s1_mp * T22 - v14 * T12)))) + Y5_mp * (v4 * (s3 * v63) + factor2_pm *
-        (S2_mp * (v70 + (v14 * v68 - s1_mp * v69)) - v25 * (v67 + (s1_mp * v66 - v14 * v65))))));
-    const wide angle8 = atan2_wide(-(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 - v24 * (s3 *
-        (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp * (v81 + (v15
-        * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76))))), -(X5_mm * (c3 * v64 -
-        factor2_mm * (-S2_pp * v60 - v24 * (s3 * (s1_mm * T22 - v15 * T12)))) + Y5_mm * (v4 * (s3 *
-        v64) + factor2_mm * (-S2_pp * (v70 + (v15 * v68 - s1_mm * v69)) - v24 * (v67 + (s1_mm * v66
-        - v15 * v65))))));
-    const wide q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v72 -
-        factor2_pp * (S2_pp * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 *
-        v72) + factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp * v79
-        + s1_pp * v80))))));
-    const wide q7_pmm = angle6 - h1 * copysign_wide(all_wide(half_turn), v83);
-    const wide q7_mpm = angle7 - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v74 -
-        factor2_pm * (v82 - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) +
-        factor2_pm * (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 *
-        v76))))));
-    const wide q7_mmm = angle8 - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v75 -
-        factor2_mm * (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 *
-        v75) + factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77
-        - v15 * v76))))));
+    const wide v59 = s3 * T32, v60 = s1_pp * T12 - c1_pp * T22, v61 = s1_pm * T12 - c1_pm * T22;
+    const wide v62 = s1_mp * T12 + v13 * T22, v63 = s1_mm * T12 + v14 * T22, v64 = v3 * (c3 * T12);
+    const wide v65 = v3 * (c3 * T22), v66 = v5 * T32, v67 = v5 * T12, v68 = v5 * T22;
+    const wide v69 = v3 * (c3 * T32), v70 = s3 * T31, v71 = s1_pp * T11 - c1_pp * T21;
+    const wide v72 = s1_pm * T11 - c1_pm * T21, v73 = s1_mp * T11 + v13 * T21;
+    const wide v74 = s1_mm * T11 + v14 * T21, v75 = v3 * (c3 * T11), v76 = v3 * (c3 * T21);
+    const wide v77 = v5 * T31, v78 = v5 * T11, v79 = v5 * T21, v80 = v3 * (c3 * T31);
+    const wide angle5 = atan2_wide(-(X5_pp * (c3 * v71 - factor2_pp * (S2_pp * v70 - v23 * (s3 *
+        (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v71) + factor2_pp * (v23 * (v77 -
+        (c1_pp * v75 + s1_pp * v76)) + S2_pp * (v80 + (c1_pp * v78 + s1_pp * v79))))), -(X5_pp * (c3
+        * v60 - factor2_pp * (S2_pp * v59 - v23 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v3
+        * (s3 * v60) + factor2_pp * (v23 * (v66 - (c1_pp * v64 + s1_pp * v65)) + S2_pp * (v69 +
+        (c1_pp * v67 + s1_pp * v68))))));
+    const wide v81 = S2_mp * v70;
+    const wide v82 = v48 * (v3 * (s3 * v72) + factor2_pm * (v24 * (v77 - (c1_pm * v75 + s1_pm *
+        v76)) - S2_mp * (v80 + (c1_pm * v78 + s1_pm * v79)))) - X5_pm * (c3 * v72 + factor2_pm *
+        (v81 + v24 * (s3 * (c1_pm * T11 + s1_pm * T21)))), v83 = S2_mp * v59;
+    const wide angle6 = atan2_wide(v82, v48 * (v3 * (s3 * v61) + factor2_pm * (v24 * (v66 - (c1_pm *
+        v64 + s1_pm * v65)) - S2_mp * (v69 + (c1_pm * v67 + s1_pm * v68)))) - X5_pm * (c3 * v61 +
+        factor2_pm * (v83 + v24 * (s3 * (c1_pm * T12 + s1_pm * T22)))));
+    const wide angle7 = atan2_wide(-(X5_mp * (c3 * v73 - factor2_pm * (v81 - v24 * (s3 * (s1_mp *
+        T21 - v13 * T11)))) + Y5_mp * (v3 * (s3 * v73) + factor2_pm * (S2_mp * (v80 + (v13 * v78 -
+        s1_mp * v79)) - v24 * (v77 + (s1_mp * v76 - v13 * v75))))), -(X5_mp * (c3 * v62 - factor2_pm
+        * (v83 - v24 * (s3 * (s1_mp * T22 - v13 * T12)))) + Y5_mp * (v3 * (s3 * v62) + factor2_pm *
+        (S2_mp * (v69 + (v13 * v67 - s1_mp * v68)) - v24 * (v66 + (s1_mp * v65 - v13 * v64))))));
+    const wide angle8 = atan2_wide(-(X5_mm * (c3 * v74 - factor2_mm * (-S2_pp * v70 - v23 * (s3 *
+        (s1_mm * T21 - v14 * T11)))) + Y5_mm * (v3 * (s3 * v74) + factor2_mm * (-S2_pp * (v80 + (v14
+        * v78 - s1_mm * v79)) - v23 * (v77 + (s1_mm * v76 - v14 * v75))))), -(X5_mm * (c3 * v63 -
+        factor2_mm * (-S2_pp * v59 - v23 * (s3 * (s1_mm * T22 - v14 * T12)))) + Y5_mm * (v3 * (s3 *
+        v63) + factor2_mm * (-S2_pp * (v69 + (v14 * v67 - s1_mm * v68)) - v23 * (v66 + (s1_mm * v65
+        - v14 * v64))))));
+    const wide q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v71 -
+        factor2_pp * (S2_pp * v70 - v23 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 *
+        v71) + factor2_pp * (v23 * (v77 - (c1_pp * v75 + s1_pp * v76)) + S2_pp * (v80 + (c1_pp * v78
+        + s1_pp * v79)))))), q7_pmm = angle6 - h1 * copysign_wide(all_wide(half_turn), v82);
+    const wide q7_mpm = angle7 - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v73 -
+        factor2_pm * (v81 - v24 * (s3 * (s1_mp * T21 - v13 * T11)))) + Y5_mp * (v3 * (s3 * v73) +
+        factor2_pm * (S2_mp * (v80 + (v13 * v78 - s1_mp * v79)) - v24 * (v77 + (s1_mp * v76 - v13 *
+        v75))))));
+    const wide q7_mmm = angle8 - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v74 -
+        factor2_mm * (-S2_pp * v70 - v23 * (s3 * (s1_mm * T21 - v14 * T11)))) + Y5_mm * (v3 * (s3 *
+        v74) + factor2_mm * (-S2_pp * (v80 + (v14 * v78 - s1_mm * v79)) - v23 * (v77 + (s1_mm * v76
+        - v14 * v75))))));
 
     /* joint values */
     const wide angle9 = atan2_wide(s1_pp, c1_pp);
-    const wide v85 = angle9 - offset1;
+    const wide v84 = angle9 - offset1;
     const wide angle10 = atan2_wide(s1_pm, c1_pm);
-    const wide v86 = angle10 - offset1;
-    const wide angle11 = atan2_wide(s1_mp, -v14);
-    const wide v87 = angle11 - offset1;
-    const wide angle12 = atan2_wide(s1_mm, -v15);
-    const wide v88 = angle12 - offset1;
-    const wide q1_ppp = v85 + only_wide(v85 <= -half_turn, m4);
-    const wide q1_pmp = v86 + only_wide(v86 <= -half_turn, m4);
-    const wide q1_mpp = v87 + only_wide(v87 <= -half_turn, m4);
-    const wide q1_mmp = v88 + only_wide(v88 <= -half_turn, m4);
-    const wide angle13 = atan2_wide(S2_pp, -v24);
-    const wide v89 = angle13 - offset2;
-    const wide angle14 = atan2_wide(-S2_mp, -v25);
-    const wide v90 = angle14 - offset2;
-    const wide angle15 = atan2_wide(S2_mp, -v25);
-    const wide v91 = angle15 - offset2;
-    const wide angle16 = atan2_wide(-S2_pp, -v24);
-    const wide v92 = angle16 - offset2;
-    const wide q2_ppp = v89 + only_wide(v89 <= -half_turn, m4);
-    const wide q2_pmp = v90 + only_wide(v90 <= -half_turn, m4);
-    const wide q2_mpp = v91 + only_wide(v91 <= -half_turn, m4);
-    const wide q2_mmp = v92 + only_wide(v92 <= -half_turn, m4);
-    const wide angle17 = atan2_wide(-v5, -v3);
-    const wide v93 = angle17 - offset4;
-    const wide v94 = offset4 + angle17;
-    const wide q4__p = v93 + only_wide(v93 <= -half_turn, m4);
-    const wide q4__m = only_wide(-v94 <= -half_turn, m4) - v94;
-    const wide angle18 = atan2_wide(sqrt_wide(v50), v6 * v43 - factor2_pp * (S2_pp * (c1_pp * v57 +
-        s1_pp * v58 - v59) + v24 * (v56 + (c1_pp * v54 + s1_pp * v55))));
-    const wide angle19 = atan2_wide(sqrt_wide(v51), v6 * v44 - factor2_pm * (v25 * (v56 + (c1_pm *
-        v54 + s1_pm * v55)) - S2_mp * (c1_pm * v57 + s1_pm * v58 - v59)));
-    const wide angle20 = atan2_wide(sqrt_wide(v52), -(v6 * v45 + factor2_pm * (S2_mp * (v59 + (s1_mp
-        * v58 - v14 * v57)) + v25 * (v56 + (v14 * v54 - s1_mp * v55)))));
-    const wide angle21 = atan2_wide(sqrt_wide(v53), -(v6 * v46 + factor2_mm * (-S2_pp * (v59 +
-        (s1_mm * v58 - v15 * v57)) + v24 * (v56 + (v15 * v54 - s1_mm * v55)))));
-    const wide v95 = angle18 - offset6;
-    const wide v96 = offset6 + angle18;
-    const wide v97 = angle19 - offset6;
-    const wide v98 = offset6 + angle19;
-    const wide v99 = angle20 - offset6;
-    const wide v100 = offset6 + angle20;
-    const wide v101 = angle21 - offset6;
-    const wide v102 = offset6 + angle21;
-    const wide q6_ppp = v95 + only_wide(v95 <= -half_turn, m4);
-    const wide q6_ppm = only_wide(-v96 <= -half_turn, m4) - v96;
-    const wide q6_pmp = v97 + only_wide(v97 <= -half_turn, m4);
-    const wide q6_pmm = only_wide(-v98 <= -half_turn, m4) - v98;
-    const wide q6_mpp = v99 + only_wide(v99 <= -half_turn, m4);
-    const wide q6_mpm = only_wide(-v100 <= -half_turn, m4) - v100;
-    const wide q6_mmp = v101 + only_wide(v101 <= -half_turn, m4);
-    const wide q6_mmm = only_wide(-v102 <= -half_turn, m4) - v102;
-    const wide_mask v103 = (free_joints[0] < low3) | (high3 < free_joints[0]);
-    const wide_mask v104 = (q4__p < low4) | (high4 < q4__p);
-    const wide_mask v105 = (q4__m < low4) | (high4 < q4__m);
-    const wide q3_ppp = v8 + (free_joints[0] + (w4 - w4));
-    const wide q4_ppp = v8 + q4__p;
-    const wide q4_mpp = v8 + q4__m;
-    const wide_mask v106 = v104 | (v103 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
+    const wide v85 = angle10 - offset1;
+    const wide angle11 = atan2_wide(s1_mp, -v13);
+    const wide v86 = angle11 - offset1;
+    const wide angle12 = atan2_wide(s1_mm, -v14);
+    const wide v87 = angle12 - offset1;
+    const wide q1_ppp = v84 + only_wide(v84 <= -half_turn, m4);
+    const wide q1_pmp = v85 + only_wide(v85 <= -half_turn, m4);
+    const wide q1_mpp = v86 + only_wide(v86 <= -half_turn, m4);
+    const wide q1_mmp = v87 + only_wide(v87 <= -half_turn, m4);
+    const wide angle13 = atan2_wide(S2_pp, -v23);
+    const wide v88 = angle13 - offset2;
+    const wide angle14 = atan2_wide(-S2_mp, -v24);
+    const wide v89 = angle14 - offset2;
+    const wide angle15 = atan2_wide(S2_mp, -v24);
+    const wide v90 = angle15 - offset2;
+    const wide angle16 = atan2_wide(-S2_pp, -v23);
+    const wide v91 = angle16 - offset2;
+    const wide q2_ppp = v88 + only_wide(v88 <= -half_turn, m4);
+    const wide q2_pmp = v89 + only_wide(v89 <= -half_turn, m4);
+    const wide q2_mpp = v90 + only_wide(v90 <= -half_turn, m4);
+    const wide q2_mmp = v91 + only_wide(v91 <= -half_turn, m4);
+    const wide angle17 = atan2_wide(-v4, -v2);
+    const wide v92 = angle17 - offset4, v93 = offset4 + angle17;
+    const wide q4__p = v92 + only_wide(v92 <= -half_turn, m4);
+    const wide q4__m = only_wide(-v93 <= -half_turn, m4) - v93;
+    const wide angle18 = atan2_wide(sqrt_wide(v49), v5 * v42 - factor2_pp * (S2_pp * (c1_pp * v56 +
+        s1_pp * v57 - v58) + v23 * (v55 + (c1_pp * v53 + s1_pp * v54))));
+    const wide angle19 = atan2_wide(sqrt_wide(v50), v5 * v43 - factor2_pm * (v24 * (v55 + (c1_pm *
+        v53 + s1_pm * v54)) - S2_mp * (c1_pm * v56 + s1_pm * v57 - v58)));
+    const wide angle20 = atan2_wide(sqrt_wide(v51), -(v5 * v44 + factor2_pm * (S2_mp * (v58 + (s1_mp
+        * v57 - v13 * v56)) + v24 * (v55 + (v13 * v53 - s1_mp * v54)))));
+    const wide angle21 = atan2_wide(sqrt_wide(v52), -(v5 * v45 + factor2_mm * (-S2_pp * (v58 +
+        (s1_mm * v57 - v14 * v56)) + v23 * (v55 + (v14 * v53 - s1_mm * v54)))));
+    const wide v94 = angle18 - offset6, v95 = offset6 + angle18, v96 = angle19 - offset6;
+    const wide v97 = offset6 + angle19, v98 = angle20 - offset6, v99 = offset6 + angle20;
+    const wide v100 = angle21 - offset6, v101 = offset6 + angle21;
+    const wide q6_ppp = v94 + only_wide(v94 <= -half_turn, m4);
+    const wide q6_ppm = only_wide(-v95 <= -half_turn, m4) - v95;
+    const wide q6_pmp = v96 + only_wide(v96 <= -half_turn, m4);
+    const wide q6_pmm = only_wide(-v97 <= -half_turn, m4) - v97;
+    const wide q6_mpp = v98 + only_wide(v98 <= -half_turn, m4);
+    const wide q6_mpm = only_wide(-v99 <= -half_turn, m4) - v99;
+    const wide q6_mmp = v100 + only_wide(v100 <= -half_turn, m4);
+    const wide q6_mmm = only_wide(-v101 <= -half_turn, m4) - v101;
+    const wide_mask v102 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const wide_mask v103 = (q4__p < low4) | (high4 < q4__p);
+    const wide_mask v104 = (q4__m < low4) | (high4 < q4__m);
+    const wide q3_ppp = v7 + (free_joints[0] + (w4 - w4));
+    const wide q4_ppp = v7 + q4__p, q4_mpp = v7 + q4__m;
+    const wide_mask v105 = v103 | (v102 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
         (high2 < q2_ppp))));
-    const wide_mask v107 = v104 | (v103 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
+    const wide_mask v106 = v103 | (v102 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
         (high2 < q2_pmp))));
-    const wide_mask v108 = v105 | (v103 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
+    const wide_mask v107 = v104 | (v102 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
         (high2 < q2_mpp))));
-    const wide_mask v109 = v105 | (v103 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
+    const wide_mask v108 = v104 | (v102 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
         (high2 < q2_mmp))));
     const wide_mask outside_ppp = ((angle5 < low7) | (high7 < angle5)) | (((q6_ppp < low6) | (high6
-        < q6_ppp)) | (v106 | ((angle1 < low5) | (high5 < angle1))));
+        < q6_ppp)) | (v105 | ((angle1 < low5) | (high5 < angle1))));
     const wide_mask outside_ppm = ((q7_ppm < low7) | (high7 < q7_ppm)) | (((q6_ppm < low6) | (high6
-        < q6_ppm)) | (v106 | ((q5_ppm < low5) | (high5 < q5_ppm))));
+        < q6_ppm)) | (v105 | ((q5_ppm < low5) | (high5 < q5_ppm))));
     const wide_mask outside_pmp = ((angle6 < low7) | (high7 < angle6)) | (((q6_pmp < low6) | (high6
-        < q6_pmp)) | (v107 | ((angle2 < low5) | (high5 < angle2))));
+        < q6_pmp)) | (v106 | ((angle2 < low5) | (high5 < angle2))));
     const wide_mask outside_pmm = ((q7_pmm < low7) | (high7 < q7_pmm)) | (((q6_pmm < low6) | (high6
-        < q6_pmm)) | (v107 | ((q5_pmm < low5) | (high5 < q5_pmm))));
+        < q6_pmm)) | (v106 | ((q5_pmm < low5) | (high5 < q5_pmm))));
     const wide_mask outside_mpp = ((angle7 < low7) | (high7 < angle7)) | (((q6_mpp < low6) | (high6
-        < q6_mpp)) | (v108 | ((angle3 < low5) | (high5 < angle3))));
+        < q6_mpp)) | (v107 | ((angle3 < low5) | (high5 < angle3))));
     const wide_mask outside_mpm = ((q7_mpm < low7) | (high7 < q7_mpm)) | (((q6_mpm < low6) | (high6
-        < q6_mpm)) | (v108 | ((q5_mpm < low5) | (high5 < q5_mpm))));
+        < q6_mpm)) | (v107 | ((q5_mpm < low5) | (high5 < q5_mpm))));
     const wide_mask outside_mmp = ((angle8 < low7) | (high7 < angle8)) | (((q6_mmp < low6) | (high6
-        < q6_mmp)) | (v109 | ((angle4 < low5) | (high5 < angle4))));
+        < q6_mmp)) | (v108 | ((angle4 < low5) | (high5 < angle4))));
     const wide_mask outside_mmm = ((q7_mmm < low7) | (high7 < q7_mmm)) | (((q6_mmm < low6) | (high6
-        < q6_mmm)) | (v109 | ((q5_mmm < low5) | (high5 < q5_mmm))));
-    const wide_mask doubt1 = ((-(reach_slack2 * (reach_slack2 + v2)) <= D4) & ((merge_slack2 *
-        (merge_slack2 + v2) < D4) == 0)) | (free1 | ((v53 <= m2) | ((v29 <= m1) | ((v52 <= m2) |
-        ((v51 <= m2) | ((v28 <= m1) | ((v50 <= m2) | (((-(reach_slack1 * (reach_slack1 + v7)) <= D1)
-        & (free1 | ((merge_slack1 * (merge_slack1 + v7) < D1) == 0))) | (v27 <= m1)))))))));
+        < q6_mmm)) | (v108 | ((q5_mmm < low5) | (high5 < q5_mmm))));
+    const wide_mask doubt1 = (((shortest4_reach <= V4) & (V4 <= longest4_reach)) &
+        (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (free1 | ((v52 <= m2) | ((v28 <=
+        m1) | ((v51 <= m2) | ((v50 <= m2) | ((v27 <= m1) | ((v49 <= m2) | (((-(reach_slack1 *
+        (reach_slack1 + v6)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 + v6) < D1) == 0))) |
+        (v26 <= m1)))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = angle1;
-    q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = angle1; q[5] = q6_ppp;
     q[6] = angle5;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[7] = q1_ppp;
-    q[8] = q2_ppp;
-    q[9] = q3_ppp;
-    q[10] = q4_ppp;
-    q[11] = q5_ppm;
-    q[12] = q6_ppm;
+    q[7] = q1_ppp; q[8] = q2_ppp; q[9] = q3_ppp; q[10] = q4_ppp; q[11] = q5_ppm; q[12] = q6_ppm;
     q[13] = q7_ppm;
     kind[1] = kind_of(q[7] != q[7], outside_ppm);
-    q[14] = q1_pmp;
-    q[15] = q2_pmp;
-    q[16] = q3_ppp;
-    q[17] = q4_ppp;
-    q[18] = angle2;
-    q[19] = q6_pmp;
+    q[14] = q1_pmp; q[15] = q2_pmp; q[16] = q3_ppp; q[17] = q4_ppp; q[18] = angle2; q[19] = q6_pmp;
     q[20] = angle6;
     kind[2] = kind_of(q[14] != q[14], outside_pmp);
-    q[21] = q1_pmp;
-    q[22] = q2_pmp;
-    q[23] = q3_ppp;
-    q[24] = q4_ppp;
-    q[25] = q5_pmm;
-    q[26] = q6_pmm;
+    q[21] = q1_pmp; q[22] = q2_pmp; q[23] = q3_ppp; q[24] = q4_ppp; q[25] = q5_pmm; q[26] = q6_pmm;
     q[27] = q7_pmm;
     kind[3] = kind_of(q[21] != q[21], outside_pmm);
-    q[28] = q1_mpp;
-    q[29] = q2_mpp;
-    q[30] = q3_ppp;
-    q[31] = q4_mpp;
-    q[32] = angle3;
-    q[33] = q6_mpp;
+    q[28] = q1_mpp; q[29] = q2_mpp; q[30] = q3_ppp; q[31] = q4_mpp; q[32] = angle3; q[33] = q6_mpp;
     q[34] = angle7;
     kind[4] = kind_of(q[28] != q[28], outside_mpp);
-    q[35] = q1_mpp;
-    q[36] = q2_mpp;
-    q[37] = q3_ppp;
-    q[38] = q4_mpp;
-    q[39] = q5_mpm;
-    q[40] = q6_mpm;
+    q[35] = q1_mpp; q[36] = q2_mpp; q[37] = q3_ppp; q[38] = q4_mpp; q[39] = q5_mpm; q[40] = q6_mpm;
     q[41] = q7_mpm;
     kind[5] = kind_of(q[35] != q[35], outside_mpm);
-    q[42] = q1_mmp;
-    q[43] = q2_mmp;
-    q[44] = q3_ppp;
-    q[45] = q4_mpp;
-    q[46] = angle4;
-    q[47] = q6_mmp;
+    q[42] = q1_mmp; q[43] = q2_mmp; q[44] = q3_ppp; q[45] = q4_mpp; q[46] = angle4; q[47] = q6_mmp;
     q[48] = angle8;
     kind[6] = kind_of(q[42] != q[42], outside_mmp);
-    q[49] = q1_mmp;
-    q[50] = q2_mmp;
-    q[51] = q3_ppp;
-    q[52] = q4_mpp;
-    q[53] = q5_mmm;
-    q[54] = q6_mmm;
+    q[49] = q1_mmp; q[50] = q2_mmp; q[51] = q3_ppp; q[52] = q4_mpp; q[53] = q5_mmm; q[54] = q6_mmm;
     q[55] = q7_mmm;
     kind[7] = kind_of(q[49] != q[49], outside_mmm);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
@@ -929,145 +824,107 @@ HELPER int solve_regular(
     /* theta4 */
     const double wx = T14 - d7 * T13;
     const double wy = T24 - d7 * T23;
-    const double wz = T34 - d7 * T33;
     const double v1 = wy * wy;
-    const double Z4 = wx * wx + (v1 + (k3 + wz * (wz - k2)));
-    const double D4 = k4 - Z4 * Z4;
-    const double v2 = 2.0 * fabs(Z4);
-    const double w4 = sqrt(D4);
-    const double v3 = k1 * Z4;
-    const double v4 = k5 * v3;
-    const double v5 = k1 * w4;
-    const double v6 = k5 * v5;
+    const double Z1_2 = T34 - d7 * T33 - d1;
+    const double V4 = v1 + wx * wx + Z1_2 * Z1_2;
+    const double w4 = sqrt((longest4 - V4) * (V4 - shortest4));
+    const double v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
 
     /* theta1 */
-    const double Z1 = d5 * (s3 * v6);
     const double N1 = v1 + -wx * -wx;
-    const double D1 = N1 - Z1 * Z1;
     const int free1 = N1 <= doubt_limit_squared2;
-    const double v7 = 2.0 * fabs(Z1);
+    const double Z1 = d5 * (s3 * v5);
+    const double D1 = N1 - Z1 * Z1;
+    const double v6 = fabs(Z1) * 2.0;
     const double w1 = sqrt(D1);
-    const double v8 = w1 - w1;
+    const double v7 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v9 = Z1 * -wx;
-    const double v10 = wy * Z1;
-    const four v11 = e1 * v10;
-    const four v12 = w1 * (inverse1 * (e2 * -wx));
-    const four v13 = inverse1 * v11;
-    const four c1 = v13 - v12;
-    const four v14 = e1 * v9;
-    const four v15 = w1 * (inverse1 * (e2 * wy));
-    const four v16 = inverse1 * v14;
-    const four s1 = v15 + v16;
+    const double v8 = -wx * Z1, v9 = wy * Z1;
+    const four v10 = e1 * v9, v11 = w1 * (inverse1 * (e2 * -wx)), v12 = inverse1 * v10;
+    const four c1 = v12 - v11;
+    const four v13 = e1 * v8, v14 = w1 * (inverse1 * (e2 * wy)), v15 = inverse1 * v13;
+    const four s1 = v14 + v15;
 
     /* theta2 */
-    const double v17 = d5 * (c3 * v6);
-    const double X2_2 = d3 + d5 * v4;
-    const double Z1_2 = wz - d1;
-    const double v18 = v17 * Z1_2;
-    const double v19 = w1 * X2_2;
-    const four v20 = e2 * v19;
-    const four v21 = e1 * v18;
-    const four S2 = v20 - v21;
-    const double v22 = X2_2 * Z1_2;
-    const double v23 = w1 * v17;
-    const four v24 = v22 + v23 * (e1 * e2);
-    const four v25 = S2 * S2 + v24 * v24;
-    const four factor2 = sqrt_four(v25) * (1.0 / v25);
+    const double v16 = d5 * (c3 * v5);
+    const double X2_2 = d3 + d5 * v3;
+    const double v17 = Z1_2 * v16, v18 = w1 * X2_2;
+    const four v19 = e2 * v18, v20 = e1 * v17;
+    const four S2 = v19 - v20;
+    const double v21 = Z1_2 * X2_2, v22 = w1 * v16;
+    const four v23 = v21 + v22 * (e1 * e2), v24 = S2 * S2 + v23 * v23;
+    const four factor2 = sqrt_four(v24) * (1.0 / v24);
 
     /* theta5 */
-    const double v26 = c3 * T13;
-    const double v27 = v4 * v26;
-    const double v28 = c3 * T23;
-    const double v29 = v4 * v28;
-    const double v30 = T33 * v6;
-    const double v31 = T13 * v6;
-    const double v32 = T23 * v6;
-    const double v33 = c3 * T33;
-    const double v34 = v4 * v33;
-    const double v35 = T13 * wy + T23 * -wx;
-    const four v36 = w1 * (inverse1 * (s3 * (e2 * v35)));
-    const four v37 = inverse1 * (s3 * (T13 * v14 - T23 * v11));
-    const four v38 = v36 + v37;
-    const four v39 = e1 * v30;
-    const four X5 = v4 * v38 + factor2 * (v24 * (v39 - (c1 * v27 + s1 * v29)) + S2 * (v34 + e1 * (c1
-        * v31 + s1 * v32)));
-    const double v40 = s3 * T33;
-    const four Y5 = factor2 * (S2 * v40 - v24 * (s3 * (T13 * c1 + T23 * s1))) - c3 * (T13 * s1 - T23
+    const double v25 = c3 * T13, v26 = v3 * v25, v27 = c3 * T23, v28 = v3 * v27, v29 = T33 * v5;
+    const double v30 = T13 * v5, v31 = T23 * v5, v32 = c3 * T33, v33 = v3 * v32;
+    const double v34 = T13 * wy + T23 * -wx;
+    const four v35 = w1 * (inverse1 * (s3 * (e2 * v34)));
+    const four v36 = inverse1 * (s3 * (T13 * v13 - T23 * v10)), v37 = v35 + v36, v38 = e1 * v29;
+    const four X5 = v3 * v37 + factor2 * (v23 * (v38 - (c1 * v26 + s1 * v28)) + S2 * (v33 + e1 * (c1
+        * v30 + s1 * v31)));
+    const double v39 = s3 * T33;
+    const four Y5 = factor2 * (S2 * v39 - v23 * (s3 * (T13 * c1 + T23 * s1))) - c3 * (T13 * s1 - T23
         * c1);
-    const four v41 = X5 * X5 + Y5 * Y5;
+    const four v40 = X5 * X5 + Y5 * Y5;
 
     /* theta6 */
-    const double v42 = v6 * v26;
-    const double v43 = v6 * v28;
-    const double v44 = T33 * v4;
-    const double v45 = T13 * v4;
-    const double v46 = T23 * v4;
-    const double v47 = v6 * v33;
-    const four v48 = e1 * v47;
+    const double v41 = v5 * v25, v42 = v5 * v27, v43 = T33 * v3, v44 = T13 * v3, v45 = T23 * v3;
+    const double v46 = v5 * v32;
+    const four v47 = e1 * v46;
 
     /* theta7 */
-    const double v49 = s3 * T32;
-    const four v50 = s1 * T12 - c1 * T22;
-    const double v51 = v4 * (c3 * T12);
-    const double v52 = v4 * (c3 * T22);
-    const double v53 = v6 * T32;
-    const double v54 = v6 * T12;
-    const double v55 = v6 * T22;
-    const double v56 = v4 * (c3 * T32);
-    const four v57 = e1 * v53;
-    const double v58 = s3 * T31;
-    const four v59 = s1 * T11 - c1 * T21;
-    const double v60 = v4 * (c3 * T11);
-    const double v61 = v4 * (c3 * T21);
-    const double v62 = v6 * T31;
-    const double v63 = v6 * T11;
-    const double v64 = v6 * T21;
-    const double v65 = v4 * (c3 * T31);
-    const four v66 = e1 * v62;
+    const double v48 = s3 * T32;
+    const four v49 = s1 * T12 - c1 * T22;
+    const double v50 = v3 * (c3 * T12), v51 = v3 * (c3 * T22), v52 = v5 * T32, v53 = v5 * T12;
+    const double v54 = v5 * T22, v55 = v3 * (c3 * T32);
+    const four v56 = e1 * v52;
+    const double v57 = s3 * T31;
+    const four v58 = s1 * T11 - c1 * T21;
+    const double v59 = v3 * (c3 * T11), v60 = v3 * (c3 * T21), v61 = v5 * T31, v62 = v5 * T11;
+    const double v63 = v5 * T21, v64 = v3 * (c3 * T31);
+    const four v65 = e1 * v61;
 
     /* joint values */
-    const int v72 = (free_joints[0] < low3) | (high3 < free_joints[0]);
-    const double q3_p = v8 + (free_joints[0] + (w4 - w4));
-    const four_mask doubt2 = (v25 <= m1) | (v41 <= m2);
-    const int doubt1 = ((-(reach_slack2 * (reach_slack2 + v2)) <= D4) & ((merge_slack2 *
-        (merge_slack2 + v2) < D4) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v7)) <= D1) &
-        (free1 | ((merge_slack1 * (merge_slack1 + v7) < D1) == 0))));
+    const int v71 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const double q3_p = v7 + (free_joints[0] + (w4 - w4));
+    const four_mask doubt2 = (v24 <= m1) | (v40 <= m2);
+    const int doubt1 = (((shortest4_reach <= V4) & (V4 <= longest4_reach)) & (((shortest4_apart <
+        V4) & (V4 < longest4_apart)) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v6)) <=
+        D1) & (free1 | ((merge_slack1 * (merge_slack1 + v6) < D1) == 0))));
 
     const four angle1 = atan2_four(Y5, -X5);
-    const four angle2 = atan2_four(-(X5 * (c3 * v59 - factor2 * (S2 * v58 - v24 * (s3 * (c1 * T11 +
-        s1 * T21)))) + Y5 * (v4 * (s3 * v59) + factor2 * (v24 * (v66 - (c1 * v60 + s1 * v61)) + S2 *
-        (v65 + e1 * (c1 * v63 + s1 * v64))))), -(X5 * (c3 * v50 - factor2 * (S2 * v49 - v24 * (s3 *
-        (c1 * T12 + s1 * T22)))) + Y5 * (v4 * (s3 * v50) + factor2 * (v24 * (v57 - (c1 * v51 + s1 *
-        v52)) + S2 * (v56 + e1 * (c1 * v54 + s1 * v55))))));
-    const four angle3 = atan2_four(s1, c1);
-    const four angle4 = atan2_four(S2, -v24);
-    const four angle6 = atan2_four(sqrt_four(v41), e1 * (v6 * v38) - factor2 * (S2 * (c1 * v45 + s1
-        * v46 - v48) + v24 * (v44 + e1 * (c1 * v42 + s1 * v43))));
-    const four packed6 = atan2_four((four){ -v5, -v5, -v5, -v5 }, (four){ -v3, -v3, -v3, -v3 });
+    const four angle2 = atan2_four(-(X5 * (c3 * v58 - factor2 * (S2 * v57 - v23 * (s3 * (c1 * T11 +
+        s1 * T21)))) + Y5 * (v3 * (s3 * v58) + factor2 * (v23 * (v65 - (c1 * v59 + s1 * v60)) + S2 *
+        (v64 + e1 * (c1 * v62 + s1 * v63))))), -(X5 * (c3 * v49 - factor2 * (S2 * v48 - v23 * (s3 *
+        (c1 * T12 + s1 * T22)))) + Y5 * (v3 * (s3 * v49) + factor2 * (v23 * (v56 - (c1 * v50 + s1 *
+        v51)) + S2 * (v55 + e1 * (c1 * v53 + s1 * v54)))))), angle3 = atan2_four(s1, c1);
+    const four angle4 = atan2_four(S2, -v23);
+    const four angle6 = atan2_four(sqrt_four(v40), e1 * (v5 * v37) - factor2 * (S2 * (c1 * v44 + s1
+        * v45 - v47) + v23 * (v43 + e1 * (c1 * v41 + s1 * v42))));
+    const four packed6 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 });
     const four angle5 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
     const four q5_m = angle1 - copysign_four(all_four(half_turn), Y5) * h1;
-    const four q7_m = angle2 - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v59 - factor2 *
-        (S2 * v58 - v24 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v4 * (s3 * v59) + factor2 * (v24 *
-        (v66 - (c1 * v60 + s1 * v61)) + S2 * (v65 + e1 * (c1 * v63 + s1 * v64))))));
-    const four v67 = angle3 - offset1;
-    const four q1_p = v67 + only_four(v67 <= -half_turn, m4);
-    const four v68 = angle4 - offset2;
-    const four q2_p = v68 + only_four(v68 <= -half_turn, m4);
-    const four v69 = e1 * angle5 - offset4;
-    const four q4_ = v69 + only_four(v69 <= -half_turn, m4);
-    const four v70 = angle6 - offset6;
-    const four v71 = offset6 + angle6;
-    const four q6_p = v70 + only_four(v70 <= -half_turn, m4);
-    const four q6_m = only_four(-v71 <= -half_turn, m4) - v71;
-    const four_mask v73 = (q4_ < low4) | (high4 < q4_);
-    const four q4_p = v8 + q4_;
-    const four_mask v74 = v73 | (where_four(v72) | (((q1_p < low1) | (high1 < q1_p)) | ((q2_p <
+    const four q7_m = angle2 - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v58 - factor2 *
+        (S2 * v57 - v23 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v58) + factor2 * (v23 *
+        (v65 - (c1 * v59 + s1 * v60)) + S2 * (v64 + e1 * (c1 * v62 + s1 * v63))))));
+    const four v66 = angle3 - offset1;
+    const four q1_p = v66 + only_four(v66 <= -half_turn, m4);
+    const four v67 = angle4 - offset2;
+    const four q2_p = v67 + only_four(v67 <= -half_turn, m4);
+    const four v68 = e1 * angle5 - offset4;
+    const four q4_ = v68 + only_four(v68 <= -half_turn, m4);
+    const four v69 = angle6 - offset6, v70 = offset6 + angle6;
+    const four q6_p = v69 + only_four(v69 <= -half_turn, m4);
+    const four q6_m = only_four(-v70 <= -half_turn, m4) - v70;
+    const four_mask v72 = (q4_ < low4) | (high4 < q4_);
+    const four q4_p = v7 + q4_;
+    const four_mask v73 = v72 | (where_four(v71) | (((q1_p < low1) | (high1 < q1_p)) | ((q2_p <
         low2) | (high2 < q2_p))));
     const four_mask outside_p = ((angle2 < low7) | (high7 < angle2)) | (((q6_p < low6) | (high6 <
-        q6_p)) | (v74 | ((angle1 < low5) | (high5 < angle1))));
+        q6_p)) | (v73 | ((angle1 < low5) | (high5 < angle1))));
     const four_mask outside_m = ((q7_m < low7) | (high7 < q7_m)) | (((q6_m < low6) | (high6 < q6_m))
-        | (v74 | ((q5_m < low5) | (high5 < q5_m))));
+        | (v73 | ((q5_m < low5) | (high5 < q5_m))));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -1162,133 +1019,135 @@ static void solve(
     /* theta4, type 2: the squared length of column 4 of U1 A7^-1 */
     const double wx = T14 - T13 * d7;
     const double wy = T24 - d7 * T23;
-    const double wz = T34 - d7 * T33;
     const double v1 = wy * wy;
-    const double Z4 = wx * wx + (v1 + (wz * (wz - k2) + k3));
-    const double D4 = k4 - Z4 * Z4;
-    const double v2 = 2.0 * fabs(Z4);
-    const int apart4 = merge_slack2 * (v2 + merge_slack2) < D4;
-    if (!(-(reach_slack2 * (v2 + reach_slack2)) <= D4)) return; /* out of reach */
+    const double wz = T34 - d7 * T33;
+    const double Z1_2 = wz - d1;
+    const double V4 = wx * wx + v1 + Z1_2 * Z1_2;
+    const double Z4 = V4 - k2;
+    const double D4 = (longest4 - V4) * (V4 - shortest4);
+    const int apart4 = shortest4_apart < V4 && V4 < longest4_apart;
+    if (!(shortest4_reach <= V4 && V4 <= longest4_reach)) return; /* out of reach */
     const double w4 = sqrt(apart4 ? D4 : 0.0);
-    const double v3 = k5 * (k1 * Z4);
+    const double v2 = k3 * (k1 * Z4);
 
     /* theta1, type 2: U1 A7^-1 [3, 4] */
     const double N1 = v1 + -wx * -wx;
     const int free1 = N1 <= free_limit_squared2;
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
-    const double v8 = seed[0] + offset1;
+    const double v6 = sqrt(N1);
+    const double v9 = seed[0] + offset1;
 
     /* theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4] */
-    const double X2_2 = d3 + d5 * v3;
-    const double Z1_2 = wz - d1;
-    const double v11 = X2_2 * Z1_2;
-    const double v13 = seed[1] + offset2;
+    const double X2_2 = d3 + d5 * v2;
+    const double v12 = Z1_2 * X2_2;
+    const double v14 = seed[1] + offset2;
 
     /* theta5, type 2: U5[3, 3] */
-    const double v14 = c3 * T13;
-    const double v15 = v3 * v14;
-    const double v16 = c3 * T23;
-    const double v17 = v3 * v16;
-    const double v21 = c3 * T33;
-    const double v22 = v3 * v21;
-    const double v25 = s3 * T33;
+    const double v15 = c3 * T13;
+    const double v16 = v2 * v15;
+    const double v17 = c3 * T23;
+    const double v18 = v2 * v17;
+    const double v22 = c3 * T33;
+    const double v23 = v2 * v22;
+    const double v26 = s3 * T33;
 
     /* theta6, type 3: U5[2, 3] and U5[1, 3] */
-    const double v28 = T33 * v3;
-    const double v29 = T13 * v3;
-    const double v30 = T23 * v3;
+    const double v29 = T33 * v2;
+    const double v30 = T13 * v2;
+    const double v31 = T23 * v2;
 
     /* theta7, type 3: U5[3, 2] and U5[3, 1] */
-    const double v32 = s3 * T32;
-    const double v35 = v3 * (c3 * T12);
-    const double v36 = v3 * (c3 * T22);
-    const double v40 = v3 * (c3 * T32);
-    const double v42 = s3 * T31;
-    const double v45 = v3 * (c3 * T11);
-    const double v46 = v3 * (c3 * T21);
-    const double v50 = v3 * (c3 * T31);
+    const double v33 = s3 * T32;
+    const double v36 = v2 * (c3 * T12);
+    const double v37 = v2 * (c3 * T22);
+    const double v41 = v2 * (c3 * T32);
+    const double v43 = s3 * T31;
+    const double v46 = v2 * (c3 * T11);
+    const double v47 = v2 * (c3 * T21);
+    const double v51 = v2 * (c3 * T31);
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
         if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
-        const double v4 = k5 * (k1 * (w4 * e1));
+        const double v3 = k3 * (k1 * (w4 * e1));
 
         /* theta1 */
-        const double Z1 = d5 * (s3 * v4);
+        const double Z1 = d5 * (s3 * v3);
         const double D1 = N1 - Z1 * Z1;
-        const double v5 = 2.0 * fabs(Z1);
+        const double v4 = fabs(Z1);
+        const double v5 = 2.0 * v4;
         const int apart1 = merge_slack1 * (v5 + merge_slack1) < D1;
         if (!(-(reach_slack1 * (v5 + reach_slack1)) <= D1)) continue; /* out of reach */
         const double w1 = sqrt(apart1 ? D1 : 0.0);
-        const double v6 = -wx * Z1;
-        const double v7 = wy * Z1;
+        const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v4 * v6));
+        const double v7 = -wx * Z1;
+        const double v8 = wy * Z1;
 
         /* theta2 */
-        const double v9 = d5 * (c3 * v4);
-        const double v10 = v9 * Z1_2;
+        const double v10 = d5 * (c3 * v3);
+        const double v11 = Z1_2 * v10;
 
         /* theta5 */
-        const double v18 = T33 * v4;
-        const double v19 = T13 * v4;
-        const double v20 = T23 * v4;
+        const double v19 = T33 * v3;
+        const double v20 = T13 * v3;
+        const double v21 = T23 * v3;
 
         /* theta6 */
-        const double v26 = v4 * v14;
-        const double v27 = v4 * v16;
-        const double v31 = v4 * v21;
+        const double v27 = v3 * v15;
+        const double v28 = v3 * v17;
+        const double v32 = v3 * v22;
 
         /* theta7 */
-        const double v37 = T32 * v4;
-        const double v38 = T12 * v4;
-        const double v39 = T22 * v4;
-        const double v47 = T31 * v4;
-        const double v48 = T11 * v4;
-        const double v49 = T21 * v4;
+        const double v38 = T32 * v3;
+        const double v39 = T12 * v3;
+        const double v40 = T22 * v3;
+        const double v48 = T31 * v3;
+        const double v49 = T11 * v3;
+        const double v50 = T21 * v3;
 
         /* joint values */
-        const double q4 = wrap(atan2(-v4, -v3) - offset4);
+        const double q4 = wrap(atan2(-v3, -v2) - offset4);
 
         for (int i2 = 0; i2 < 2; i2++) { /* left, right */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta1 */
             if (e2 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
             const double root1 = w1 * e2;
-            const double c1 = free1 ? cos(v8) : inverse1 * (v7 - -wx * root1);
-            const double s1 = free1 ? sin(v8) : inverse1 * (v6 + wy * root1);
+            const double c1 = free1 ? cos(v9) : inverse1 * (v8 - -wx * root1);
+            const double s1 = free1 ? sin(v9) : inverse1 * (v7 + wy * root1);
 
             /* theta2 */
-            const double S2 = root1 * X2_2 - v10;
-            const double v12 = root1 * v9 + v11;
-            const double w2 = sqrt(S2 * S2 + v12 * v12);
+            const double S2 = root1 * X2_2 - v11;
+            const double v13 = root1 * v10 + v12;
+            const double w2 = sqrt(S2 * S2 + v13 * v13);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v13) : -(v12 * factor2);
-            const double s2 = free2 ? sin(v13) : S2 * factor2;
+            const double c2 = free2 ? cos(v14) : -(v13 * factor2);
+            const double s2 = free2 ? sin(v14) : S2 * factor2;
 
             /* theta5 */
-            const double v23 = T13 * s1 - T23 * c1;
-            const double v24 = s3 * v23;
-            const double X5 = v3 * v24 - (c2 * (v18 - (c1 * v15 + s1 * v17)) - s2 * (c1 * v19 + s1 *
-                v20 + v22));
-            const double Y5 = c2 * (s3 * (T13 * c1 + T23 * s1)) + s2 * v25 - c3 * v23;
+            const double v24 = T13 * s1 - T23 * c1;
+            const double v25 = s3 * v24;
+            const double X5 = v2 * v25 - (c2 * (v19 - (c1 * v16 + s1 * v18)) - s2 * (c1 * v20 + s1 *
+                v21 + v23));
+            const double Y5 = c2 * (s3 * (T13 * c1 + T23 * s1)) + s2 * v26 - c3 * v24;
             const double w5 = sqrt(X5 * X5 + Y5 * Y5);
             const int free5 = w5 <= free_limit;
             const double divisor5 = free5 ? 1.0 : w5;
 
             /* theta6 */
-            const double c6 = v4 * v24 - (s2 * (c1 * v29 + s1 * v30 - v31) - c2 * (c1 * v26 + s1 *
-                v27 + v28));
+            const double c6 = v3 * v25 - (s2 * (c1 * v30 + s1 * v31 - v32) - c2 * (c1 * v27 + s1 *
+                v28 + v29));
 
             /* theta7 */
-            const double v33 = T12 * s1 - T22 * c1;
-            const double v34 = c3 * v33 - (c2 * (s3 * (T12 * c1 + T22 * s1)) + s2 * v32);
-            const double v41 = c2 * (v37 - (c1 * v35 + s1 * v36)) - s2 * (c1 * v38 + s1 * v39 + v40)
-                - v3 * (s3 * v33);
-            const double v43 = T11 * s1 - T21 * c1;
-            const double v44 = c3 * v43 - (c2 * (s3 * (T11 * c1 + T21 * s1)) + s2 * v42);
-            const double v51 = c2 * (v47 - (c1 * v45 + s1 * v46)) - s2 * (c1 * v48 + s1 * v49 + v50)
-                - v3 * (s3 * v43);
+            const double v34 = T12 * s1 - T22 * c1;
+            const double v35 = c3 * v34 - (c2 * (s3 * (T12 * c1 + T22 * s1)) + s2 * v33);
+            const double v42 = c2 * (v38 - (c1 * v36 + s1 * v37)) - s2 * (c1 * v39 + s1 * v40 + v41)
+                - v2 * (s3 * v34);
+            const double v44 = T11 * s1 - T21 * c1;
+            const double v45 = c3 * v44 - (c2 * (s3 * (T11 * c1 + T21 * s1)) + s2 * v43);
+            const double v52 = c2 * (v48 - (c1 * v46 + s1 * v47)) - s2 * (c1 * v49 + s1 * v50 + v51)
+                - v2 * (s3 * v44);
 
             /* joint values */
             const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -1305,8 +1164,8 @@ static void solve(
                 const double s6 = w5 * e3;
 
                 /* theta7 */
-                const double c7 = c5 * v34 + s5 * v41;
-                const double s7 = c5 * v44 + s5 * v51;
+                const double c7 = c5 * v35 + s5 * v42;
+                const double s7 = c5 * v45 + s5 * v52;
                 const double q7 = atan2(s7, c7);
 
                 /* joint values */

@@ -16,7 +16,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -47,7 +47,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -89,8 +90,12 @@ d1 = 0.36  # joint offset 1 [m]
 d3 = 0.42  # joint offset 3 [m]
 d5 = 0.4  # joint offset 5 [m]
 d7 = 0.126  # joint offset 7 [m]
-reach_slack2 = 1.7056360000000002e-13  # rounding at the boundary of the workspace [m^2]
-merge_slack2 = 1.705636e-14  # nearer to that boundary two branches are one [m^2]
+longest4 = 0.6724000000000001  # square of the longest reach [m^2]
+shortest4 = 0.0003999999999999985  # square of the shortest reach [m^2]
+longest4_reach = 0.6724000000002143  # the longest, with what rounding adds [m^2]
+shortest4_reach = 0.0003999999999947745  # the shortest, with what rounding adds [m^2]
+longest4_apart = 0.6723999999999786  # the longest, where branches merge [m^2]
+shortest4_apart = 0.00040000000000052087  # the shortest, where branches merge [m^2]
 free_limit_squared2 = 1.705636e-24  # square of a length that fixes no angle [m^2]
 reach_slack1 = 1.3060000000000002e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 1.306e-14  # nearer to that boundary two branches are one [m]
@@ -100,10 +105,8 @@ free_limit = 1e-12  # a length that fixes no angle
 offset4 = 3.141592653589793  # offset of joint 4 [rad]
 offset6 = 3.141592653589793  # offset of joint 6 [rad]
 k1 = 0.336  # 2 * d5 * d3 [m^2]
-k2 = 0.72  # 2 * d1 [m]
-k3 = -0.2068  # d1^2 - (d3^2 + d5^2) [m^2]
-k4 = 0.11289600000000001  # (2 * d5 * d3)^2 [m^4]
-k5 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
+k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
+k3 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
 doubt_limit_squared2 = 1.705636e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.9670597293903604  # lowest value of joint 1
@@ -380,95 +383,97 @@ def _solve(pose, q_free, seed, q, status):
     # theta4, type 2: the squared length of column 4 of U1 A7^-1
     wx = T14 - T13 * d7
     wy = T24 - d7 * T23
-    wz = T34 - d7 * T33
     v1 = wy * wy
-    Z4 = wx * wx + (v1 + (wz * (wz - k2) + k3))
-    D4 = k4 - Z4 * Z4
-    v2 = 2.0 * abs(Z4)
-    apart4 = merge_slack2 * (v2 + merge_slack2) < D4
-    if not (-(reach_slack2 * (v2 + reach_slack2)) <= D4):
+    wz = T34 - d7 * T33
+    Z1_2 = wz - d1
+    V4 = wx * wx + v1 + Z1_2 * Z1_2
+    Z4 = V4 - k2
+    D4 = (longest4 - V4) * (V4 - shortest4)
+    apart4 = shortest4_apart < V4 and V4 < longest4_apart
+    if not (shortest4_reach <= V4 and V4 <= longest4_reach):
         return  # out of reach
     w4 = math.sqrt(D4 if apart4 else 0.0)
-    v3 = k5 * (k1 * Z4)
+    v2 = k3 * (k1 * Z4)
 
     # theta1, type 2: U1 A7^-1 [3, 4]
     N1 = v1 + -wx * -wx
     free1 = N1 <= free_limit_squared2
-    inverse1 = 1.0 / (1.0 if free1 else N1)
-    v8 = seed[0] + offset1
+    v6 = math.sqrt(N1)
+    v9 = seed[0] + offset1
 
     # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
-    X2_2 = d3 + d5 * v3
-    Z1_2 = wz - d1
-    v11 = X2_2 * Z1_2
-    v13 = seed[1] + offset2
+    X2_2 = d3 + d5 * v2
+    v12 = Z1_2 * X2_2
+    v14 = seed[1] + offset2
 
     # theta5, type 2: U5[3, 3]
-    v14 = c3 * T13
-    v15 = v3 * v14
-    v16 = c3 * T23
-    v17 = v3 * v16
-    v21 = c3 * T33
-    v22 = v3 * v21
-    v25 = s3 * T33
+    v15 = c3 * T13
+    v16 = v2 * v15
+    v17 = c3 * T23
+    v18 = v2 * v17
+    v22 = c3 * T33
+    v23 = v2 * v22
+    v26 = s3 * T33
 
     # theta6, type 3: U5[2, 3] and U5[1, 3]
-    v28 = T33 * v3
-    v29 = T13 * v3
-    v30 = T23 * v3
+    v29 = T33 * v2
+    v30 = T13 * v2
+    v31 = T23 * v2
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v32 = s3 * T32
-    v35 = v3 * (c3 * T12)
-    v36 = v3 * (c3 * T22)
-    v40 = v3 * (c3 * T32)
-    v42 = s3 * T31
-    v45 = v3 * (c3 * T11)
-    v46 = v3 * (c3 * T21)
-    v50 = v3 * (c3 * T31)
+    v33 = s3 * T32
+    v36 = v2 * (c3 * T12)
+    v37 = v2 * (c3 * T22)
+    v41 = v2 * (c3 * T32)
+    v43 = s3 * T31
+    v46 = v2 * (c3 * T11)
+    v47 = v2 * (c3 * T21)
+    v51 = v2 * (c3 * T31)
 
     for i1 in range(2):  # noflip4, flip4
         e1 = 1.0 - 2.0 * i1
         # theta4
         if e1 < 0.0 and not apart4:
             continue  # both signs give the same
-        v4 = k5 * (k1 * (w4 * e1))
+        v3 = k3 * (k1 * (w4 * e1))
 
         # theta1
-        Z1 = d5 * (s3 * v4)
+        Z1 = d5 * (s3 * v3)
         D1 = N1 - Z1 * Z1
-        v5 = 2.0 * abs(Z1)
+        v4 = abs(Z1)
+        v5 = 2.0 * v4
         apart1 = merge_slack1 * (v5 + merge_slack1) < D1
         if not (-(reach_slack1 * (v5 + reach_slack1)) <= D1):
             continue  # out of reach
         w1 = math.sqrt(D1 if apart1 else 0.0)
-        v6 = -wx * Z1
-        v7 = wy * Z1
+        inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v4 * v6))
+        v7 = -wx * Z1
+        v8 = wy * Z1
 
         # theta2
-        v9 = d5 * (c3 * v4)
-        v10 = v9 * Z1_2
+        v10 = d5 * (c3 * v3)
+        v11 = Z1_2 * v10
 
         # theta5
-        v18 = T33 * v4
-        v19 = T13 * v4
-        v20 = T23 * v4
+        v19 = T33 * v3
+        v20 = T13 * v3
+        v21 = T23 * v3
 
         # theta6
-        v26 = v4 * v14
-        v27 = v4 * v16
-        v31 = v4 * v21
+        v27 = v3 * v15
+        v28 = v3 * v17
+        v32 = v3 * v22
 
         # theta7
-        v37 = T32 * v4
-        v38 = T12 * v4
-        v39 = T22 * v4
-        v47 = T31 * v4
-        v48 = T11 * v4
-        v49 = T21 * v4
+        v38 = T32 * v3
+        v39 = T12 * v3
+        v40 = T22 * v3
+        v48 = T31 * v3
+        v49 = T11 * v3
+        v50 = T21 * v3
 
         # joint values
-        q4 = _wrap(_atan2(-v4, -v3) - offset4)
+        q4 = _wrap(_atan2(-v3, -v2) - offset4)
 
         for i2 in range(2):  # left, right
             e2 = 1.0 - 2.0 * i2
@@ -476,42 +481,42 @@ def _solve(pose, q_free, seed, q, status):
             if e2 < 0.0 and (free1 or not apart1):
                 continue  # both signs give the same
             root1 = w1 * e2
-            c1 = math.cos(v8) if free1 else inverse1 * (v7 - -wx * root1)
-            s1 = math.sin(v8) if free1 else inverse1 * (v6 + wy * root1)
+            c1 = math.cos(v9) if free1 else inverse1 * (v8 - -wx * root1)
+            s1 = math.sin(v9) if free1 else inverse1 * (v7 + wy * root1)
 
             # theta2
-            S2 = root1 * X2_2 - v10
-            v12 = root1 * v9 + v11
-            w2 = math.sqrt(S2 * S2 + v12 * v12)
+            S2 = root1 * X2_2 - v11
+            v13 = root1 * v10 + v12
+            w2 = math.sqrt(S2 * S2 + v13 * v13)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v13) if free2 else -(v12 * factor2)
-            s2 = math.sin(v13) if free2 else S2 * factor2
+            c2 = math.cos(v14) if free2 else -(v13 * factor2)
+            s2 = math.sin(v14) if free2 else S2 * factor2
 
             # theta5
-            v23 = T13 * s1 - T23 * c1
-            v24 = s3 * v23
-            X5 = v3 * v24 - (c2 * (v18 - (c1 * v15 + s1 * v17)) - s2 * (c1 * v19 + s1 * v20 + v22))
-            Y5 = c2 * (s3 * (T13 * c1 + T23 * s1)) + s2 * v25 - c3 * v23
+            v24 = T13 * s1 - T23 * c1
+            v25 = s3 * v24
+            X5 = v2 * v25 - (c2 * (v19 - (c1 * v16 + s1 * v18)) - s2 * (c1 * v20 + s1 * v21 + v23))
+            Y5 = c2 * (s3 * (T13 * c1 + T23 * s1)) + s2 * v26 - c3 * v24
             w5 = math.sqrt(X5 * X5 + Y5 * Y5)
             free5 = w5 <= free_limit
             divisor5 = 1.0 if free5 else w5
 
             # theta6
-            c6 = v4 * v24 - (s2 * (c1 * v29 + s1 * v30 - v31) - c2 * (c1 * v26 + s1 * v27 + v28))
+            c6 = v3 * v25 - (s2 * (c1 * v30 + s1 * v31 - v32) - c2 * (c1 * v27 + s1 * v28 + v29))
 
             # theta7
-            v33 = T12 * s1 - T22 * c1
-            v34 = c3 * v33 - (c2 * (s3 * (T12 * c1 + T22 * s1)) + s2 * v32)
-            v41 = (
-                c2 * (v37 - (c1 * v35 + s1 * v36)) - s2 * (c1 * v38 + s1 * v39 + v40) - v3 * (s3 *
-                v33)
+            v34 = T12 * s1 - T22 * c1
+            v35 = c3 * v34 - (c2 * (s3 * (T12 * c1 + T22 * s1)) + s2 * v33)
+            v42 = (
+                c2 * (v38 - (c1 * v36 + s1 * v37)) - s2 * (c1 * v39 + s1 * v40 + v41) - v2 * (s3 *
+                v34)
             )
-            v43 = T11 * s1 - T21 * c1
-            v44 = c3 * v43 - (c2 * (s3 * (T11 * c1 + T21 * s1)) + s2 * v42)
-            v51 = (
-                c2 * (v47 - (c1 * v45 + s1 * v46)) - s2 * (c1 * v48 + s1 * v49 + v50) - v3 * (s3 *
-                v43)
+            v44 = T11 * s1 - T21 * c1
+            v45 = c3 * v44 - (c2 * (s3 * (T11 * c1 + T21 * s1)) + s2 * v43)
+            v52 = (
+                c2 * (v48 - (c1 * v46 + s1 * v47)) - s2 * (c1 * v49 + s1 * v50 + v51) - v2 * (s3 *
+                v44)
             )
 
             # joint values
@@ -530,8 +535,8 @@ def _solve(pose, q_free, seed, q, status):
                 s6 = w5 * e3
 
                 # theta7
-                c7 = c5 * v34 + s5 * v41
-                s7 = c5 * v44 + s5 * v51
+                c7 = c5 * v35 + s5 * v42
+                s7 = c5 * v45 + s5 * v52
                 q7 = _atan2(s7, c7)
 
                 # joint values
@@ -638,16 +643,14 @@ def _regular(pose, q_free, q, status):
     # theta4, type 2: the squared length of column 4 of U1 A7^-1
     wx = T14 - d7 * T13
     wy = T24 - d7 * T23
-    wz = T34 - d7 * T33
     v1 = wy * wy
-    Z4 = wx * wx + (v1 + (k3 + wz * (wz - k2)))
-    D4 = k4 - Z4 * Z4
-    v2 = 2.0 * abs(Z4)
-    w4 = math.sqrt(D4)
-    v3 = k1 * Z4
-    v4 = k5 * v3
-    v5 = k1 * w4
-    v6 = k5 * v5
+    Z1_2 = T34 - d7 * T33 - d1
+    V4 = v1 + wx * wx + Z1_2 * Z1_2
+    w4 = math.sqrt((longest4 - V4) * (V4 - shortest4))
+    v2 = k1 * (V4 - k2)
+    v3 = k3 * v2
+    v4 = k1 * w4
+    v5 = k3 * v4
 
     # theta1, type 2: U1 A7^-1 [3, 4]
     N1 = v1 + -wx * -wx
@@ -655,194 +658,193 @@ def _regular(pose, q_free, q, status):
     inverse1 = 1.0 / N1
 
     # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
-    X2_2 = d3 + d5 * v4
-    Z1_2 = wz - d1
-    v22 = X2_2 * Z1_2
+    X2_2 = d3 + d5 * v3
+    v21 = Z1_2 * X2_2
 
     # theta5, type 2: U5[3, 3]
-    v34 = T33 * v6
-    v35 = T13 * v6
-    v36 = T23 * v6
+    v33 = T33 * v5
+    v34 = T13 * v5
+    v35 = T23 * v5
 
     # theta6, type 3: U5[2, 3] and U5[1, 3]
-    v56 = T33 * v4
-    v57 = T13 * v4
-    v58 = T23 * v4
+    v55 = T33 * v3
+    v56 = T13 * v3
+    v57 = T23 * v3
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v67 = v6 * T32
-    v68 = v6 * T12
-    v69 = v6 * T22
-    v78 = v6 * T31
-    v79 = v6 * T11
-    v80 = v6 * T21
+    v66 = v5 * T32
+    v67 = v5 * T12
+    v68 = v5 * T22
+    v77 = v5 * T31
+    v78 = v5 * T11
+    v79 = v5 * T21
 
     # joint values
-    v103 = q_free[0] < low3 or high3 < q_free[0]
+    v102 = q_free[0] < low3 or high3 < q_free[0]
     s3 = math.sin(q_free[0])
     c3 = math.cos(q_free[0])
-    angle17 = _atan2(-v5, -v3)
+    angle17 = _atan2(-v4, -v2)
 
     # theta1, type 2: U1 A7^-1 [3, 4]
-    Z1 = d5 * (s3 * v6)
+    Z1 = d5 * (s3 * v5)
     D1 = N1 - Z1 * Z1
-    v7 = 2.0 * abs(Z1)
+    v6 = abs(Z1) * 2.0
     w1 = math.sqrt(D1)
-    v8 = w1 - w1
-    v9 = Z1 * -wx
-    v10 = wy * Z1
-    v11 = w1 * (-wx * inverse1)
-    v12 = w1 * (wx * inverse1)
-    v13 = inverse1 * v10
-    c1_pp = v13 - v11
-    c1_pm = v13 - v12
-    v14 = v11 + v13
-    v15 = v12 + v13
-    v16 = w1 * (wy * inverse1)
-    v17 = w1 * (inverse1 * -wy)
-    v18 = inverse1 * v9
-    s1_pp = v16 + v18
-    s1_pm = v17 + v18
-    s1_mp = v16 - v18
-    s1_mm = v17 - v18
+    v7 = w1 - w1
+    v8 = -wx * Z1
+    v9 = wy * Z1
+    v10 = w1 * (-wx * inverse1)
+    v11 = w1 * (wx * inverse1)
+    v12 = inverse1 * v9
+    c1_pp = v12 - v10
+    c1_pm = v12 - v11
+    v13 = v10 + v12
+    v14 = v11 + v12
+    v15 = w1 * (wy * inverse1)
+    v16 = w1 * (inverse1 * -wy)
+    v17 = inverse1 * v8
+    s1_pp = v15 + v17
+    s1_pm = v16 + v17
+    s1_mp = v15 - v17
+    s1_mm = v16 - v17
 
     # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
-    v19 = d5 * (c3 * v6)
-    v20 = v19 * Z1_2
-    v21 = w1 * X2_2
-    S2_pp = v21 - v20
-    S2_mp = v20 + v21
-    v23 = w1 * v19
-    v24 = v22 + v23
-    v25 = v22 - v23
-    v26 = v24 * v24
-    v27 = S2_pp * S2_pp + v26
-    v28 = S2_mp * S2_mp + v25 * v25
-    v29 = v26 + -S2_pp * -S2_pp
-    factor2_pp = math.sqrt(v27) * (1.0 / v27)
-    factor2_pm = math.sqrt(v28) * (1.0 / v28)
-    factor2_mm = math.sqrt(v29) * (1.0 / v29)
+    v18 = d5 * (c3 * v5)
+    v19 = Z1_2 * v18
+    v20 = w1 * X2_2
+    S2_pp = v20 - v19
+    S2_mp = v19 + v20
+    v22 = w1 * v18
+    v23 = v21 + v22
+    v24 = v21 - v22
+    v25 = v23 * v23
+    v26 = S2_pp * S2_pp + v25
+    v27 = S2_mp * S2_mp + v24 * v24
+    v28 = v25 + -S2_pp * -S2_pp
+    factor2_pp = math.sqrt(v26) * (1.0 / v26)
+    factor2_pm = math.sqrt(v27) * (1.0 / v27)
+    factor2_mm = math.sqrt(v28) * (1.0 / v28)
 
     # theta5, type 2: U5[3, 3]
-    v30 = c3 * T13
-    v31 = v4 * v30
-    v32 = c3 * T23
-    v33 = v4 * v32
-    v37 = c3 * T33
-    v38 = v4 * v37
-    v39 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
-    v40 = T13 * v9 - T23 * v10
-    v41 = inverse1 * (s3 * v40)
-    v42 = inverse1 * (s3 * -v40)
-    v43 = v39 + v41
-    v44 = v41 - v39
-    v45 = v39 + v42
-    v46 = v42 - v39
+    v29 = c3 * T13
+    v30 = v3 * v29
+    v31 = c3 * T23
+    v32 = v3 * v31
+    v36 = c3 * T33
+    v37 = v3 * v36
+    v38 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
+    v39 = T13 * v8 - T23 * v9
+    v40 = inverse1 * (s3 * v39)
+    v41 = inverse1 * (s3 * -v39)
+    v42 = v38 + v40
+    v43 = v40 - v38
+    v44 = v38 + v41
+    v45 = v41 - v38
     X5_pp = (
-        v4 * v43 + factor2_pp * (v24 * (v34 - (c1_pp * v31 + s1_pp * v33)) + S2_pp * (v38 + (c1_pp *
-        v35 + s1_pp * v36)))
+        v3 * v42 + factor2_pp * (v23 * (v33 - (c1_pp * v30 + s1_pp * v32)) + S2_pp * (v37 + (c1_pp *
+        v34 + s1_pp * v35)))
     )
     X5_pm = (
-        v4 * v44 + factor2_pm * (v25 * (v34 - (c1_pm * v31 + s1_pm * v33)) - S2_mp * (v38 + (c1_pm *
-        v35 + s1_pm * v36)))
+        v3 * v43 + factor2_pm * (v24 * (v33 - (c1_pm * v30 + s1_pm * v32)) - S2_mp * (v37 + (c1_pm *
+        v34 + s1_pm * v35)))
     )
     X5_mp = (
-        v4 * v45 + factor2_pm * (S2_mp * (v38 + (v14 * v35 - s1_mp * v36)) - v25 * (v34 + (s1_mp *
-        v33 - v14 * v31)))
+        v3 * v44 + factor2_pm * (S2_mp * (v37 + (v13 * v34 - s1_mp * v35)) - v24 * (v33 + (s1_mp *
+        v32 - v13 * v30)))
     )
     X5_mm = (
-        v4 * v46 + factor2_mm * (-S2_pp * (v38 + (v15 * v35 - s1_mm * v36)) - v24 * (v34 + (s1_mm *
-        v33 - v15 * v31)))
+        v3 * v45 + factor2_mm * (-S2_pp * (v37 + (v14 * v34 - s1_mm * v35)) - v23 * (v33 + (s1_mm *
+        v32 - v14 * v30)))
     )
-    v47 = s3 * T33
+    v46 = s3 * T33
     Y5_pp = (
-        factor2_pp * (S2_pp * v47 - v24 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 * s1_pp -
+        factor2_pp * (S2_pp * v46 - v23 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 * s1_pp -
         T23 * c1_pp)
     )
-    v48 = S2_mp * v47
-    v49 = (
-        factor2_pm * (v48 + v25 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm - T23 *
+    v47 = S2_mp * v46
+    v48 = (
+        factor2_pm * (v47 + v24 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm - T23 *
         c1_pm)
     )
     Y5_mp = (
-        factor2_pm * (v48 - v25 * (s3 * (T23 * s1_mp - T13 * v14))) - c3 * (T13 * s1_mp + T23 * v14)
+        factor2_pm * (v47 - v24 * (s3 * (T23 * s1_mp - T13 * v13))) - c3 * (T13 * s1_mp + T23 * v13)
     )
     Y5_mm = (
-        factor2_mm * (-S2_pp * v47 - v24 * (s3 * (T23 * s1_mm - T13 * v15))) - c3 * (T13 * s1_mm +
-        T23 * v15)
+        factor2_mm * (-S2_pp * v46 - v23 * (s3 * (T23 * s1_mm - T13 * v14))) - c3 * (T13 * s1_mm +
+        T23 * v14)
     )
-    v50 = X5_pp * X5_pp + Y5_pp * Y5_pp
-    v51 = X5_pm * X5_pm + v49 * v49
-    v52 = X5_mp * X5_mp + Y5_mp * Y5_mp
-    v53 = X5_mm * X5_mm + Y5_mm * Y5_mm
+    v49 = X5_pp * X5_pp + Y5_pp * Y5_pp
+    v50 = X5_pm * X5_pm + v48 * v48
+    v51 = X5_mp * X5_mp + Y5_mp * Y5_mp
+    v52 = X5_mm * X5_mm + Y5_mm * Y5_mm
 
     # theta6, type 3: U5[2, 3] and U5[1, 3]
-    v54 = v6 * v30
-    v55 = v6 * v32
-    v59 = v6 * v37
+    v53 = v5 * v29
+    v54 = v5 * v31
+    v58 = v5 * v36
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v60 = s3 * T32
-    v61 = s1_pp * T12 - c1_pp * T22
-    v62 = s1_pm * T12 - c1_pm * T22
-    v63 = s1_mp * T12 + v14 * T22
-    v64 = s1_mm * T12 + v15 * T22
-    v65 = v4 * (c3 * T12)
-    v66 = v4 * (c3 * T22)
-    v70 = v4 * (c3 * T32)
-    v71 = s3 * T31
-    v72 = s1_pp * T11 - c1_pp * T21
-    v73 = s1_pm * T11 - c1_pm * T21
-    v74 = s1_mp * T11 + v14 * T21
-    v75 = s1_mm * T11 + v15 * T21
-    v76 = v4 * (c3 * T11)
-    v77 = v4 * (c3 * T21)
-    v81 = v4 * (c3 * T31)
-    v82 = S2_mp * v71
-    v83 = (
-        v49 * (v4 * (s3 * v73) + factor2_pm * (v25 * (v78 - (c1_pm * v76 + s1_pm * v77)) - S2_mp *
-        (v81 + (c1_pm * v79 + s1_pm * v80)))) - X5_pm * (c3 * v73 + factor2_pm * (v82 + v25 * (s3 *
+    v59 = s3 * T32
+    v60 = s1_pp * T12 - c1_pp * T22
+    v61 = s1_pm * T12 - c1_pm * T22
+    v62 = s1_mp * T12 + v13 * T22
+    v63 = s1_mm * T12 + v14 * T22
+    v64 = v3 * (c3 * T12)
+    v65 = v3 * (c3 * T22)
+    v69 = v3 * (c3 * T32)
+    v70 = s3 * T31
+    v71 = s1_pp * T11 - c1_pp * T21
+    v72 = s1_pm * T11 - c1_pm * T21
+    v73 = s1_mp * T11 + v13 * T21
+    v74 = s1_mm * T11 + v14 * T21
+    v75 = v3 * (c3 * T11)
+    v76 = v3 * (c3 * T21)
+    v80 = v3 * (c3 * T31)
+    v81 = S2_mp * v70
+    v82 = (
+        v48 * (v3 * (s3 * v72) + factor2_pm * (v24 * (v77 - (c1_pm * v75 + s1_pm * v76)) - S2_mp *
+        (v80 + (c1_pm * v78 + s1_pm * v79)))) - X5_pm * (c3 * v72 + factor2_pm * (v81 + v24 * (s3 *
         (c1_pm * T11 + s1_pm * T21))))
     )
-    v84 = S2_mp * v60
+    v83 = S2_mp * v59
 
     # joint values
-    v93 = angle17 - offset4
-    v94 = offset4 + angle17
-    q4__p = v93 + (m4 if v93 <= -half_turn else 0.0)
-    q4__m = (m4 if -v94 <= -half_turn else 0.0) - v94
-    v104 = q4__p < low4 or high4 < q4__p
-    v105 = q4__m < low4 or high4 < q4__m
-    q3_ppp = v8 + (q_free[0] + (w4 - w4))
-    q4_ppp = v8 + q4__p
-    q4_mpp = v8 + q4__m
+    v92 = angle17 - offset4
+    v93 = offset4 + angle17
+    q4__p = v92 + (m4 if v92 <= -half_turn else 0.0)
+    q4__m = (m4 if -v93 <= -half_turn else 0.0) - v93
+    v103 = q4__p < low4 or high4 < q4__p
+    v104 = q4__m < low4 or high4 < q4__m
+    q3_ppp = v7 + (q_free[0] + (w4 - w4))
+    q4_ppp = v7 + q4__p
+    q4_mpp = v7 + q4__m
     doubt1 = (
-        -(reach_slack2 * (reach_slack2 + v2)) <= D4 and not (merge_slack2 * (merge_slack2 + v2) <
-        D4) or (free1 or (v53 <= m2 or (v29 <= m1 or (v52 <= m2 or (v51 <= m2 or (v28 <= m1 or (v50
-        <= m2 or (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or not (merge_slack1 *
-        (merge_slack1 + v7) < D1)) or v27 <= m1))))))))
+        (shortest4_reach <= V4 and V4 <= longest4_reach and not (shortest4_apart < V4 and V4 <
+        longest4_apart)) or (free1 or (v52 <= m2 or (v28 <= m1 or (v51 <= m2 or (v50 <= m2 or (v27
+        <= m1 or (v49 <= m2 or ((-(reach_slack1 * (reach_slack1 + v6)) <= D1 and (free1 or not
+        (merge_slack1 * (merge_slack1 + v6) < D1))) or v26 <= m1))))))))
     )
 
     # angles, side by side
     room[0] = Y5_pp
-    room[1] = -v49
+    room[1] = -v48
     room[2] = Y5_mp
     room[3] = Y5_mm
     room[4] = (
-        -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp * T21))))
-        + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp * v77)) + S2_pp
-        * (v81 + (c1_pp * v79 + s1_pp * v80)))))
+        -(X5_pp * (c3 * v71 - factor2_pp * (S2_pp * v70 - v23 * (s3 * (c1_pp * T11 + s1_pp * T21))))
+        + Y5_pp * (v3 * (s3 * v71) + factor2_pp * (v23 * (v77 - (c1_pp * v75 + s1_pp * v76)) + S2_pp
+        * (v80 + (c1_pp * v78 + s1_pp * v79)))))
     )
-    room[5] = v83
+    room[5] = v82
     room[6] = (
-        -(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp *
-        (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) - v25 * (v78 +
-        (s1_mp * v77 - v14 * v76)))))
+        -(X5_mp * (c3 * v73 - factor2_pm * (v81 - v24 * (s3 * (s1_mp * T21 - v13 * T11)))) + Y5_mp *
+        (v3 * (s3 * v73) + factor2_pm * (S2_mp * (v80 + (v13 * v78 - s1_mp * v79)) - v24 * (v77 +
+        (s1_mp * v76 - v13 * v75)))))
     )
     room[7] = (
-        -(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11))))
-        + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24
-        * (v78 + (s1_mm * v77 - v15 * v76)))))
+        -(X5_mm * (c3 * v74 - factor2_mm * (-S2_pp * v70 - v23 * (s3 * (s1_mm * T21 - v14 * T11))))
+        + Y5_mm * (v3 * (s3 * v74) + factor2_mm * (-S2_pp * (v80 + (v14 * v78 - s1_mm * v79)) - v23
+        * (v77 + (s1_mm * v76 - v14 * v75)))))
     )
     room[8] = s1_pp
     room[9] = s1_pm
@@ -852,57 +854,57 @@ def _regular(pose, q_free, q, status):
     room[13] = -S2_mp
     room[14] = S2_mp
     room[15] = -S2_pp
-    room[16] = math.sqrt(v50)
-    room[17] = math.sqrt(v51)
-    room[18] = math.sqrt(v52)
-    room[19] = math.sqrt(v53)
+    room[16] = math.sqrt(v49)
+    room[17] = math.sqrt(v50)
+    room[18] = math.sqrt(v51)
+    room[19] = math.sqrt(v52)
     room[24] = -X5_pp
     room[25] = -X5_pm
     room[26] = -X5_mp
     room[27] = -X5_mm
     room[28] = (
-        -(X5_pp * (c3 * v61 - factor2_pp * (S2_pp * v60 - v24 * (s3 * (c1_pp * T12 + s1_pp * T22))))
-        + Y5_pp * (v4 * (s3 * v61) + factor2_pp * (v24 * (v67 - (c1_pp * v65 + s1_pp * v66)) + S2_pp
-        * (v70 + (c1_pp * v68 + s1_pp * v69)))))
+        -(X5_pp * (c3 * v60 - factor2_pp * (S2_pp * v59 - v23 * (s3 * (c1_pp * T12 + s1_pp * T22))))
+        + Y5_pp * (v3 * (s3 * v60) + factor2_pp * (v23 * (v66 - (c1_pp * v64 + s1_pp * v65)) + S2_pp
+        * (v69 + (c1_pp * v67 + s1_pp * v68)))))
     )
     room[29] = (
-        v49 * (v4 * (s3 * v62) + factor2_pm * (v25 * (v67 - (c1_pm * v65 + s1_pm * v66)) - S2_mp *
-        (v70 + (c1_pm * v68 + s1_pm * v69)))) - X5_pm * (c3 * v62 + factor2_pm * (v84 + v25 * (s3 *
+        v48 * (v3 * (s3 * v61) + factor2_pm * (v24 * (v66 - (c1_pm * v64 + s1_pm * v65)) - S2_mp *
+        (v69 + (c1_pm * v67 + s1_pm * v68)))) - X5_pm * (c3 * v61 + factor2_pm * (v83 + v24 * (s3 *
         (c1_pm * T12 + s1_pm * T22))))
     )
     room[30] = (
-        -(X5_mp * (c3 * v63 - factor2_pm * (v84 - v25 * (s3 * (s1_mp * T22 - v14 * T12)))) + Y5_mp *
-        (v4 * (s3 * v63) + factor2_pm * (S2_mp * (v70 + (v14 * v68 - s1_mp * v69)) - v25 * (v67 +
-        (s1_mp * v66 - v14 * v65)))))
+        -(X5_mp * (c3 * v62 - factor2_pm * (v83 - v24 * (s3 * (s1_mp * T22 - v13 * T12)))) + Y5_mp *
+        (v3 * (s3 * v62) + factor2_pm * (S2_mp * (v69 + (v13 * v67 - s1_mp * v68)) - v24 * (v66 +
+        (s1_mp * v65 - v13 * v64)))))
     )
     room[31] = (
-        -(X5_mm * (c3 * v64 - factor2_mm * (-S2_pp * v60 - v24 * (s3 * (s1_mm * T22 - v15 * T12))))
-        + Y5_mm * (v4 * (s3 * v64) + factor2_mm * (-S2_pp * (v70 + (v15 * v68 - s1_mm * v69)) - v24
-        * (v67 + (s1_mm * v66 - v15 * v65)))))
+        -(X5_mm * (c3 * v63 - factor2_mm * (-S2_pp * v59 - v23 * (s3 * (s1_mm * T22 - v14 * T12))))
+        + Y5_mm * (v3 * (s3 * v63) + factor2_mm * (-S2_pp * (v69 + (v14 * v67 - s1_mm * v68)) - v23
+        * (v66 + (s1_mm * v65 - v14 * v64)))))
     )
     room[32] = c1_pp
     room[33] = c1_pm
-    room[34] = -v14
-    room[35] = -v15
-    room[36] = -v24
-    room[37] = -v25
-    room[38] = -v25
-    room[39] = -v24
+    room[34] = -v13
+    room[35] = -v14
+    room[36] = -v23
+    room[37] = -v24
+    room[38] = -v24
+    room[39] = -v23
     room[40] = (
-        v6 * v43 - factor2_pp * (S2_pp * (c1_pp * v57 + s1_pp * v58 - v59) + v24 * (v56 + (c1_pp *
-        v54 + s1_pp * v55)))
+        v5 * v42 - factor2_pp * (S2_pp * (c1_pp * v56 + s1_pp * v57 - v58) + v23 * (v55 + (c1_pp *
+        v53 + s1_pp * v54)))
     )
     room[41] = (
-        v6 * v44 - factor2_pm * (v25 * (v56 + (c1_pm * v54 + s1_pm * v55)) - S2_mp * (c1_pm * v57 +
-        s1_pm * v58 - v59))
+        v5 * v43 - factor2_pm * (v24 * (v55 + (c1_pm * v53 + s1_pm * v54)) - S2_mp * (c1_pm * v56 +
+        s1_pm * v57 - v58))
     )
     room[42] = (
-        -(v6 * v45 + factor2_pm * (S2_mp * (v59 + (s1_mp * v58 - v14 * v57)) + v25 * (v56 + (v14 *
-        v54 - s1_mp * v55))))
+        -(v5 * v44 + factor2_pm * (S2_mp * (v58 + (s1_mp * v57 - v13 * v56)) + v24 * (v55 + (v13 *
+        v53 - s1_mp * v54))))
     )
     room[43] = (
-        -(v6 * v46 + factor2_mm * (-S2_pp * (v59 + (s1_mm * v58 - v15 * v57)) + v24 * (v56 + (v15 *
-        v54 - s1_mm * v55))))
+        -(v5 * v45 + factor2_mm * (-S2_pp * (v58 + (s1_mm * v57 - v14 * v56)) + v23 * (v55 + (v14 *
+        v53 - s1_mm * v54))))
     )
     for k in range(20, 24):
         room[k] = room[k + 24] = 1.0
@@ -931,95 +933,95 @@ def _regular(pose, q_free, q, status):
 
     # theta5, type 2: U5[3, 3]
     q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-    q5_pmm = angle2 - math.copysign(half_turn, -v49) * h1
+    q5_pmm = angle2 - math.copysign(half_turn, -v48) * h1
     q5_mpm = angle3 - math.copysign(half_turn, Y5_mp) * h1
     q5_mmm = angle4 - math.copysign(half_turn, Y5_mm) * h1
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
     q7_ppm = (
-        angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24
-        * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78
-        - (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80))))))
+        angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v71 - factor2_pp * (S2_pp * v70 - v23
+        * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v71) + factor2_pp * (v23 * (v77
+        - (c1_pp * v75 + s1_pp * v76)) + S2_pp * (v80 + (c1_pp * v78 + s1_pp * v79))))))
     )
-    q7_pmm = angle6 - h1 * math.copysign(half_turn, v83)
+    q7_pmm = angle6 - h1 * math.copysign(half_turn, v82)
     q7_mpm = (
-        angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 *
-        (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14
-        * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 * v76))))))
+        angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v73 - factor2_pm * (v81 - v24 * (s3 *
+        (s1_mp * T21 - v13 * T11)))) + Y5_mp * (v3 * (s3 * v73) + factor2_pm * (S2_mp * (v80 + (v13
+        * v78 - s1_mp * v79)) - v24 * (v77 + (s1_mp * v76 - v13 * v75))))))
     )
     q7_mmm = (
-        angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 -
-        v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp *
-        (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76))))))
+        angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v74 - factor2_mm * (-S2_pp * v70 -
+        v23 * (s3 * (s1_mm * T21 - v14 * T11)))) + Y5_mm * (v3 * (s3 * v74) + factor2_mm * (-S2_pp *
+        (v80 + (v14 * v78 - s1_mm * v79)) - v23 * (v77 + (s1_mm * v76 - v14 * v75))))))
     )
 
     # joint values
-    v85 = angle9 - offset1
-    v86 = angle10 - offset1
-    v87 = angle11 - offset1
-    v88 = angle12 - offset1
-    q1_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
-    q1_pmp = v86 + (m4 if v86 <= -half_turn else 0.0)
-    q1_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
-    q1_mmp = v88 + (m4 if v88 <= -half_turn else 0.0)
-    v89 = angle13 - offset2
-    v90 = angle14 - offset2
-    v91 = angle15 - offset2
-    v92 = angle16 - offset2
-    q2_ppp = v89 + (m4 if v89 <= -half_turn else 0.0)
-    q2_pmp = v90 + (m4 if v90 <= -half_turn else 0.0)
-    q2_mpp = v91 + (m4 if v91 <= -half_turn else 0.0)
-    q2_mmp = v92 + (m4 if v92 <= -half_turn else 0.0)
-    v95 = angle18 - offset6
-    v96 = offset6 + angle18
-    v97 = angle19 - offset6
-    v98 = offset6 + angle19
-    v99 = angle20 - offset6
-    v100 = offset6 + angle20
-    v101 = angle21 - offset6
-    v102 = offset6 + angle21
-    q6_ppp = v95 + (m4 if v95 <= -half_turn else 0.0)
-    q6_ppm = (m4 if -v96 <= -half_turn else 0.0) - v96
-    q6_pmp = v97 + (m4 if v97 <= -half_turn else 0.0)
-    q6_pmm = (m4 if -v98 <= -half_turn else 0.0) - v98
-    q6_mpp = v99 + (m4 if v99 <= -half_turn else 0.0)
-    q6_mpm = (m4 if -v100 <= -half_turn else 0.0) - v100
-    q6_mmp = v101 + (m4 if v101 <= -half_turn else 0.0)
-    q6_mmm = (m4 if -v102 <= -half_turn else 0.0) - v102
-    v106 = v104 or (v103 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
-    v107 = v104 or (v103 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
-    v108 = v105 or (v103 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
-    v109 = v105 or (v103 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
+    v84 = angle9 - offset1
+    v85 = angle10 - offset1
+    v86 = angle11 - offset1
+    v87 = angle12 - offset1
+    q1_ppp = v84 + (m4 if v84 <= -half_turn else 0.0)
+    q1_pmp = v85 + (m4 if v85 <= -half_turn else 0.0)
+    q1_mpp = v86 + (m4 if v86 <= -half_turn else 0.0)
+    q1_mmp = v87 + (m4 if v87 <= -half_turn else 0.0)
+    v88 = angle13 - offset2
+    v89 = angle14 - offset2
+    v90 = angle15 - offset2
+    v91 = angle16 - offset2
+    q2_ppp = v88 + (m4 if v88 <= -half_turn else 0.0)
+    q2_pmp = v89 + (m4 if v89 <= -half_turn else 0.0)
+    q2_mpp = v90 + (m4 if v90 <= -half_turn else 0.0)
+    q2_mmp = v91 + (m4 if v91 <= -half_turn else 0.0)
+    v94 = angle18 - offset6
+    v95 = offset6 + angle18
+    v96 = angle19 - offset6
+    v97 = offset6 + angle19
+    v98 = angle20 - offset6
+    v99 = offset6 + angle20
+    v100 = angle21 - offset6
+    v101 = offset6 + angle21
+    q6_ppp = v94 + (m4 if v94 <= -half_turn else 0.0)
+    q6_ppm = (m4 if -v95 <= -half_turn else 0.0) - v95
+    q6_pmp = v96 + (m4 if v96 <= -half_turn else 0.0)
+    q6_pmm = (m4 if -v97 <= -half_turn else 0.0) - v97
+    q6_mpp = v98 + (m4 if v98 <= -half_turn else 0.0)
+    q6_mpm = (m4 if -v99 <= -half_turn else 0.0) - v99
+    q6_mmp = v100 + (m4 if v100 <= -half_turn else 0.0)
+    q6_mmm = (m4 if -v101 <= -half_turn else 0.0) - v101
+    v105 = v103 or (v102 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
+    v106 = v103 or (v102 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
+    v107 = v104 or (v102 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
+    v108 = v104 or (v102 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
     outside_ppp = (
-        angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v106 or (angle1 <
+        angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v105 or (angle1 <
         low5 or high5 < angle1)))
     )
     outside_ppm = (
-        q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v106 or (q5_ppm <
+        q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v105 or (q5_ppm <
         low5 or high5 < q5_ppm)))
     )
     outside_pmp = (
-        angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v107 or (angle2 <
+        angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v106 or (angle2 <
         low5 or high5 < angle2)))
     )
     outside_pmm = (
-        q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v107 or (q5_pmm <
+        q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v106 or (q5_pmm <
         low5 or high5 < q5_pmm)))
     )
     outside_mpp = (
-        angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v108 or (angle3 <
+        angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v107 or (angle3 <
         low5 or high5 < angle3)))
     )
     outside_mpm = (
-        q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v108 or (q5_mpm <
+        q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v107 or (q5_mpm <
         low5 or high5 < q5_mpm)))
     )
     outside_mmp = (
-        angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v109 or (angle4 <
+        angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v108 or (angle4 <
         low5 or high5 < angle4)))
     )
     outside_mmm = (
-        q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v109 or (q5_mmm <
+        q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v108 or (q5_mmm <
         low5 or high5 < q5_mmm)))
     )
 
@@ -1100,6 +1102,11 @@ def _into(T, q_free, seed, q, status):
         raise ValueError("T, q and status must be (4, 4), (8, 7) and (8,)")
     if q_free.shape != (1,):
         raise ValueError("q_free must be (1,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T, q_free)
     if not valid:
         status[:] = INVALID_POSE
@@ -1146,7 +1153,8 @@ def ik_into(T, q_free, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(7), 7)) if q_seed is None else q_seed
     if seed.shape != (7,):
@@ -1252,16 +1260,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [3936, 3968, 4000, 4032, 4064, 4096, 4128],
-    [3936, 3968, 4000, 4032, 4160, 4192, 4224],
-    [4256, 4288, 4000, 4032, 4320, 4352, 4384],
-    [4256, 4288, 4000, 4032, 4416, 4448, 4480],
-    [4512, 4544, 4000, 4576, 4608, 4640, 4672],
-    [4512, 4544, 4000, 4576, 4704, 4736, 4768],
-    [4800, 4832, 4000, 4576, 4864, 4896, 4928],
-    [4800, 4832, 4000, 4576, 4960, 4992, 5024],
+    [3904, 3936, 3968, 4000, 4032, 4064, 4096],
+    [3904, 3936, 3968, 4000, 4128, 4160, 4192],
+    [4224, 4256, 3968, 4000, 4288, 4320, 4352],
+    [4224, 4256, 3968, 4000, 4384, 4416, 4448],
+    [4480, 4512, 3968, 4544, 4576, 4608, 4640],
+    [4480, 4512, 3968, 4544, 4672, 4704, 4736],
+    [4768, 4800, 3968, 4544, 4832, 4864, 4896],
+    [4768, 4800, 3968, 4544, 4928, 4960, 4992],
 ])
-_KINDS = np.array([5056, 5088, 5120, 5152, 5184, 5216, 5248, 5280])
+_KINDS = np.array([5024, 5056, 5088, 5120, 5152, 5184, 5216, 5248])
 _LEFT_OVER = 255
 
 
@@ -1272,7 +1280,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(5312)
+    work = np.empty(5280)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1313,70 +1321,66 @@ def _in_tiles(T, q_free, q, status):
             given1 = work[512 + k]
             wx = T14 - d7 * T13
             wy = T24 - d7 * T23
-            wz = T34 - d7 * T33
             v1 = wy * wy
-            Z4 = wx * wx + (v1 + (k3 + wz * (wz - k2)))
-            D4 = k4 - Z4 * Z4
-            v2 = 2.0 * abs(Z4)
-            w4 = math.sqrt(D4)
-            v3 = k1 * Z4
-            v4 = k5 * v3
-            v5 = k1 * w4
-            v6 = k5 * v5
+            Z1_2 = T34 - d7 * T33 - d1
+            V4 = v1 + wx * wx + Z1_2 * Z1_2
+            w4 = math.sqrt((longest4 - V4) * (V4 - shortest4))
+            v2 = k1 * (V4 - k2)
+            v3 = k3 * v2
+            v4 = k1 * w4
+            v5 = k3 * v4
             N1 = v1 + -wx * -wx
             free1 = N1 <= doubt_limit_squared2
             inverse1 = 1.0 / N1
-            X2_2 = d3 + d5 * v4
-            Z1_2 = wz - d1
-            v22 = X2_2 * Z1_2
-            v34 = T33 * v6
-            v35 = T13 * v6
-            v36 = T23 * v6
-            v56 = T33 * v4
-            v57 = T13 * v4
-            v58 = T23 * v4
-            v67 = v6 * T32
-            v68 = v6 * T12
-            v69 = v6 * T22
-            v78 = v6 * T31
-            v79 = v6 * T11
-            v80 = v6 * T21
-            v103 = given1 < low3 or high3 < given1
+            X2_2 = d3 + d5 * v3
+            v21 = Z1_2 * X2_2
+            v33 = T33 * v5
+            v34 = T13 * v5
+            v35 = T23 * v5
+            v55 = T33 * v3
+            v56 = T13 * v3
+            v57 = T23 * v3
+            v66 = v5 * T32
+            v67 = v5 * T12
+            v68 = v5 * T22
+            v77 = v5 * T31
+            v78 = v5 * T11
+            v79 = v5 * T21
+            v102 = given1 < low3 or high3 < given1
             work[576 + k] = wx
             work[608 + k] = wy
-            work[640 + k] = D4
-            work[672 + k] = v2
+            work[640 + k] = Z1_2
+            work[672 + k] = V4
             work[704 + k] = w4
-            work[736 + k] = v4
-            work[768 + k] = v6
+            work[736 + k] = v3
+            work[768 + k] = v5
             work[800 + k] = N1
             work[832 + k] = free1
             work[864 + k] = inverse1
             work[896 + k] = X2_2
-            work[928 + k] = Z1_2
-            work[960 + k] = v22
+            work[928 + k] = v21
+            work[960 + k] = v33
             work[992 + k] = v34
             work[1024 + k] = v35
-            work[1056 + k] = v36
+            work[1056 + k] = v55
             work[1088 + k] = v56
             work[1120 + k] = v57
-            work[1152 + k] = v58
+            work[1152 + k] = v66
             work[1184 + k] = v67
             work[1216 + k] = v68
-            work[1248 + k] = v69
+            work[1248 + k] = v77
             work[1280 + k] = v78
             work[1312 + k] = v79
-            work[1344 + k] = v80
-            work[1376 + k] = v103
+            work[1344 + k] = v102
+            work[1376 + k] = given1
             work[1408 + k] = given1
-            work[1440 + k] = given1
-            work[1472 + k] = -v5
-            work[1504 + k] = -v3
-        for k in range(1408, 1440):
+            work[1440 + k] = -v4
+            work[1472 + k] = -v2
+        for k in range(1376, 1408):
             work[k] = math.sin(work[k])
-        for k in range(1440, 1472):
+        for k in range(1408, 1440):
             work[k] = math.cos(work[k])
-        for k in range(1472, 1504):
+        for k in range(1440, 1472):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
             T11 = work[0 + k]
@@ -1391,539 +1395,538 @@ def _in_tiles(T, q_free, q, status):
             given1 = work[512 + k]
             wx = work[576 + k]
             wy = work[608 + k]
-            D4 = work[640 + k]
-            v2 = work[672 + k]
+            Z1_2 = work[640 + k]
+            V4 = work[672 + k]
             w4 = work[704 + k]
-            v4 = work[736 + k]
-            v6 = work[768 + k]
+            v3 = work[736 + k]
+            v5 = work[768 + k]
             N1 = work[800 + k]
             free1 = work[832 + k] != 0.0
             inverse1 = work[864 + k]
             X2_2 = work[896 + k]
-            Z1_2 = work[928 + k]
-            v22 = work[960 + k]
+            v21 = work[928 + k]
+            v33 = work[960 + k]
             v34 = work[992 + k]
             v35 = work[1024 + k]
-            v36 = work[1056 + k]
+            v55 = work[1056 + k]
             v56 = work[1088 + k]
             v57 = work[1120 + k]
-            v58 = work[1152 + k]
+            v66 = work[1152 + k]
             v67 = work[1184 + k]
             v68 = work[1216 + k]
-            v69 = work[1248 + k]
+            v77 = work[1248 + k]
             v78 = work[1280 + k]
             v79 = work[1312 + k]
-            v80 = work[1344 + k]
-            s3 = work[1408 + k]
-            c3 = work[1440 + k]
-            angle17 = work[1472 + k]
-            Z1 = d5 * (s3 * v6)
+            s3 = work[1376 + k]
+            c3 = work[1408 + k]
+            angle17 = work[1440 + k]
+            Z1 = d5 * (s3 * v5)
             D1 = N1 - Z1 * Z1
-            v7 = 2.0 * abs(Z1)
+            v6 = abs(Z1) * 2.0
             w1 = math.sqrt(D1)
-            v8 = w1 - w1
-            v9 = Z1 * -wx
-            v10 = wy * Z1
-            v11 = w1 * (-wx * inverse1)
-            v12 = w1 * (wx * inverse1)
-            v13 = inverse1 * v10
-            c1_pp = v13 - v11
-            c1_pm = v13 - v12
-            v14 = v11 + v13
-            v15 = v12 + v13
-            v16 = w1 * (wy * inverse1)
-            v17 = w1 * (inverse1 * -wy)
-            v18 = inverse1 * v9
-            s1_pp = v16 + v18
-            s1_pm = v17 + v18
-            s1_mp = v16 - v18
-            s1_mm = v17 - v18
-            v19 = d5 * (c3 * v6)
-            v20 = v19 * Z1_2
-            v21 = w1 * X2_2
-            S2_pp = v21 - v20
-            S2_mp = v20 + v21
-            v23 = w1 * v19
-            v24 = v22 + v23
-            v25 = v22 - v23
-            v26 = v24 * v24
-            v27 = S2_pp * S2_pp + v26
-            v28 = S2_mp * S2_mp + v25 * v25
-            v29 = v26 + -S2_pp * -S2_pp
-            factor2_pp = math.sqrt(v27) * (1.0 / v27)
-            factor2_pm = math.sqrt(v28) * (1.0 / v28)
-            factor2_mm = math.sqrt(v29) * (1.0 / v29)
-            v30 = c3 * T13
-            v31 = v4 * v30
-            v32 = c3 * T23
-            v33 = v4 * v32
-            v37 = c3 * T33
-            v38 = v4 * v37
-            v39 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
-            v40 = T13 * v9 - T23 * v10
-            v41 = inverse1 * (s3 * v40)
-            v42 = inverse1 * (s3 * -v40)
-            v43 = v39 + v41
-            v44 = v41 - v39
-            v45 = v39 + v42
-            v46 = v42 - v39
+            v7 = w1 - w1
+            v8 = -wx * Z1
+            v9 = wy * Z1
+            v10 = w1 * (-wx * inverse1)
+            v11 = w1 * (wx * inverse1)
+            v12 = inverse1 * v9
+            c1_pp = v12 - v10
+            c1_pm = v12 - v11
+            v13 = v10 + v12
+            v14 = v11 + v12
+            v15 = w1 * (wy * inverse1)
+            v16 = w1 * (inverse1 * -wy)
+            v17 = inverse1 * v8
+            s1_pp = v15 + v17
+            s1_pm = v16 + v17
+            s1_mp = v15 - v17
+            s1_mm = v16 - v17
+            v18 = d5 * (c3 * v5)
+            v19 = Z1_2 * v18
+            v20 = w1 * X2_2
+            S2_pp = v20 - v19
+            S2_mp = v19 + v20
+            v22 = w1 * v18
+            v23 = v21 + v22
+            v24 = v21 - v22
+            v25 = v23 * v23
+            v26 = S2_pp * S2_pp + v25
+            v27 = S2_mp * S2_mp + v24 * v24
+            v28 = v25 + -S2_pp * -S2_pp
+            factor2_pp = math.sqrt(v26) * (1.0 / v26)
+            factor2_pm = math.sqrt(v27) * (1.0 / v27)
+            factor2_mm = math.sqrt(v28) * (1.0 / v28)
+            v29 = c3 * T13
+            v30 = v3 * v29
+            v31 = c3 * T23
+            v32 = v3 * v31
+            v36 = c3 * T33
+            v37 = v3 * v36
+            v38 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
+            v39 = T13 * v8 - T23 * v9
+            v40 = inverse1 * (s3 * v39)
+            v41 = inverse1 * (s3 * -v39)
+            v42 = v38 + v40
+            v43 = v40 - v38
+            v44 = v38 + v41
+            v45 = v41 - v38
             X5_pp = (
-                v4 * v43 + factor2_pp * (v24 * (v34 - (c1_pp * v31 + s1_pp * v33)) + S2_pp * (v38 +
-                (c1_pp * v35 + s1_pp * v36)))
+                v3 * v42 + factor2_pp * (v23 * (v33 - (c1_pp * v30 + s1_pp * v32)) + S2_pp * (v37 +
+                (c1_pp * v34 + s1_pp * v35)))
             )
             X5_pm = (
-                v4 * v44 + factor2_pm * (v25 * (v34 - (c1_pm * v31 + s1_pm * v33)) - S2_mp * (v38 +
-                (c1_pm * v35 + s1_pm * v36)))
+                v3 * v43 + factor2_pm * (v24 * (v33 - (c1_pm * v30 + s1_pm * v32)) - S2_mp * (v37 +
+                (c1_pm * v34 + s1_pm * v35)))
             )
             X5_mp = (
-                v4 * v45 + factor2_pm * (S2_mp * (v38 + (v14 * v35 - s1_mp * v36)) - v25 * (v34 +
-                (s1_mp * v33 - v14 * v31)))
+                v3 * v44 + factor2_pm * (S2_mp * (v37 + (v13 * v34 - s1_mp * v35)) - v24 * (v33 +
+                (s1_mp * v32 - v13 * v30)))
             )
             X5_mm = (
-                v4 * v46 + factor2_mm * (-S2_pp * (v38 + (v15 * v35 - s1_mm * v36)) - v24 * (v34 +
-                (s1_mm * v33 - v15 * v31)))
+                v3 * v45 + factor2_mm * (-S2_pp * (v37 + (v14 * v34 - s1_mm * v35)) - v23 * (v33 +
+                (s1_mm * v32 - v14 * v30)))
             )
-            v47 = s3 * T33
+            v46 = s3 * T33
             Y5_pp = (
-                factor2_pp * (S2_pp * v47 - v24 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 *
+                factor2_pp * (S2_pp * v46 - v23 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 *
                 s1_pp - T23 * c1_pp)
             )
-            v48 = S2_mp * v47
-            v49 = (
-                factor2_pm * (v48 + v25 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm -
+            v47 = S2_mp * v46
+            v48 = (
+                factor2_pm * (v47 + v24 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm -
                 T23 * c1_pm)
             )
             Y5_mp = (
-                factor2_pm * (v48 - v25 * (s3 * (T23 * s1_mp - T13 * v14))) - c3 * (T13 * s1_mp +
-                T23 * v14)
+                factor2_pm * (v47 - v24 * (s3 * (T23 * s1_mp - T13 * v13))) - c3 * (T13 * s1_mp +
+                T23 * v13)
             )
             Y5_mm = (
-                factor2_mm * (-S2_pp * v47 - v24 * (s3 * (T23 * s1_mm - T13 * v15))) - c3 * (T13 *
-                s1_mm + T23 * v15)
+                factor2_mm * (-S2_pp * v46 - v23 * (s3 * (T23 * s1_mm - T13 * v14))) - c3 * (T13 *
+                s1_mm + T23 * v14)
             )
-            v50 = X5_pp * X5_pp + Y5_pp * Y5_pp
-            v51 = X5_pm * X5_pm + v49 * v49
-            v52 = X5_mp * X5_mp + Y5_mp * Y5_mp
-            v53 = X5_mm * X5_mm + Y5_mm * Y5_mm
-            v54 = v6 * v30
-            v55 = v6 * v32
-            v59 = v6 * v37
-            v60 = s3 * T32
-            v61 = s1_pp * T12 - c1_pp * T22
-            v62 = s1_pm * T12 - c1_pm * T22
-            v63 = s1_mp * T12 + v14 * T22
-            v64 = s1_mm * T12 + v15 * T22
-            v65 = v4 * (c3 * T12)
-            v66 = v4 * (c3 * T22)
-            v70 = v4 * (c3 * T32)
-            v71 = s3 * T31
-            v72 = s1_pp * T11 - c1_pp * T21
-            v73 = s1_pm * T11 - c1_pm * T21
-            v74 = s1_mp * T11 + v14 * T21
-            v75 = s1_mm * T11 + v15 * T21
-            v76 = v4 * (c3 * T11)
-            v77 = v4 * (c3 * T21)
-            v81 = v4 * (c3 * T31)
-            v82 = S2_mp * v71
-            v83 = (
-                v49 * (v4 * (s3 * v73) + factor2_pm * (v25 * (v78 - (c1_pm * v76 + s1_pm * v77)) -
-                S2_mp * (v81 + (c1_pm * v79 + s1_pm * v80)))) - X5_pm * (c3 * v73 + factor2_pm *
-                (v82 + v25 * (s3 * (c1_pm * T11 + s1_pm * T21))))
+            v49 = X5_pp * X5_pp + Y5_pp * Y5_pp
+            v50 = X5_pm * X5_pm + v48 * v48
+            v51 = X5_mp * X5_mp + Y5_mp * Y5_mp
+            v52 = X5_mm * X5_mm + Y5_mm * Y5_mm
+            v53 = v5 * v29
+            v54 = v5 * v31
+            v58 = v5 * v36
+            v59 = s3 * T32
+            v60 = s1_pp * T12 - c1_pp * T22
+            v61 = s1_pm * T12 - c1_pm * T22
+            v62 = s1_mp * T12 + v13 * T22
+            v63 = s1_mm * T12 + v14 * T22
+            v64 = v3 * (c3 * T12)
+            v65 = v3 * (c3 * T22)
+            v69 = v3 * (c3 * T32)
+            v70 = s3 * T31
+            v71 = s1_pp * T11 - c1_pp * T21
+            v72 = s1_pm * T11 - c1_pm * T21
+            v73 = s1_mp * T11 + v13 * T21
+            v74 = s1_mm * T11 + v14 * T21
+            v75 = v3 * (c3 * T11)
+            v76 = v3 * (c3 * T21)
+            v80 = v3 * (c3 * T31)
+            v81 = S2_mp * v70
+            v82 = (
+                v48 * (v3 * (s3 * v72) + factor2_pm * (v24 * (v77 - (c1_pm * v75 + s1_pm * v76)) -
+                S2_mp * (v80 + (c1_pm * v78 + s1_pm * v79)))) - X5_pm * (c3 * v72 + factor2_pm *
+                (v81 + v24 * (s3 * (c1_pm * T11 + s1_pm * T21))))
             )
-            v84 = S2_mp * v60
-            v93 = angle17 - offset4
-            v94 = offset4 + angle17
-            q4__p = v93 + (m4 if v93 <= -half_turn else 0.0)
-            q4__m = (m4 if -v94 <= -half_turn else 0.0) - v94
-            v104 = q4__p < low4 or high4 < q4__p
-            v105 = q4__m < low4 or high4 < q4__m
-            q3_ppp = v8 + (given1 + (w4 - w4))
-            q4_ppp = v8 + q4__p
-            q4_mpp = v8 + q4__m
+            v83 = S2_mp * v59
+            v92 = angle17 - offset4
+            v93 = offset4 + angle17
+            q4__p = v92 + (m4 if v92 <= -half_turn else 0.0)
+            q4__m = (m4 if -v93 <= -half_turn else 0.0) - v93
+            v103 = q4__p < low4 or high4 < q4__p
+            v104 = q4__m < low4 or high4 < q4__m
+            q3_ppp = v7 + (given1 + (w4 - w4))
+            q4_ppp = v7 + q4__p
+            q4_mpp = v7 + q4__m
             doubt1 = (
-                -(reach_slack2 * (reach_slack2 + v2)) <= D4 and not (merge_slack2 * (merge_slack2 +
-                v2) < D4) or (free1 or (v53 <= m2 or (v29 <= m1 or (v52 <= m2 or (v51 <= m2 or (v28
-                <= m1 or (v50 <= m2 or (-(reach_slack1 * (reach_slack1 + v7)) <= D1 and (free1 or
-                not (merge_slack1 * (merge_slack1 + v7) < D1)) or v27 <= m1))))))))
+                (shortest4_reach <= V4 and V4 <= longest4_reach and not (shortest4_apart < V4 and V4
+                < longest4_apart)) or (free1 or (v52 <= m2 or (v28 <= m1 or (v51 <= m2 or (v50 <= m2
+                or (v27 <= m1 or (v49 <= m2 or ((-(reach_slack1 * (reach_slack1 + v6)) <= D1 and
+                (free1 or not (merge_slack1 * (merge_slack1 + v6) < D1))) or v26 <= m1))))))))
             )
-            work[1536 + k] = c1_pp
+            work[1504 + k] = c1_pp
+            work[1536 + k] = v13
             work[1568 + k] = v14
-            work[1600 + k] = v15
-            work[1632 + k] = s1_pp
-            work[1664 + k] = s1_mp
-            work[1696 + k] = s1_mm
-            work[1728 + k] = S2_pp
-            work[1760 + k] = S2_mp
+            work[1600 + k] = s1_pp
+            work[1632 + k] = s1_mp
+            work[1664 + k] = s1_mm
+            work[1696 + k] = S2_pp
+            work[1728 + k] = S2_mp
+            work[1760 + k] = v23
             work[1792 + k] = v24
-            work[1824 + k] = v25
-            work[1856 + k] = factor2_pp
-            work[1888 + k] = factor2_pm
-            work[1920 + k] = factor2_mm
-            work[1952 + k] = X5_pp
-            work[1984 + k] = X5_mp
-            work[2016 + k] = X5_mm
-            work[2048 + k] = Y5_pp
-            work[2080 + k] = v49
-            work[2112 + k] = Y5_mp
-            work[2144 + k] = Y5_mm
+            work[1824 + k] = factor2_pp
+            work[1856 + k] = factor2_pm
+            work[1888 + k] = factor2_mm
+            work[1920 + k] = X5_pp
+            work[1952 + k] = X5_mp
+            work[1984 + k] = X5_mm
+            work[2016 + k] = Y5_pp
+            work[2048 + k] = v48
+            work[2080 + k] = Y5_mp
+            work[2112 + k] = Y5_mm
+            work[2144 + k] = v70
             work[2176 + k] = v71
-            work[2208 + k] = v72
+            work[2208 + k] = v73
             work[2240 + k] = v74
             work[2272 + k] = v75
             work[2304 + k] = v76
-            work[2336 + k] = v77
+            work[2336 + k] = v80
             work[2368 + k] = v81
             work[2400 + k] = v82
-            work[2432 + k] = v83
+            work[2432 + k] = v103
             work[2464 + k] = v104
-            work[2496 + k] = v105
-            work[2528 + k] = q3_ppp
-            work[2560 + k] = q4_ppp
-            work[2592 + k] = q4_mpp
-            work[2624 + k] = doubt1
-            work[2656 + k] = Y5_pp
-            work[2688 + k] = -v49
-            work[2720 + k] = Y5_mp
-            work[2752 + k] = Y5_mm
-            work[2784 + k] = (
-                -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp * v71 - v24 * (s3 * (c1_pp * T11 + s1_pp *
-                T21)))) + Y5_pp * (v4 * (s3 * v72) + factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp
-                * v77)) + S2_pp * (v81 + (c1_pp * v79 + s1_pp * v80)))))
+            work[2496 + k] = q3_ppp
+            work[2528 + k] = q4_ppp
+            work[2560 + k] = q4_mpp
+            work[2592 + k] = doubt1
+            work[2624 + k] = Y5_pp
+            work[2656 + k] = -v48
+            work[2688 + k] = Y5_mp
+            work[2720 + k] = Y5_mm
+            work[2752 + k] = (
+                -(X5_pp * (c3 * v71 - factor2_pp * (S2_pp * v70 - v23 * (s3 * (c1_pp * T11 + s1_pp *
+                T21)))) + Y5_pp * (v3 * (s3 * v71) + factor2_pp * (v23 * (v77 - (c1_pp * v75 + s1_pp
+                * v76)) + S2_pp * (v80 + (c1_pp * v78 + s1_pp * v79)))))
             )
-            work[2816 + k] = v83
+            work[2784 + k] = v82
+            work[2816 + k] = (
+                -(X5_mp * (c3 * v73 - factor2_pm * (v81 - v24 * (s3 * (s1_mp * T21 - v13 * T11)))) +
+                Y5_mp * (v3 * (s3 * v73) + factor2_pm * (S2_mp * (v80 + (v13 * v78 - s1_mp * v79)) -
+                v24 * (v77 + (s1_mp * v76 - v13 * v75)))))
+            )
             work[2848 + k] = (
-                -(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25 * (s3 * (s1_mp * T21 - v14 * T11)))) +
-                Y5_mp * (v4 * (s3 * v74) + factor2_pm * (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) -
-                v25 * (v78 + (s1_mp * v77 - v14 * v76)))))
+                -(X5_mm * (c3 * v74 - factor2_mm * (-S2_pp * v70 - v23 * (s3 * (s1_mm * T21 - v14 *
+                T11)))) + Y5_mm * (v3 * (s3 * v74) + factor2_mm * (-S2_pp * (v80 + (v14 * v78 -
+                s1_mm * v79)) - v23 * (v77 + (s1_mm * v76 - v14 * v75)))))
             )
-            work[2880 + k] = (
-                -(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp * v71 - v24 * (s3 * (s1_mm * T21 - v15 *
-                T11)))) + Y5_mm * (v4 * (s3 * v75) + factor2_mm * (-S2_pp * (v81 + (v15 * v79 -
-                s1_mm * v80)) - v24 * (v78 + (s1_mm * v77 - v15 * v76)))))
-            )
-            work[2912 + k] = s1_pp
-            work[2944 + k] = s1_pm
-            work[2976 + k] = s1_mp
-            work[3008 + k] = s1_mm
-            work[3040 + k] = S2_pp
-            work[3072 + k] = -S2_mp
-            work[3104 + k] = S2_mp
-            work[3136 + k] = -S2_pp
+            work[2880 + k] = s1_pp
+            work[2912 + k] = s1_pm
+            work[2944 + k] = s1_mp
+            work[2976 + k] = s1_mm
+            work[3008 + k] = S2_pp
+            work[3040 + k] = -S2_mp
+            work[3072 + k] = S2_mp
+            work[3104 + k] = -S2_pp
+            work[3136 + k] = math.sqrt(v49)
             work[3168 + k] = math.sqrt(v50)
             work[3200 + k] = math.sqrt(v51)
             work[3232 + k] = math.sqrt(v52)
-            work[3264 + k] = math.sqrt(v53)
-            work[3296 + k] = -X5_pp
-            work[3328 + k] = -X5_pm
-            work[3360 + k] = -X5_mp
-            work[3392 + k] = -X5_mm
+            work[3264 + k] = -X5_pp
+            work[3296 + k] = -X5_pm
+            work[3328 + k] = -X5_mp
+            work[3360 + k] = -X5_mm
+            work[3392 + k] = (
+                -(X5_pp * (c3 * v60 - factor2_pp * (S2_pp * v59 - v23 * (s3 * (c1_pp * T12 + s1_pp *
+                T22)))) + Y5_pp * (v3 * (s3 * v60) + factor2_pp * (v23 * (v66 - (c1_pp * v64 + s1_pp
+                * v65)) + S2_pp * (v69 + (c1_pp * v67 + s1_pp * v68)))))
+            )
             work[3424 + k] = (
-                -(X5_pp * (c3 * v61 - factor2_pp * (S2_pp * v60 - v24 * (s3 * (c1_pp * T12 + s1_pp *
-                T22)))) + Y5_pp * (v4 * (s3 * v61) + factor2_pp * (v24 * (v67 - (c1_pp * v65 + s1_pp
-                * v66)) + S2_pp * (v70 + (c1_pp * v68 + s1_pp * v69)))))
+                v48 * (v3 * (s3 * v61) + factor2_pm * (v24 * (v66 - (c1_pm * v64 + s1_pm * v65)) -
+                S2_mp * (v69 + (c1_pm * v67 + s1_pm * v68)))) - X5_pm * (c3 * v61 + factor2_pm *
+                (v83 + v24 * (s3 * (c1_pm * T12 + s1_pm * T22))))
             )
             work[3456 + k] = (
-                v49 * (v4 * (s3 * v62) + factor2_pm * (v25 * (v67 - (c1_pm * v65 + s1_pm * v66)) -
-                S2_mp * (v70 + (c1_pm * v68 + s1_pm * v69)))) - X5_pm * (c3 * v62 + factor2_pm *
-                (v84 + v25 * (s3 * (c1_pm * T12 + s1_pm * T22))))
+                -(X5_mp * (c3 * v62 - factor2_pm * (v83 - v24 * (s3 * (s1_mp * T22 - v13 * T12)))) +
+                Y5_mp * (v3 * (s3 * v62) + factor2_pm * (S2_mp * (v69 + (v13 * v67 - s1_mp * v68)) -
+                v24 * (v66 + (s1_mp * v65 - v13 * v64)))))
             )
             work[3488 + k] = (
-                -(X5_mp * (c3 * v63 - factor2_pm * (v84 - v25 * (s3 * (s1_mp * T22 - v14 * T12)))) +
-                Y5_mp * (v4 * (s3 * v63) + factor2_pm * (S2_mp * (v70 + (v14 * v68 - s1_mp * v69)) -
-                v25 * (v67 + (s1_mp * v66 - v14 * v65)))))
+                -(X5_mm * (c3 * v63 - factor2_mm * (-S2_pp * v59 - v23 * (s3 * (s1_mm * T22 - v14 *
+                T12)))) + Y5_mm * (v3 * (s3 * v63) + factor2_mm * (-S2_pp * (v69 + (v14 * v67 -
+                s1_mm * v68)) - v23 * (v66 + (s1_mm * v65 - v14 * v64)))))
             )
-            work[3520 + k] = (
-                -(X5_mm * (c3 * v64 - factor2_mm * (-S2_pp * v60 - v24 * (s3 * (s1_mm * T22 - v15 *
-                T12)))) + Y5_mm * (v4 * (s3 * v64) + factor2_mm * (-S2_pp * (v70 + (v15 * v68 -
-                s1_mm * v69)) - v24 * (v67 + (s1_mm * v66 - v15 * v65)))))
-            )
-            work[3552 + k] = c1_pp
-            work[3584 + k] = c1_pm
+            work[3520 + k] = c1_pp
+            work[3552 + k] = c1_pm
+            work[3584 + k] = -v13
             work[3616 + k] = -v14
-            work[3648 + k] = -v15
+            work[3648 + k] = -v23
             work[3680 + k] = -v24
-            work[3712 + k] = -v25
-            work[3744 + k] = -v25
-            work[3776 + k] = -v24
+            work[3712 + k] = -v24
+            work[3744 + k] = -v23
+            work[3776 + k] = (
+                v5 * v42 - factor2_pp * (S2_pp * (c1_pp * v56 + s1_pp * v57 - v58) + v23 * (v55 +
+                (c1_pp * v53 + s1_pp * v54)))
+            )
             work[3808 + k] = (
-                v6 * v43 - factor2_pp * (S2_pp * (c1_pp * v57 + s1_pp * v58 - v59) + v24 * (v56 +
-                (c1_pp * v54 + s1_pp * v55)))
+                v5 * v43 - factor2_pm * (v24 * (v55 + (c1_pm * v53 + s1_pm * v54)) - S2_mp * (c1_pm
+                * v56 + s1_pm * v57 - v58))
             )
             work[3840 + k] = (
-                v6 * v44 - factor2_pm * (v25 * (v56 + (c1_pm * v54 + s1_pm * v55)) - S2_mp * (c1_pm
-                * v57 + s1_pm * v58 - v59))
+                -(v5 * v44 + factor2_pm * (S2_mp * (v58 + (s1_mp * v57 - v13 * v56)) + v24 * (v55 +
+                (v13 * v53 - s1_mp * v54))))
             )
             work[3872 + k] = (
-                -(v6 * v45 + factor2_pm * (S2_mp * (v59 + (s1_mp * v58 - v14 * v57)) + v25 * (v56 +
-                (v14 * v54 - s1_mp * v55))))
+                -(v5 * v45 + factor2_mm * (-S2_pp * (v58 + (s1_mm * v57 - v14 * v56)) + v23 * (v55 +
+                (v14 * v53 - s1_mm * v54))))
             )
-            work[3904 + k] = (
-                -(v6 * v46 + factor2_mm * (-S2_pp * (v59 + (s1_mm * v58 - v15 * v57)) + v24 * (v56 +
-                (v15 * v54 - s1_mm * v55))))
-            )
-        for k in range(2656, 3296):
+        for k in range(2624, 3264):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
             T11 = work[0 + k]
             T21 = work[128 + k]
-            v4 = work[736 + k]
+            v3 = work[736 + k]
+            v77 = work[1248 + k]
             v78 = work[1280 + k]
             v79 = work[1312 + k]
-            v80 = work[1344 + k]
-            v103 = work[1376 + k] != 0.0
-            s3 = work[1408 + k]
-            c3 = work[1440 + k]
-            c1_pp = work[1536 + k]
+            v102 = work[1344 + k] != 0.0
+            s3 = work[1376 + k]
+            c3 = work[1408 + k]
+            c1_pp = work[1504 + k]
+            v13 = work[1536 + k]
             v14 = work[1568 + k]
-            v15 = work[1600 + k]
-            s1_pp = work[1632 + k]
-            s1_mp = work[1664 + k]
-            s1_mm = work[1696 + k]
-            S2_pp = work[1728 + k]
-            S2_mp = work[1760 + k]
+            s1_pp = work[1600 + k]
+            s1_mp = work[1632 + k]
+            s1_mm = work[1664 + k]
+            S2_pp = work[1696 + k]
+            S2_mp = work[1728 + k]
+            v23 = work[1760 + k]
             v24 = work[1792 + k]
-            v25 = work[1824 + k]
-            factor2_pp = work[1856 + k]
-            factor2_pm = work[1888 + k]
-            factor2_mm = work[1920 + k]
-            X5_pp = work[1952 + k]
-            X5_mp = work[1984 + k]
-            X5_mm = work[2016 + k]
-            Y5_pp = work[2048 + k]
-            v49 = work[2080 + k]
-            Y5_mp = work[2112 + k]
-            Y5_mm = work[2144 + k]
+            factor2_pp = work[1824 + k]
+            factor2_pm = work[1856 + k]
+            factor2_mm = work[1888 + k]
+            X5_pp = work[1920 + k]
+            X5_mp = work[1952 + k]
+            X5_mm = work[1984 + k]
+            Y5_pp = work[2016 + k]
+            v48 = work[2048 + k]
+            Y5_mp = work[2080 + k]
+            Y5_mm = work[2112 + k]
+            v70 = work[2144 + k]
             v71 = work[2176 + k]
-            v72 = work[2208 + k]
+            v73 = work[2208 + k]
             v74 = work[2240 + k]
             v75 = work[2272 + k]
             v76 = work[2304 + k]
-            v77 = work[2336 + k]
+            v80 = work[2336 + k]
             v81 = work[2368 + k]
             v82 = work[2400 + k]
-            v83 = work[2432 + k]
+            v103 = work[2432 + k] != 0.0
             v104 = work[2464 + k] != 0.0
-            v105 = work[2496 + k] != 0.0
-            q3_ppp = work[2528 + k]
-            q4_ppp = work[2560 + k]
-            q4_mpp = work[2592 + k]
-            doubt1 = work[2624 + k] != 0.0
-            angle1 = work[2656 + k]
-            angle2 = work[2688 + k]
-            angle3 = work[2720 + k]
-            angle4 = work[2752 + k]
-            angle5 = work[2784 + k]
-            angle6 = work[2816 + k]
-            angle7 = work[2848 + k]
-            angle8 = work[2880 + k]
-            angle9 = work[2912 + k]
-            angle10 = work[2944 + k]
-            angle11 = work[2976 + k]
-            angle12 = work[3008 + k]
-            angle13 = work[3040 + k]
-            angle14 = work[3072 + k]
-            angle15 = work[3104 + k]
-            angle16 = work[3136 + k]
-            angle18 = work[3168 + k]
-            angle19 = work[3200 + k]
-            angle20 = work[3232 + k]
-            angle21 = work[3264 + k]
+            q3_ppp = work[2496 + k]
+            q4_ppp = work[2528 + k]
+            q4_mpp = work[2560 + k]
+            doubt1 = work[2592 + k] != 0.0
+            angle1 = work[2624 + k]
+            angle2 = work[2656 + k]
+            angle3 = work[2688 + k]
+            angle4 = work[2720 + k]
+            angle5 = work[2752 + k]
+            angle6 = work[2784 + k]
+            angle7 = work[2816 + k]
+            angle8 = work[2848 + k]
+            angle9 = work[2880 + k]
+            angle10 = work[2912 + k]
+            angle11 = work[2944 + k]
+            angle12 = work[2976 + k]
+            angle13 = work[3008 + k]
+            angle14 = work[3040 + k]
+            angle15 = work[3072 + k]
+            angle16 = work[3104 + k]
+            angle18 = work[3136 + k]
+            angle19 = work[3168 + k]
+            angle20 = work[3200 + k]
+            angle21 = work[3232 + k]
             q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-            q5_pmm = angle2 - math.copysign(half_turn, -v49) * h1
+            q5_pmm = angle2 - math.copysign(half_turn, -v48) * h1
             q5_mpm = angle3 - math.copysign(half_turn, Y5_mp) * h1
             q5_mmm = angle4 - math.copysign(half_turn, Y5_mm) * h1
             q7_ppm = (
-                angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v72 - factor2_pp * (S2_pp *
-                v71 - v24 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v4 * (s3 * v72) +
-                factor2_pp * (v24 * (v78 - (c1_pp * v76 + s1_pp * v77)) + S2_pp * (v81 + (c1_pp *
-                v79 + s1_pp * v80))))))
+                angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v71 - factor2_pp * (S2_pp *
+                v70 - v23 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v71) +
+                factor2_pp * (v23 * (v77 - (c1_pp * v75 + s1_pp * v76)) + S2_pp * (v80 + (c1_pp *
+                v78 + s1_pp * v79))))))
             )
-            q7_pmm = angle6 - h1 * math.copysign(half_turn, v83)
+            q7_pmm = angle6 - h1 * math.copysign(half_turn, v82)
             q7_mpm = (
-                angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v74 - factor2_pm * (v82 - v25
-                * (s3 * (s1_mp * T21 - v14 * T11)))) + Y5_mp * (v4 * (s3 * v74) + factor2_pm *
-                (S2_mp * (v81 + (v14 * v79 - s1_mp * v80)) - v25 * (v78 + (s1_mp * v77 - v14 *
-                v76))))))
+                angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v73 - factor2_pm * (v81 - v24
+                * (s3 * (s1_mp * T21 - v13 * T11)))) + Y5_mp * (v3 * (s3 * v73) + factor2_pm *
+                (S2_mp * (v80 + (v13 * v78 - s1_mp * v79)) - v24 * (v77 + (s1_mp * v76 - v13 *
+                v75))))))
             )
             q7_mmm = (
-                angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v75 - factor2_mm * (-S2_pp *
-                v71 - v24 * (s3 * (s1_mm * T21 - v15 * T11)))) + Y5_mm * (v4 * (s3 * v75) +
-                factor2_mm * (-S2_pp * (v81 + (v15 * v79 - s1_mm * v80)) - v24 * (v78 + (s1_mm * v77
-                - v15 * v76))))))
+                angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v74 - factor2_mm * (-S2_pp *
+                v70 - v23 * (s3 * (s1_mm * T21 - v14 * T11)))) + Y5_mm * (v3 * (s3 * v74) +
+                factor2_mm * (-S2_pp * (v80 + (v14 * v78 - s1_mm * v79)) - v23 * (v77 + (s1_mm * v76
+                - v14 * v75))))))
             )
-            v85 = angle9 - offset1
-            v86 = angle10 - offset1
-            v87 = angle11 - offset1
-            v88 = angle12 - offset1
-            q1_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
-            q1_pmp = v86 + (m4 if v86 <= -half_turn else 0.0)
-            q1_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
-            q1_mmp = v88 + (m4 if v88 <= -half_turn else 0.0)
-            v89 = angle13 - offset2
-            v90 = angle14 - offset2
-            v91 = angle15 - offset2
-            v92 = angle16 - offset2
-            q2_ppp = v89 + (m4 if v89 <= -half_turn else 0.0)
-            q2_pmp = v90 + (m4 if v90 <= -half_turn else 0.0)
-            q2_mpp = v91 + (m4 if v91 <= -half_turn else 0.0)
-            q2_mmp = v92 + (m4 if v92 <= -half_turn else 0.0)
-            v95 = angle18 - offset6
-            v96 = offset6 + angle18
-            v97 = angle19 - offset6
-            v98 = offset6 + angle19
-            v99 = angle20 - offset6
-            v100 = offset6 + angle20
-            v101 = angle21 - offset6
-            v102 = offset6 + angle21
-            q6_ppp = v95 + (m4 if v95 <= -half_turn else 0.0)
-            q6_ppm = (m4 if -v96 <= -half_turn else 0.0) - v96
-            q6_pmp = v97 + (m4 if v97 <= -half_turn else 0.0)
-            q6_pmm = (m4 if -v98 <= -half_turn else 0.0) - v98
-            q6_mpp = v99 + (m4 if v99 <= -half_turn else 0.0)
-            q6_mpm = (m4 if -v100 <= -half_turn else 0.0) - v100
-            q6_mmp = v101 + (m4 if v101 <= -half_turn else 0.0)
-            q6_mmm = (m4 if -v102 <= -half_turn else 0.0) - v102
-            v106 = (
-                v104 or (v103 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 <
+            v84 = angle9 - offset1
+            v85 = angle10 - offset1
+            v86 = angle11 - offset1
+            v87 = angle12 - offset1
+            q1_ppp = v84 + (m4 if v84 <= -half_turn else 0.0)
+            q1_pmp = v85 + (m4 if v85 <= -half_turn else 0.0)
+            q1_mpp = v86 + (m4 if v86 <= -half_turn else 0.0)
+            q1_mmp = v87 + (m4 if v87 <= -half_turn else 0.0)
+            v88 = angle13 - offset2
+            v89 = angle14 - offset2
+            v90 = angle15 - offset2
+            v91 = angle16 - offset2
+            q2_ppp = v88 + (m4 if v88 <= -half_turn else 0.0)
+            q2_pmp = v89 + (m4 if v89 <= -half_turn else 0.0)
+            q2_mpp = v90 + (m4 if v90 <= -half_turn else 0.0)
+            q2_mmp = v91 + (m4 if v91 <= -half_turn else 0.0)
+            v94 = angle18 - offset6
+            v95 = offset6 + angle18
+            v96 = angle19 - offset6
+            v97 = offset6 + angle19
+            v98 = angle20 - offset6
+            v99 = offset6 + angle20
+            v100 = angle21 - offset6
+            v101 = offset6 + angle21
+            q6_ppp = v94 + (m4 if v94 <= -half_turn else 0.0)
+            q6_ppm = (m4 if -v95 <= -half_turn else 0.0) - v95
+            q6_pmp = v96 + (m4 if v96 <= -half_turn else 0.0)
+            q6_pmm = (m4 if -v97 <= -half_turn else 0.0) - v97
+            q6_mpp = v98 + (m4 if v98 <= -half_turn else 0.0)
+            q6_mpm = (m4 if -v99 <= -half_turn else 0.0) - v99
+            q6_mmp = v100 + (m4 if v100 <= -half_turn else 0.0)
+            q6_mmm = (m4 if -v101 <= -half_turn else 0.0) - v101
+            v105 = (
+                v103 or (v102 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 <
                 q2_ppp)))
             )
-            v107 = (
-                v104 or (v103 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 <
+            v106 = (
+                v103 or (v102 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 <
                 q2_pmp)))
             )
-            v108 = (
-                v105 or (v103 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 <
+            v107 = (
+                v104 or (v102 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 <
                 q2_mpp)))
             )
-            v109 = (
-                v105 or (v103 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 <
+            v108 = (
+                v104 or (v102 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 <
                 q2_mmp)))
             )
             outside_ppp = (
-                angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v106 or
+                angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v105 or
                 (angle1 < low5 or high5 < angle1)))
             )
             outside_ppm = (
-                q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v106 or
+                q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v105 or
                 (q5_ppm < low5 or high5 < q5_ppm)))
             )
             outside_pmp = (
-                angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v107 or
+                angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v106 or
                 (angle2 < low5 or high5 < angle2)))
             )
             outside_pmm = (
-                q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v107 or
+                q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v106 or
                 (q5_pmm < low5 or high5 < q5_pmm)))
             )
             outside_mpp = (
-                angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v108 or
+                angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v107 or
                 (angle3 < low5 or high5 < angle3)))
             )
             outside_mpm = (
-                q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v108 or
+                q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v107 or
                 (q5_mpm < low5 or high5 < q5_mpm)))
             )
             outside_mmp = (
-                angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v109 or
+                angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v108 or
                 (angle4 < low5 or high5 < angle4)))
             )
             outside_mmm = (
-                q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v109 or
+                q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v108 or
                 (q5_mmm < low5 or high5 < q5_mmm)))
             )
-            _3936 = q1_ppp
+            _3904 = q1_ppp
+            work[3904 + k] = _3904
+            _3936 = q2_ppp
             work[3936 + k] = _3936
-            _3968 = q2_ppp
+            _3968 = q3_ppp
             work[3968 + k] = _3968
-            _4000 = q3_ppp
+            _4000 = q4_ppp
             work[4000 + k] = _4000
-            _4032 = q4_ppp
+            _4032 = angle1
             work[4032 + k] = _4032
-            _4064 = angle1
+            _4064 = q6_ppp
             work[4064 + k] = _4064
-            _4096 = q6_ppp
+            _4096 = angle5
             work[4096 + k] = _4096
-            _4128 = angle5
+            _4128 = q5_ppm
             work[4128 + k] = _4128
-            _4160 = q5_ppm
+            _4160 = q6_ppm
             work[4160 + k] = _4160
-            _4192 = q6_ppm
+            _4192 = q7_ppm
             work[4192 + k] = _4192
-            _4224 = q7_ppm
+            _4224 = q1_pmp
             work[4224 + k] = _4224
-            _4256 = q1_pmp
+            _4256 = q2_pmp
             work[4256 + k] = _4256
-            _4288 = q2_pmp
+            _4288 = angle2
             work[4288 + k] = _4288
-            _4320 = angle2
+            _4320 = q6_pmp
             work[4320 + k] = _4320
-            _4352 = q6_pmp
+            _4352 = angle6
             work[4352 + k] = _4352
-            _4384 = angle6
+            _4384 = q5_pmm
             work[4384 + k] = _4384
-            _4416 = q5_pmm
+            _4416 = q6_pmm
             work[4416 + k] = _4416
-            _4448 = q6_pmm
+            _4448 = q7_pmm
             work[4448 + k] = _4448
-            _4480 = q7_pmm
+            _4480 = q1_mpp
             work[4480 + k] = _4480
-            _4512 = q1_mpp
+            _4512 = q2_mpp
             work[4512 + k] = _4512
-            _4544 = q2_mpp
+            _4544 = q4_mpp
             work[4544 + k] = _4544
-            _4576 = q4_mpp
+            _4576 = angle3
             work[4576 + k] = _4576
-            _4608 = angle3
+            _4608 = q6_mpp
             work[4608 + k] = _4608
-            _4640 = q6_mpp
+            _4640 = angle7
             work[4640 + k] = _4640
-            _4672 = angle7
+            _4672 = q5_mpm
             work[4672 + k] = _4672
-            _4704 = q5_mpm
+            _4704 = q6_mpm
             work[4704 + k] = _4704
-            _4736 = q6_mpm
+            _4736 = q7_mpm
             work[4736 + k] = _4736
-            _4768 = q7_mpm
+            _4768 = q1_mmp
             work[4768 + k] = _4768
-            _4800 = q1_mmp
+            _4800 = q2_mmp
             work[4800 + k] = _4800
-            _4832 = q2_mmp
+            _4832 = angle4
             work[4832 + k] = _4832
-            _4864 = angle4
+            _4864 = q6_mmp
             work[4864 + k] = _4864
-            _4896 = q6_mmp
+            _4896 = angle8
             work[4896 + k] = _4896
-            _4928 = angle8
+            _4928 = q5_mmm
             work[4928 + k] = _4928
-            _4960 = q5_mmm
+            _4960 = q6_mmm
             work[4960 + k] = _4960
-            _4992 = q6_mmm
+            _4992 = q7_mmm
             work[4992 + k] = _4992
-            _5024 = q7_mmm
-            work[5024 + k] = _5024
+            work[5024 + k] = (
+                UNREACHABLE if _3904 != _3904 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
             work[5056 + k] = (
-                UNREACHABLE if _3936 != _3936 else (OUT_OF_LIMITS if outside_ppp else OK)
+                UNREACHABLE if _3904 != _3904 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
             work[5088 + k] = (
-                UNREACHABLE if _3936 != _3936 else (OUT_OF_LIMITS if outside_ppm else OK)
+                UNREACHABLE if _4224 != _4224 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[5120 + k] = (
-                UNREACHABLE if _4256 != _4256 else (OUT_OF_LIMITS if outside_pmp else OK)
+                UNREACHABLE if _4224 != _4224 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
             work[5152 + k] = (
-                UNREACHABLE if _4256 != _4256 else (OUT_OF_LIMITS if outside_pmm else OK)
+                UNREACHABLE if _4480 != _4480 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[5184 + k] = (
-                UNREACHABLE if _4512 != _4512 else (OUT_OF_LIMITS if outside_mpp else OK)
+                UNREACHABLE if _4480 != _4480 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
             work[5216 + k] = (
-                UNREACHABLE if _4512 != _4512 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _4768 != _4768 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
             work[5248 + k] = (
-                UNREACHABLE if _4800 != _4800 else (OUT_OF_LIMITS if outside_mmp else OK)
-            )
-            work[5280 + k] = (
-                UNREACHABLE if _4800 != _4800 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _4768 != _4768 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[544 + k] = 1.0 if doubt1 else work[544 + k]
         for k in range(count):
@@ -1952,6 +1955,20 @@ def ik_batch(T, q_free, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((8, 7)), np.empty(8, _BYTE)
+    T = fk(_ZEROS)
+    q_free = np.zeros(1)
+    jacobian(_ZEROS)
+    ik_into(T, q_free, q, status)
+    ik_into(T, q_free, q, status, _ZEROS)
+    _unseeded(T, q_free, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(7))
+    q_free = q_free[np.newaxis]
+    ik_batch(T[np.newaxis], q_free)
 
 
 def _share(solve, cores, *arrays):

@@ -88,8 +88,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -128,8 +127,7 @@ HELPER four sin_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -320,10 +318,16 @@ static const double d1 = 0.36; /* joint offset 1 [m] */
 static const double d3 = 0.42; /* joint offset 3 [m] */
 static const double d5 = 0.4; /* joint offset 5 [m] */
 static const double d7 = 0.126; /* joint offset 7 [m] */
-/* rounding at the boundary of the workspace [m^2] */
-static const double reach_slack2 = 1.7056360000000002e-13;
-/* nearer to that boundary two branches are one [m^2] */
-static const double merge_slack2 = 1.705636e-14;
+static const double longest4 = 0.6724000000000001; /* square of the longest reach [m^2] */
+static const double shortest4 = 0.0003999999999999985; /* square of the shortest reach [m^2] */
+/* the longest, with what rounding adds [m^2] */
+static const double longest4_reach = 0.6724000000002143;
+/* the shortest, with what rounding adds [m^2] */
+static const double shortest4_reach = 0.0003999999999947745;
+/* the longest, where branches merge [m^2] */
+static const double longest4_apart = 0.6723999999999786;
+/* the shortest, where branches merge [m^2] */
+static const double shortest4_apart = 0.00040000000000052087;
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 /* a stretched arm: its elbow is on either side [m^2] */
 static const double straight_limit = 5.353007080137295e-08;
@@ -332,10 +336,8 @@ static const double offset2 = 3.141592653589793; /* offset of joint 2 [rad] */
 static const double offset4 = 3.141592653589793; /* offset of joint 4 [rad] */
 static const double offset6 = 3.141592653589793; /* offset of joint 6 [rad] */
 static const double k1 = 0.336; /* 2 * d5 * d3 [m^2] */
-static const double k2 = 0.72; /* 2 * d1 [m] */
-static const double k3 = -0.2068; /* d1^2 - (d3^2 + d5^2) [m^2] */
-static const double k4 = 0.11289600000000001; /* (2 * d5 * d3)^2 [m^4] */
-static const double k5 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
+static const double k2 = 0.33640000000000003; /* d3^2 + d5^2 [m^2] */
+static const double k3 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low1 = -2.9670597293903604; /* lowest value of joint 1 */
 static const double high1 = 2.9670597293903604; /* highest value of joint 1 */
@@ -622,279 +624,189 @@ HELPER wide_mask solve_wide(
     /* theta4 */
     const wide wx = T14 - d7 * T13;
     const wide wy = T24 - d7 * T23;
-    const wide wz = T34 - d7 * T33;
-    const wide v1 = wx * wx;
-    const wide v2 = wy * wy;
-    const wide Z4 = v1 + (v2 + (k3 + wz * (wz - k2)));
-    const wide D4 = k4 - Z4 * Z4;
-    const wide v3 = 2.0 * abs_wide(Z4);
-    const wide v4 = k1 * Z4;
-    const wide v5 = k5 * v4;
-    const wide v6 = k1 * sqrt_wide(D4);
-    const wide v7 = k5 * v6;
+    const wide v1 = T34 - d7 * T33 - d1;
+    const wide V4 = wx * wx + wy * wy + v1 * v1;
+    const wide v2 = k1 * (V4 - k2), v3 = k3 * v2;
+    const wide v4 = k1 * sqrt_wide((longest4 - V4) * (V4 - shortest4)), v5 = k3 * v4;
 
     /* shoulder */
-    const wide v8 = wz - d1;
-    const wide v9 = v1 + v2 + v8 * v8;
-    const wide v10 = sqrt_wide(v9) * (1.0 / v9);
-    const wide gx = wx * v10;
-    const wide gy = wy * v10;
-    const wide gz = v8 * v10;
-    const wide v11 = gy * gy + gx * gx;
-    const wide_mask upright = v11 <= m1;
-    const wide v12 = 1.0 / pick_wide(upright, all_wide(1.0), sqrt_wide(v11));
-    const wide v13 = pick_wide(upright, all_wide(0.0), gy * v12);
-    const wide v14 = pick_wide(upright, all_wide(1.0), -(gx * v12));
-    const wide v15 = gz * v14;
-    const wide v16 = gz * v13;
+    const wide v6 = sqrt_wide(V4) * (1.0 / V4);
+    const wide gx = wx * v6;
+    const wide gy = wy * v6;
+    const wide gz = v1 * v6;
+    const wide v7 = gy * gy + gx * gx;
+    const wide_mask upright = v7 <= m1;
+    const wide v8 = 1.0 / pick_wide(upright, all_wide(1.0), sqrt_wide(v7));
+    const wide v9 = pick_wide(upright, all_wide(0.0), gy * v8);
+    const wide v10 = pick_wide(upright, all_wide(1.0), -(gx * v8)), v11 = gz * v10, v12 = gz * v9;
     const wide cos_psi = cos_wide(free_joints[0]);
     const wide sin_psi = sin_wide(free_joints[0]);
-    const wide uz = cos_psi * (gy * v13 - gx * v14);
-    const wide ux = v15 * cos_psi + v13 * sin_psi;
-    const wide uy = v14 * sin_psi - v16 * cos_psi;
-    const wide nx = v13 * cos_psi - v15 * sin_psi;
-    const wide ny = v14 * cos_psi + v16 * sin_psi;
-    const wide v17 = d5 * v7;
-    const wide v18 = d3 + d5 * v5;
-    const wide v19 = v18 * v18 + v17 * v17;
-    const wide v20 = sqrt_wide(v19) * (1.0 / v19);
-    const wide v21 = d5 * (d3 * v7);
-    const wide side_p = pick_wide(-v21 < -straight_limit, all_wide(-1.0), all_wide(1.0));
-    const wide side_m = pick_wide(v21 < -straight_limit, all_wide(-1.0), all_wide(1.0));
-    const wide v22 = v18 * side_p;
-    const wide v23 = v18 * side_m;
-    const wide v24 = v17 * side_p;
-    const wide v25 = v17 * side_m;
-    const wide v26 = gx * v17;
-    const wide v27 = gy * v17;
-    const wide v28 = gy * v18;
-    const wide b22_p = v28 - uy * v24;
-    const wide b22_m = v28 + uy * v25;
+    const wide uz = cos_psi * (gy * v9 - gx * v10);
+    const wide ux = v11 * cos_psi + v9 * sin_psi;
+    const wide uy = v10 * sin_psi - v12 * cos_psi;
+    const wide nx = v9 * cos_psi - v11 * sin_psi;
+    const wide ny = v10 * cos_psi + v12 * sin_psi;
+    const wide v13 = d5 * v5, v14 = d3 + d5 * v3, v15 = v14 * v14 + v13 * v13;
+    const wide arm = sqrt_wide(v15);
+    const wide v16 = 1.0 / v15, v17 = arm * v16, v18 = v13 * v17, v19 = v14 * v17;
+    const wide v20 = d5 * (d3 * v5);
+    const wide side_p = pick_wide(-v20 < -straight_limit, all_wide(-1.0), all_wide(1.0));
+    const wide side_m = pick_wide(v20 < -straight_limit, all_wide(-1.0), all_wide(1.0));
+    const wide v21 = v19 * side_p, v22 = v19 * side_m, v23 = v18 * side_p, v24 = v18 * side_m;
+    const wide v25 = gx * v18, v26 = gy * v18, v27 = gy * v19;
+    const wide b22_p = v27 - uy * v23, b22_m = v27 + uy * v24;
 
     /* theta1 */
-    const wide v29 = gx * v18;
-    const wide X1_p = ux * v24 - v29;
-    const wide v30 = v29 + ux * v25;
-    const wide v31 = v20 * (X1_p * (v20 * X1_p) + b22_p * (v20 * b22_p));
-    const wide v32 = v20 * (v30 * (v20 * v30) + b22_m * (v20 * b22_m));
-    const wide w1_p = sqrt_wide(v31);
-    const wide w1_m = sqrt_wide(v32);
-    const wide v33 = 1.0 / v31;
-    const wide v34 = 1.0 / v32;
-    const wide factor1_p = w1_p * v33;
-    const wide factor1_m = w1_m * v34;
+    const wide v28 = gx * v19;
+    const wide X1_p = ux * v23 - v28;
+    const wide v29 = v28 + ux * v24, v30 = X1_p * X1_p + b22_p * b22_p;
+    const wide v31 = v29 * v29 + b22_m * b22_m;
+    const wide w1_p = sqrt_wide(v30), w1_m = sqrt_wide(v31);
+    const wide v32 = 1.0 / v30, v33 = 1.0 / v31;
 
     /* theta2 */
-    const wide v35 = gz * v18;
-    const wide c2_p = uz * v24 - v35;
-    const wide v36 = v35 + uz * v25;
+    const wide v34 = gz * v19;
+    const wide c2_p = uz * v23 - v34;
+    const wide v35 = v34 + uz * v24;
 
     /* theta3 */
-    const wide s3_p = -X1_p * (v20 * (v27 + uy * v22)) - b22_p * (v20 * (v26 + ux * v22));
-    const wide s3_m = v30 * (v20 * (uy * v23 - v27)) - b22_m * (v20 * (ux * v23 - v26));
-    const wide c3_p = -X1_p * (ny * side_p) - b22_p * (nx * side_p);
-    const wide c3_m = v30 * (ny * side_m) - b22_m * (nx * side_m);
-    const wide angle1 = atan2_wide(s3_p, c3_p);
-    const wide angle2 = atan2_wide(s3_m, c3_m);
-    const wide q3_pmp = angle1 - copysign_wide(all_wide(half_turn), s3_p) * h1;
-    const wide q3_mmp = angle2 - copysign_wide(all_wide(half_turn), s3_m) * h1;
+    const wide v36 = v32 * (b22_p * (v25 + ux * v21) + X1_p * (v26 + uy * v21));
+    const wide v37 = v33 * (b22_m * (ux * v22 - v25) - v29 * (uy * v22 - v26)), v38 = w1_p * v36;
+    const wide v39 = w1_m * v37, v40 = v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p));
+    const wide v41 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m)), v42 = w1_p * v40;
+    const wide v43 = w1_m * v41;
+    const wide angle1 = atan2_wide(-v36, -v40), angle2 = atan2_wide(-v37, -v41);
+    const wide q3_pmp = angle1 - copysign_wide(all_wide(half_turn), -v36) * h1;
+    const wide q3_mmp = angle2 - copysign_wide(all_wide(half_turn), -v37) * h1;
 
     /* theta5 */
-    const wide v37 = T13 * -X1_p + T23 * b22_p;
-    const wide v38 = T13 * v30 + T23 * b22_m;
-    const wide v39 = v20 * c2_p;
-    const wide v40 = v20 * v36;
-    const wide v41 = v20 * (v37 * v39);
-    const wide v42 = v20 * (v38 * v40);
-    const wide v43 = T33 * w1_p + factor1_p * v41;
-    const wide v44 = T33 * w1_m - factor1_m * v42;
-    const wide v45 = T13 * b22_p - T23 * -X1_p;
-    const wide v46 = T13 * b22_m - T23 * v30;
-    const wide v47 = factor1_p * (w1_p * v37) - T33 * c2_p;
-    const wide v48 = factor1_m * (w1_m * v38) + T33 * v36;
-    const wide v49 = factor1_p * (v20 * s3_p);
-    const wide v50 = factor1_m * (v20 * s3_m);
-    const wide X5_p = factor1_p * (c3_p * (v5 * v43) + v49 * (v5 * v45)) + v7 * v47;
-    const wide X5_m = factor1_m * (c3_m * (v5 * v44) + v50 * (v5 * v46)) - v7 * v48;
-    const wide v51 = v20 * c3_p;
-    const wide v52 = v20 * c3_m;
-    const wide Y5_p = w1_p * (v33 * (s3_p * v41 + v51 * -v45) + T33 * s3_p);
-    const wide Y5_m = w1_m * (v34 * (v52 * -v46 - s3_m * v42) + T33 * s3_m);
-    const wide v53 = v20 * X5_p;
-    const wide v54 = v20 * X5_m;
-    const wide v55 = v20 * Y5_p;
-    const wide v56 = v20 * Y5_m;
-    const wide v57 = v20 * (X5_p * v53 + factor1_p * (Y5_p * (factor1_p * v55)));
-    const wide v58 = v20 * (X5_m * v54 + factor1_m * (Y5_m * (factor1_m * v56)));
-    const wide v59 = factor1_p * Y5_p;
-    const wide v60 = factor1_m * Y5_m;
-    const wide angle3 = atan2_wide(v59, -X5_p);
-    const wide angle4 = atan2_wide(v60, -X5_m);
-    const wide q5_ppm = angle3 - h1 * copysign_wide(all_wide(half_turn), v59);
-    const wide q5_mpm = angle4 - h1 * copysign_wide(all_wide(half_turn), v60);
+    const wide v44 = w1_p * (v32 * (T23 * b22_p - T13 * X1_p));
+    const wide v45 = w1_m * (v33 * (T23 * b22_m + T13 * v29)), v46 = c2_p * v44 + T33 * w1_p;
+    const wide v47 = T33 * w1_m - v35 * v45, v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p));
+    const wide v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29));
+    const wide v50 = arm * (v16 * (gz * (T33 * v14))), v51 = T33 * v13;
+    const wide v52 = w1_p * v44 - (uz * (arm * (v16 * (side_p * v51))) - v50);
+    const wide v53 = w1_m * v45 + (v50 + uz * (arm * (v16 * (side_m * v51))));
+    const wide X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48));
+    const wide v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49));
+    const wide Y5_p = v42 * v48 - v38 * v46, Y5_m = v43 * v49 - v39 * v47;
+    const wide v55 = X5_p * X5_p + Y5_p * Y5_p, v56 = v54 * v54 + Y5_m * Y5_m;
+    const wide w5_p = sqrt_wide(v55), w5_m = sqrt_wide(v56);
+    const wide factor5_p = w5_p * (1.0 / v55), factor5_m = w5_m * (1.0 / v56);
+    const wide v57 = X5_p * factor5_p, v58 = v54 * factor5_m;
+    const wide s5_p = Y5_p * factor5_p, s5_m = Y5_m * factor5_m;
+    const wide angle3 = atan2_wide(Y5_p, -X5_p), angle4 = atan2_wide(Y5_m, v54);
+    const wide q5_ppm = angle3 - h1 * copysign_wide(all_wide(half_turn), Y5_p);
+    const wide q5_mpm = angle4 - h1 * copysign_wide(all_wide(half_turn), Y5_m);
 
     /* theta7 */
-    const wide v61 = b22_p * T12 - -X1_p * T22;
-    const wide v62 = b22_m * T12 - v30 * T22;
-    const wide v63 = -X1_p * T12 + b22_p * T22;
-    const wide v64 = v30 * T12 + b22_m * T22;
-    const wide v65 = v20 * (v39 * v63);
-    const wide v66 = v20 * (v40 * v64);
-    const wide v67 = b22_p * T11 - -X1_p * T21;
-    const wide v68 = b22_m * T11 - v30 * T21;
-    const wide v69 = -X1_p * T11 + b22_p * T21;
-    const wide v70 = v30 * T11 + b22_m * T21;
-    const wide v71 = v20 * (v39 * v69);
-    const wide v72 = v20 * (v40 * v70);
-    const wide v73 = v53 * (w1_p * (v33 * (s3_p * v71 + v51 * -v67) + s3_p * T31)) - v55 *
-        (factor1_p * (c3_p * (v5 * (w1_p * T31 + factor1_p * v71)) + v49 * (v5 * v67)) + v7 *
-        (factor1_p * (w1_p * v69) - c2_p * T31));
-    const wide v74 = v54 * (w1_m * (v34 * (v52 * -v68 - s3_m * v72) + s3_m * T31)) - v56 *
-        (factor1_m * (c3_m * (v5 * (w1_m * T31 - factor1_m * v72)) + v50 * (v5 * v68)) - v7 *
-        (factor1_m * (w1_m * v70) + v36 * T31));
-    const wide angle5 = atan2_wide(v73, v53 * (w1_p * (v33 * (s3_p * v65 + v51 * -v61) + s3_p *
-        T32)) - v55 * (factor1_p * (c3_p * (v5 * (w1_p * T32 + factor1_p * v65)) + v49 * (v5 * v61))
-        + v7 * (factor1_p * (w1_p * v63) - c2_p * T32)));
-    const wide angle6 = atan2_wide(v74, v54 * (w1_m * (v34 * (v52 * -v62 - s3_m * v66) + s3_m *
-        T32)) - v56 * (factor1_m * (c3_m * (v5 * (w1_m * T32 - factor1_m * v66)) + v50 * (v5 * v62))
-        - v7 * (factor1_m * (w1_m * v64) + v36 * T32)));
-    const wide q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v73);
-    const wide q7_mpm = angle6 - h1 * copysign_wide(all_wide(half_turn), v74);
+    const wide v59 = w1_p * (v32 * (b22_p * T12 + X1_p * T22));
+    const wide v60 = w1_m * (v33 * (b22_m * T12 - v29 * T22));
+    const wide v61 = w1_p * (v32 * (b22_p * T22 - X1_p * T12));
+    const wide v62 = w1_m * (v33 * (b22_m * T22 + v29 * T12)), v63 = c2_p * v61 + w1_p * T32;
+    const wide v64 = w1_m * T32 - v35 * v62, v65 = arm * (v16 * (gz * (v14 * T32)));
+    const wide v66 = w1_p * (v32 * (b22_p * T11 + X1_p * T21));
+    const wide v67 = w1_m * (v33 * (b22_m * T11 - v29 * T21));
+    const wide v68 = w1_p * (v32 * (b22_p * T21 - X1_p * T11));
+    const wide v69 = w1_m * (v33 * (b22_m * T21 + v29 * T11)), v70 = c2_p * v68 + w1_p * T31;
+    const wide v71 = w1_m * T31 - v35 * v69, v72 = arm * (v16 * (gz * (v14 * T31)));
+    const wide v73 = v13 * T31;
+    const wide v74 = v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm * (v16 *
+        (side_p * v73))) - v72)) - (v42 * (v3 * v70) + v38 * (v3 * v66)));
+    const wide v75 = s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm * (v16 * (side_m * v73))))) + (v43
+        * (v3 * v71) + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71), v76 = v13 * T32;
+    const wide angle5 = atan2_wide(v74, v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 -
+        (uz * (arm * (v16 * (side_p * v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59))));
+    const wide angle6 = atan2_wide(v75, s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm * (v16 * (side_m
+        * v76))))) + (v43 * (v3 * v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64));
+    const wide q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v74);
+    const wide q7_mpm = angle6 - h1 * copysign_wide(all_wide(half_turn), v75);
 
     /* joint values */
-    const wide angle7 = atan2_wide(b22_p, -X1_p);
-    const wide angle8 = atan2_wide(b22_m, v30);
-    const wide v75 = angle7 - offset1;
-    const wide v76 = angle7 - h1 * copysign_wide(all_wide(half_turn), b22_p) - offset1;
-    const wide v77 = angle8 - offset1;
-    const wide v78 = angle8 - h1 * copysign_wide(all_wide(half_turn), b22_m) - offset1;
-    const wide q1_ppp = v75 + only_wide(v75 <= -half_turn, m4);
-    const wide q1_pmp = v76 + only_wide(v76 <= -half_turn, m4);
-    const wide q1_mpp = v77 + only_wide(v77 <= -half_turn, m4);
-    const wide q1_mmp = v78 + only_wide(v78 <= -half_turn, m4);
-    const wide angle9 = atan2_wide(w1_p, v39);
-    const wide angle10 = atan2_wide(w1_m, -v40);
-    const wide v79 = angle9 - offset2;
-    const wide v80 = offset2 + angle9;
-    const wide v81 = angle10 - offset2;
-    const wide v82 = offset2 + angle10;
-    const wide q2_ppp = v79 + only_wide(v79 <= -half_turn, m4);
-    const wide q2_pmp = only_wide(-v80 <= -half_turn, m4) - v80;
-    const wide q2_mpp = v81 + only_wide(v81 <= -half_turn, m4);
-    const wide q2_mmp = only_wide(-v82 <= -half_turn, m4) - v82;
-    const wide angle11 = atan2_wide(-v6, -v4);
-    const wide v83 = angle11 - offset4;
-    const wide v84 = offset4 + angle11;
-    const wide q4_ppp = v83 + only_wide(v83 <= -half_turn, m4);
-    const wide q4_mpp = only_wide(-v84 <= -half_turn, m4) - v84;
-    const wide angle12 = atan2_wide(sqrt_wide(v57), v20 * (factor1_p * (c3_p * (v7 * v43) + v49 *
-        (v7 * v45)) - v5 * v47));
-    const wide angle13 = atan2_wide(sqrt_wide(v58), -(v20 * (factor1_m * (c3_m * (v7 * v44) + v50 *
-        (v7 * v46)) + v5 * v48)));
-    const wide v85 = angle12 - offset6;
-    const wide v86 = offset6 + angle12;
-    const wide v87 = angle13 - offset6;
-    const wide v88 = offset6 + angle13;
-    const wide q6_ppp = v85 + only_wide(v85 <= -half_turn, m4);
-    const wide q6_ppm = only_wide(-v86 <= -half_turn, m4) - v86;
-    const wide q6_mpp = v87 + only_wide(v87 <= -half_turn, m4);
-    const wide q6_mpm = only_wide(-v88 <= -half_turn, m4) - v88;
-    const wide_mask v89 = (q4_ppp < low4) | (high4 < q4_ppp);
-    const wide_mask v90 = (q4_mpp < low4) | (high4 < q4_mpp);
-    const wide_mask v91 = (angle3 < low5) | (high5 < angle3);
-    const wide_mask v92 = (q5_ppm < low5) | (high5 < q5_ppm);
-    const wide_mask v93 = (angle4 < low5) | (high5 < angle4);
-    const wide_mask v94 = (q5_mpm < low5) | (high5 < q5_mpm);
-    const wide_mask v95 = (q6_ppp < low6) | (high6 < q6_ppp);
-    const wide_mask v96 = (q6_ppm < low6) | (high6 < q6_ppm);
-    const wide_mask v97 = (q6_mpp < low6) | (high6 < q6_mpp);
-    const wide_mask v98 = (q6_mpm < low6) | (high6 < q6_mpm);
-    const wide_mask v99 = (angle5 < low7) | (high7 < angle5);
-    const wide_mask v100 = (q7_ppm < low7) | (high7 < q7_ppm);
-    const wide_mask v101 = (angle6 < low7) | (high7 < angle6);
-    const wide_mask v102 = (q7_mpm < low7) | (high7 < q7_mpm);
-    const wide_mask v103 = v89 | (((angle1 < low3) | (high3 < angle1)) | (((q1_ppp < low1) | (high1
+    const wide angle7 = atan2_wide(b22_p, -X1_p), angle8 = atan2_wide(b22_m, v29);
+    const wide v77 = angle7 - offset1;
+    const wide v78 = angle7 - h1 * copysign_wide(all_wide(half_turn), b22_p) - offset1;
+    const wide v79 = angle8 - offset1;
+    const wide v80 = angle8 - h1 * copysign_wide(all_wide(half_turn), b22_m) - offset1;
+    const wide q1_ppp = v77 + only_wide(v77 <= -half_turn, m4);
+    const wide q1_pmp = v78 + only_wide(v78 <= -half_turn, m4);
+    const wide q1_mpp = v79 + only_wide(v79 <= -half_turn, m4);
+    const wide q1_mmp = v80 + only_wide(v80 <= -half_turn, m4);
+    const wide angle9 = atan2_wide(w1_p, c2_p), angle10 = atan2_wide(w1_m, -v35);
+    const wide v81 = angle9 - offset2, v82 = offset2 + angle9, v83 = angle10 - offset2;
+    const wide v84 = offset2 + angle10;
+    const wide q2_ppp = v81 + only_wide(v81 <= -half_turn, m4);
+    const wide q2_pmp = only_wide(-v82 <= -half_turn, m4) - v82;
+    const wide q2_mpp = v83 + only_wide(v83 <= -half_turn, m4);
+    const wide q2_mmp = only_wide(-v84 <= -half_turn, m4) - v84;
+    const wide angle11 = atan2_wide(-v4, -v2);
+    const wide v85 = angle11 - offset4, v86 = offset4 + angle11;
+    const wide q4_ppp = v85 + only_wide(v85 <= -half_turn, m4);
+    const wide q4_mpp = only_wide(-v86 <= -half_turn, m4) - v86;
+    const wide angle12 = atan2_wide(w5_p, -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48))));
+    const wide angle13 = atan2_wide(w5_m, v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53);
+    const wide v87 = angle12 - offset6, v88 = offset6 + angle12, v89 = angle13 - offset6;
+    const wide v90 = offset6 + angle13;
+    const wide q6_ppp = v87 + only_wide(v87 <= -half_turn, m4);
+    const wide q6_ppm = only_wide(-v88 <= -half_turn, m4) - v88;
+    const wide q6_mpp = v89 + only_wide(v89 <= -half_turn, m4);
+    const wide q6_mpm = only_wide(-v90 <= -half_turn, m4) - v90;
+    const wide_mask v91 = (q4_ppp < low4) | (high4 < q4_ppp);
+    const wide_mask v92 = (q4_mpp < low4) | (high4 < q4_mpp);
+    const wide_mask v93 = (angle3 < low5) | (high5 < angle3);
+    const wide_mask v94 = (q5_ppm < low5) | (high5 < q5_ppm);
+    const wide_mask v95 = (angle4 < low5) | (high5 < angle4);
+    const wide_mask v96 = (q5_mpm < low5) | (high5 < q5_mpm);
+    const wide_mask v97 = (q6_ppp < low6) | (high6 < q6_ppp);
+    const wide_mask v98 = (q6_ppm < low6) | (high6 < q6_ppm);
+    const wide_mask v99 = (q6_mpp < low6) | (high6 < q6_mpp);
+    const wide_mask v100 = (q6_mpm < low6) | (high6 < q6_mpm);
+    const wide_mask v101 = (angle5 < low7) | (high7 < angle5);
+    const wide_mask v102 = (q7_ppm < low7) | (high7 < q7_ppm);
+    const wide_mask v103 = (angle6 < low7) | (high7 < angle6);
+    const wide_mask v104 = (q7_mpm < low7) | (high7 < q7_mpm);
+    const wide_mask v105 = v91 | (((angle1 < low3) | (high3 < angle1)) | (((q1_ppp < low1) | (high1
         < q1_ppp)) | ((q2_ppp < low2) | (high2 < q2_ppp))));
-    const wide_mask v104 = v89 | (((q3_pmp < low3) | (high3 < q3_pmp)) | (((q1_pmp < low1) | (high1
+    const wide_mask v106 = v91 | (((q3_pmp < low3) | (high3 < q3_pmp)) | (((q1_pmp < low1) | (high1
         < q1_pmp)) | ((q2_pmp < low2) | (high2 < q2_pmp))));
-    const wide_mask v105 = v90 | (((angle2 < low3) | (high3 < angle2)) | (((q1_mpp < low1) | (high1
+    const wide_mask v107 = v92 | (((angle2 < low3) | (high3 < angle2)) | (((q1_mpp < low1) | (high1
         < q1_mpp)) | ((q2_mpp < low2) | (high2 < q2_mpp))));
-    const wide_mask v106 = v90 | (((q3_mmp < low3) | (high3 < q3_mmp)) | (((q1_mmp < low1) | (high1
+    const wide_mask v108 = v92 | (((q3_mmp < low3) | (high3 < q3_mmp)) | (((q1_mmp < low1) | (high1
         < q1_mmp)) | ((q2_mmp < low2) | (high2 < q2_mmp))));
-    const wide_mask outside_ppp = v99 | (v95 | (v91 | v103));
-    const wide_mask outside_ppm = v100 | (v96 | (v92 | v103));
-    const wide_mask outside_pmp = v99 | (v95 | (v91 | v104));
-    const wide_mask outside_pmm = v100 | (v96 | (v92 | v104));
-    const wide_mask outside_mpp = v101 | (v97 | (v93 | v105));
-    const wide_mask outside_mpm = v102 | (v98 | (v94 | v105));
-    const wide_mask outside_mmp = v101 | (v97 | (v93 | v106));
-    const wide_mask outside_mmm = v102 | (v98 | (v94 | v106));
-    const wide_mask doubt1 = (v58 <= m2) | ((v32 <= m2) | ((v57 <= m2) | (((-(reach_slack2 *
-        (reach_slack2 + v3)) <= D4) & ((merge_slack2 * (merge_slack2 + v3) < D4) == 0)) | (v31 <=
-        m2))));
+    const wide_mask outside_ppp = v101 | (v97 | (v93 | v105));
+    const wide_mask outside_ppm = v102 | (v98 | (v94 | v105));
+    const wide_mask outside_pmp = v101 | (v97 | (v93 | v106));
+    const wide_mask outside_pmm = v102 | (v98 | (v94 | v106));
+    const wide_mask outside_mpp = v103 | (v99 | (v95 | v107));
+    const wide_mask outside_mpm = v104 | (v100 | (v96 | v107));
+    const wide_mask outside_mmp = v103 | (v99 | (v95 | v108));
+    const wide_mask outside_mmm = v104 | (v100 | (v96 | v108));
+    const wide_mask doubt1 = (v56 <= m2) | ((v31 <= m2) | ((v55 <= m2) | ((((shortest4_reach <= V4)
+        & (V4 <= longest4_reach)) & (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (v30
+        <= m2))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = angle1;
-    q[3] = q4_ppp;
-    q[4] = angle3;
-    q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle1; q[3] = q4_ppp; q[4] = angle3; q[5] = q6_ppp;
     q[6] = angle5;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[7] = q1_ppp;
-    q[8] = q2_ppp;
-    q[9] = angle1;
-    q[10] = q4_ppp;
-    q[11] = q5_ppm;
-    q[12] = q6_ppm;
+    q[7] = q1_ppp; q[8] = q2_ppp; q[9] = angle1; q[10] = q4_ppp; q[11] = q5_ppm; q[12] = q6_ppm;
     q[13] = q7_ppm;
     kind[1] = kind_of(q[7] != q[7], outside_ppm);
-    q[14] = q1_pmp;
-    q[15] = q2_pmp;
-    q[16] = q3_pmp;
-    q[17] = q4_ppp;
-    q[18] = angle3;
-    q[19] = q6_ppp;
+    q[14] = q1_pmp; q[15] = q2_pmp; q[16] = q3_pmp; q[17] = q4_ppp; q[18] = angle3; q[19] = q6_ppp;
     q[20] = angle5;
     kind[2] = kind_of(q[14] != q[14], outside_pmp);
-    q[21] = q1_pmp;
-    q[22] = q2_pmp;
-    q[23] = q3_pmp;
-    q[24] = q4_ppp;
-    q[25] = q5_ppm;
-    q[26] = q6_ppm;
+    q[21] = q1_pmp; q[22] = q2_pmp; q[23] = q3_pmp; q[24] = q4_ppp; q[25] = q5_ppm; q[26] = q6_ppm;
     q[27] = q7_ppm;
     kind[3] = kind_of(q[21] != q[21], outside_pmm);
-    q[28] = q1_mpp;
-    q[29] = q2_mpp;
-    q[30] = angle2;
-    q[31] = q4_mpp;
-    q[32] = angle4;
-    q[33] = q6_mpp;
+    q[28] = q1_mpp; q[29] = q2_mpp; q[30] = angle2; q[31] = q4_mpp; q[32] = angle4; q[33] = q6_mpp;
     q[34] = angle6;
     kind[4] = kind_of(q[28] != q[28], outside_mpp);
-    q[35] = q1_mpp;
-    q[36] = q2_mpp;
-    q[37] = angle2;
-    q[38] = q4_mpp;
-    q[39] = q5_mpm;
-    q[40] = q6_mpm;
+    q[35] = q1_mpp; q[36] = q2_mpp; q[37] = angle2; q[38] = q4_mpp; q[39] = q5_mpm; q[40] = q6_mpm;
     q[41] = q7_mpm;
     kind[5] = kind_of(q[35] != q[35], outside_mpm);
-    q[42] = q1_mmp;
-    q[43] = q2_mmp;
-    q[44] = q3_mmp;
-    q[45] = q4_mpp;
-    q[46] = angle4;
-    q[47] = q6_mpp;
+    q[42] = q1_mmp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mpp; q[46] = angle4; q[47] = q6_mpp;
     q[48] = angle6;
     kind[6] = kind_of(q[42] != q[42], outside_mmp);
-    q[49] = q1_mmp;
-    q[50] = q2_mmp;
-    q[51] = q3_mmp;
-    q[52] = q4_mpp;
-    q[53] = q5_mpm;
-    q[54] = q6_mpm;
+    q[49] = q1_mmp; q[50] = q2_mmp; q[51] = q3_mmp; q[52] = q4_mpp; q[53] = q5_mpm; q[54] = q6_mpm;
     q[55] = q7_mpm;
     kind[7] = kind_of(q[49] != q[49], outside_mmm);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
@@ -917,143 +829,117 @@ HELPER int solve_regular(
     /* theta4 */
     const double wx = T14 - d7 * T13;
     const double wy = T24 - d7 * T23;
-    const double wz = T34 - d7 * T33;
-    const double v1 = wx * wx;
-    const double v2 = wy * wy;
-    const double Z4 = v1 + (v2 + (k3 + wz * (wz - k2)));
-    const double D4 = k4 - Z4 * Z4;
-    const double v3 = 2.0 * fabs(Z4);
-    const int doubt1 = (-(reach_slack2 * (reach_slack2 + v3)) <= D4) & ((merge_slack2 *
-        (merge_slack2 + v3) < D4) == 0);
-    const double v4 = k1 * Z4;
-    const double v5 = k5 * v4;
-    const double v6 = k1 * sqrt(D4);
-    const double v7 = k5 * v6;
+    const double v1 = T34 - d7 * T33 - d1;
+    const double V4 = wx * wx + wy * wy + v1 * v1;
+    const int doubt1 = ((shortest4_reach <= V4) & (V4 <= longest4_reach)) & (((shortest4_apart < V4)
+        & (V4 < longest4_apart)) == 0);
+    const double v2 = k1 * (V4 - k2), v3 = k3 * v2;
+    const double v4 = k1 * sqrt((longest4 - V4) * (V4 - shortest4)), v5 = k3 * v4;
 
     /* shoulder */
-    const double v8 = wz - d1;
-    const double v9 = v1 + v2 + v8 * v8;
-    const double v10 = sqrt(v9) * (1.0 / v9);
-    const double gx = wx * v10;
-    const double gy = wy * v10;
-    const double gz = v8 * v10;
-    const double v11 = gy * gy + gx * gx;
-    const int upright = v11 <= m1;
-    const double v12 = 1.0 / (upright ? 1.0 : sqrt(v11));
-    const double v13 = upright ? 0.0 : (gy * v12);
-    const double v14 = upright ? 1.0 : (-(gx * v12));
-    const double v15 = gz * v14;
-    const double v16 = gz * v13;
+    const double v6 = sqrt(V4) * (1.0 / V4);
+    const double gx = wx * v6;
+    const double gy = wy * v6;
+    const double gz = v1 * v6;
+    const double v7 = gy * gy + gx * gx;
+    const int upright = v7 <= m1;
+    const double v8 = 1.0 / (upright ? 1.0 : sqrt(v7)), v9 = upright ? 0.0 : (gy * v8);
+    const double v10 = upright ? 1.0 : (-(gx * v8)), v11 = gz * v10, v12 = gz * v9;
     const double cos_psi = cos(free_joints[0]);
     const double sin_psi = sin(free_joints[0]);
-    const double uz = cos_psi * (gy * v13 - gx * v14);
-    const double ux = v15 * cos_psi + v13 * sin_psi;
-    const double uy = v14 * sin_psi - v16 * cos_psi;
-    const double nx = v13 * cos_psi - v15 * sin_psi;
-    const double ny = v14 * cos_psi + v16 * sin_psi;
-    const double v17 = d5 * v7;
-    const double v18 = d3 + d5 * v5;
-    const double v19 = v18 * v18 + v17 * v17;
-    const double v20 = sqrt(v19) * (1.0 / v19);
-    const double v21 = d5 * (d3 * v7);
-    const four side = pick_four(-(e1 * v21) < -straight_limit, all_four(-1.0), all_four(1.0));
-    const four v22 = v18 * side;
-    const four v23 = v17 * side;
-    const double v24 = gx * v17;
-    const double v25 = gy * v17;
-    const double v26 = gy * v18;
-    const four b22 = v26 - e1 * (uy * v23);
+    const double uz = cos_psi * (gy * v9 - gx * v10);
+    const double ux = v11 * cos_psi + v9 * sin_psi;
+    const double uy = v10 * sin_psi - v12 * cos_psi;
+    const double nx = v9 * cos_psi - v11 * sin_psi;
+    const double ny = v10 * cos_psi + v12 * sin_psi;
+    const double v13 = d5 * v5, v14 = d3 + d5 * v3, v15 = v14 * v14 + v13 * v13;
+    const double arm = sqrt(v15);
+    const double v16 = 1.0 / v15, v17 = arm * v16, v18 = v13 * v17, v19 = v14 * v17;
+    const double v20 = d5 * (d3 * v5);
+    const four side = pick_four(-(e1 * v20) < -straight_limit, all_four(-1.0), all_four(1.0));
+    const four v21 = v19 * side, v22 = v18 * side;
+    const double v23 = gx * v18, v24 = gy * v18, v25 = gy * v19;
+    const four b22 = v25 - e1 * (uy * v22);
 
     /* theta1 */
-    const double v27 = gx * v18;
-    const four X1 = e1 * (ux * v23) - v27;
-    const four v28 = v20 * (X1 * (v20 * X1) + b22 * (v20 * b22));
-    const four w1 = sqrt_four(v28);
-    const four v29 = 1.0 / v28;
-    const four factor1 = w1 * v29;
+    const double v26 = gx * v19;
+    const four X1 = e1 * (ux * v22) - v26;
+    const four v27 = X1 * X1 + b22 * b22;
+    const four w1 = sqrt_four(v27);
+    const four v28 = 1.0 / v27;
 
     /* theta2 */
-    const double v30 = gz * v18;
-    const four c2 = e1 * (uz * v23) - v30;
+    const double v29 = gz * v19;
+    const four c2 = e1 * (uz * v22) - v29;
 
     /* theta3 */
-    const four s3 = -X1 * (v20 * (uy * v22 + e1 * v25)) - b22 * (v20 * (ux * v22 + e1 * v24));
-    const four c3 = -X1 * (ny * side) - b22 * (nx * side);
-    const four v31 = copysign_four(all_four(half_turn), s3);
-    const four v32 = m3 * (e2 - 1.0);
+    const four v30 = v28 * (b22 * (ux * v21 + e1 * v23) + X1 * (uy * v21 + e1 * v24));
+    const four v31 = w1 * v30, v32 = v28 * (b22 * (nx * side) + X1 * (ny * side)), v33 = w1 * v32;
+    const four v34 = copysign_four(all_four(half_turn), -v30), v35 = m3 * (e2 - 1.0);
 
     /* theta5 */
-    const four v33 = T13 * -X1 + T23 * b22;
-    const four v34 = v20 * c2;
-    const four v35 = v20 * (v33 * v34);
-    const four v36 = T33 * w1 + factor1 * v35;
-    const four v37 = T13 * b22 - T23 * -X1;
-    const four v38 = factor1 * (w1 * v33) - T33 * c2;
-    const four v39 = factor1 * (v20 * s3);
-    const four X5 = factor1 * (c3 * (v5 * v36) + v39 * (v5 * v37)) + e1 * (v7 * v38);
-    const four v40 = v20 * c3;
-    const four Y5 = w1 * (v29 * (s3 * v35 + v40 * -v37) + T33 * s3);
-    const four v41 = v20 * X5;
-    const four v42 = v20 * Y5;
-    const four v43 = v20 * (X5 * v41 + factor1 * (Y5 * (factor1 * v42)));
-    const four v44 = factor1 * Y5;
+    const four v36 = w1 * (v28 * (T23 * b22 - T13 * X1)), v37 = c2 * v36 + T33 * w1;
+    const four v38 = w1 * (v28 * (T13 * b22 + T23 * X1));
+    const double v39 = arm * (v16 * (gz * (T33 * v14)));
+    const four v40 = w1 * v36 - (uz * (arm * (v16 * (side * (v13 * (e1 * T33))))) - v39);
+    const four X5 = e1 * (v5 * v40) - (v33 * (v3 * v37) + v31 * (v3 * v38));
+    const four Y5 = v33 * v38 - v31 * v37;
+    const four v41 = X5 * X5 + Y5 * Y5;
+    const four w5 = sqrt_four(v41);
+    const four factor5 = w5 * (1.0 / v41);
+    const four v42 = X5 * factor5;
+    const four s5 = Y5 * factor5;
 
     /* theta7 */
-    const four v45 = b22 * T12 - -X1 * T22;
-    const four v46 = -X1 * T12 + b22 * T22;
-    const four v47 = v20 * (v34 * v46);
-    const four v48 = b22 * T11 - -X1 * T21;
-    const four v49 = -X1 * T11 + b22 * T21;
-    const four v50 = v20 * (v34 * v49);
-    const four v51 = v41 * (w1 * (v29 * (s3 * v50 + v40 * -v48) + s3 * T31)) - v42 * (factor1 * (c3
-        * (v5 * (w1 * T31 + factor1 * v50)) + v39 * (v5 * v48)) + e1 * (v7 * (factor1 * (w1 * v49) -
-        c2 * T31)));
+    const four v43 = w1 * (v28 * (b22 * T12 + X1 * T22)), v44 = w1 * (v28 * (b22 * T22 - X1 * T12));
+    const four v45 = c2 * v44 + w1 * T32;
+    const double v46 = arm * (v16 * (gz * (v14 * T32)));
+    const four v47 = w1 * (v28 * (b22 * T11 + X1 * T21)), v48 = w1 * (v28 * (b22 * T21 - X1 * T11));
+    const four v49 = c2 * v48 + w1 * T31;
+    const double v50 = arm * (v16 * (gz * (v14 * T31)));
+    const four v51 = v42 * (v33 * v47 - v31 * v49) - s5 * (e1 * (v5 * (w1 * v48 - (uz * (arm * (v16
+        * (side * (v13 * (e1 * T31))))) - v50))) - (v33 * (v3 * v49) + v31 * (v3 * v47)));
 
     /* joint values */
     const four v52 = copysign_four(all_four(half_turn), b22);
-    const four_mask doubt2 = (v28 <= m2) | (v43 <= m2);
+    const four_mask doubt2 = (v27 <= m2) | (v41 <= m2);
 
-    const four packed1 = atan2_four(__builtin_shufflevector(s3, v44, 0, 5, 2, 7),
-        __builtin_shufflevector(c3, -X5, 0, 5, 2, 7));
+    const four packed1 = atan2_four(__builtin_shufflevector(-v30, Y5, 0, 5, 2, 7),
+        __builtin_shufflevector(-v32, -X5, 0, 5, 2, 7));
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3);
     const four packed2 = atan2_four(__builtin_shufflevector(v51, b22, 0, 5, 2, 7),
-        __builtin_shufflevector(v41 * (w1 * (v29 * (s3 * v47 + v40 * -v45) + s3 * T32)) - v42 *
-        (factor1 * (c3 * (v5 * (w1 * T32 + factor1 * v47)) + v39 * (v5 * v45)) + e1 * (v7 * (factor1
-        * (w1 * v46) - c2 * T32))), -X1, 0, 5, 2, 7));
+        __builtin_shufflevector(v42 * (v33 * v43 - v31 * v45) - s5 * (e1 * (v5 * (w1 * v44 - (uz *
+        (arm * (v16 * (side * (v13 * (e1 * T32))))) - v46))) - (v33 * (v3 * v45) + v31 * (v3 *
+        v43))), -X1, 0, 5, 2, 7));
     const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle4 = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3);
-    const four packed3 = atan2_four(__builtin_shufflevector(w1, sqrt_four(v43), 0, 5, 2, 7),
-        __builtin_shufflevector(v34, v20 * (e1 * (factor1 * (c3 * (v7 * v36) + v39 * (v7 * v37))) -
-        v5 * v38), 0, 5, 2, 7));
+    const four packed3 = atan2_four(__builtin_shufflevector(w1, w5, 0, 5, 2, 7),
+        __builtin_shufflevector(c2, -(v3 * v40 + e1 * (v33 * (v5 * v37) + v31 * (v5 * v38))), 0, 5,
+        2, 7));
     const four angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 2, 2);
     const four angle7 = __builtin_shufflevector(packed3, packed3, 1, 1, 3, 3);
-    const four packed4 = atan2_four((four){ -v6, -v6, -v6, -v6 }, (four){ -v4, -v4, -v4, -v4 });
+    const four packed4 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 });
     const four angle6 = __builtin_shufflevector(packed4, packed4, 0, 0, 0, 0);
-    const four q3_p = angle1 + v31 * v32;
-    const four q5_m = angle2 - copysign_four(all_four(half_turn), v44) * h1;
+    const four q3_p = angle1 + v34 * v35;
+    const four q5_m = angle2 - copysign_four(all_four(half_turn), Y5) * h1;
     const four q7_m = angle3 - h1 * copysign_four(all_four(half_turn), v51);
-    const four v53 = angle4 + v32 * v52 - offset1;
+    const four v53 = angle4 + v35 * v52 - offset1;
     const four q1_p = v53 + only_four(v53 <= -half_turn, m4);
     const four v54 = e2 * angle5 - offset2;
     const four q2_p = v54 + only_four(v54 <= -half_turn, m4);
     const four v55 = e1 * angle6 - offset4;
     const four q4_p = v55 + only_four(v55 <= -half_turn, m4);
-    const four v56 = angle7 - offset6;
-    const four v57 = offset6 + angle7;
+    const four v56 = angle7 - offset6, v57 = offset6 + angle7;
     const four q6_p = v56 + only_four(v56 <= -half_turn, m4);
     const four q6_m = only_four(-v57 <= -half_turn, m4) - v57;
-    const four_mask v58 = (q4_p < low4) | (high4 < q4_p);
-    const four_mask v59 = (angle2 < low5) | (high5 < angle2);
-    const four_mask v60 = (q5_m < low5) | (high5 < q5_m);
-    const four_mask v61 = (q6_p < low6) | (high6 < q6_p);
-    const four_mask v62 = (q6_m < low6) | (high6 < q6_m);
-    const four_mask v63 = (angle3 < low7) | (high7 < angle3);
+    const four_mask v58 = (q4_p < low4) | (high4 < q4_p), v59 = (angle2 < low5) | (high5 < angle2);
+    const four_mask v60 = (q5_m < low5) | (high5 < q5_m), v61 = (q6_p < low6) | (high6 < q6_p);
+    const four_mask v62 = (q6_m < low6) | (high6 < q6_m), v63 = (angle3 < low7) | (high7 < angle3);
     const four_mask v64 = (q7_m < low7) | (high7 < q7_m);
     const four_mask v65 = v58 | (((q3_p < low3) | (high3 < q3_p)) | (((q1_p < low1) | (high1 <
         q1_p)) | ((q2_p < low2) | (high2 < q2_p))));
-    const four_mask outside_p = v63 | (v61 | (v59 | v65));
-    const four_mask outside_m = v64 | (v62 | (v60 | v65));
+    const four_mask outside_p = v63 | (v61 | (v59 | v65)), outside_m = v64 | (v62 | (v60 | v65));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -1146,122 +1032,120 @@ static void solve(
     const double wx = T14 - T13 * d7;
     const double wy = T24 - d7 * T23;
     const double wz = T34 - d7 * T33;
-    const double v1 = wx * wx;
-    const double v2 = wy * wy;
-    const double Z4 = v1 + (v2 + (wz * (wz - k2) + k3));
-    const double D4 = k4 - Z4 * Z4;
-    const double v3 = 2.0 * fabs(Z4);
-    const int apart4 = merge_slack2 * (v3 + merge_slack2) < D4;
-    if (!(-(reach_slack2 * (v3 + reach_slack2)) <= D4)) return; /* out of reach */
+    const double v1 = wz - d1;
+    const double V4 = wx * wx + wy * wy + v1 * v1;
+    const double Z4 = V4 - k2;
+    const double D4 = (longest4 - V4) * (V4 - shortest4);
+    const int apart4 = shortest4_apart < V4 && V4 < longest4_apart;
+    if (!(shortest4_reach <= V4 && V4 <= longest4_reach)) return; /* out of reach */
     const double w4 = sqrt(apart4 ? D4 : 0.0);
-    const double v4 = k5 * (k1 * Z4);
+    const double v2 = k3 * (k1 * Z4);
 
     /* shoulder, its rotation, from the arm angle and theta4 */
-    const double v6 = wz - d1;
-    const double reach = sqrt(v1 + v2 + v6 * v6);
-    const double v7 = 1.0 / reach;
-    const double gx = wx * v7;
-    const double gy = wy * v7;
-    const double gz = v6 * v7;
+    const double reach = sqrt(V4);
+    const double v4 = 1.0 / reach;
+    const double gx = wx * v4;
+    const double gy = wy * v4;
+    const double gz = v1 * v4;
     const double lean = sqrt(gy * gy + gx * gx);
     const int upright = lean <= free_limit;
-    const double v8 = 1.0 / (upright ? 1.0 : lean);
-    const double v9 = upright ? 0.0 : gy * v8;
-    const double v10 = upright ? 1.0 : -(gx * v8);
-    const double v11 = gz * v10;
-    const double v12 = gz * v9;
+    const double v5 = 1.0 / (upright ? 1.0 : lean);
+    const double v6 = upright ? 0.0 : gy * v5;
+    const double v7 = upright ? 1.0 : -(gx * v5);
+    const double v8 = gz * v7;
+    const double v9 = gz * v6;
     const double cos_psi = cos(free_joints[0]);
     const double sin_psi = sin(free_joints[0]);
-    const double uz = (gy * v9 - gx * v10) * cos_psi;
-    const double ux = v11 * cos_psi + v9 * sin_psi;
-    const double uy = v10 * sin_psi - v12 * cos_psi;
-    const double nx = v9 * cos_psi - v11 * sin_psi;
-    const double ny = v10 * cos_psi + v12 * sin_psi;
-    const double v14 = d3 + d5 * v4;
-    const double v15 = v14 * v14;
+    const double uz = (gy * v6 - gx * v7) * cos_psi;
+    const double ux = v8 * cos_psi + v6 * sin_psi;
+    const double uy = v7 * sin_psi - v9 * cos_psi;
+    const double nx = v6 * cos_psi - v8 * sin_psi;
+    const double ny = v7 * cos_psi + v9 * sin_psi;
+    const double v11 = d3 + d5 * v2;
+    const double v12 = v11 * v11;
 
     /* theta1, type 2: B1[3, 2] */
-    const double v23 = seed[0] + offset1;
+    const double v20 = seed[0] + offset1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
         if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
-        const double v5 = k5 * (k1 * (w4 * e1));
+        const double v3 = k3 * (k1 * (w4 * e1));
 
         /* shoulder */
-        const double v13 = d5 * v5;
-        const double arm = sqrt(v13 * v13 + v15);
-        const double v16 = 1.0 / arm;
-        const double v17 = v13 * v16;
-        const double v18 = v14 * v16;
-        const double side = -(d5 * (d3 * v5)) < -straight_limit ? -1.0 : 1.0;
-        const double v19 = v18 * side;
-        const double v20 = v17 * side;
-        const double v21 = gx * v17 + ux * v19;
+        const double v10 = d5 * v3;
+        const double arm = sqrt(v10 * v10 + v12);
+        const double v13 = 1.0 / arm;
+        const double v14 = v10 * v13;
+        const double v15 = v11 * v13;
+        const double side = -(d5 * (d3 * v3)) < -straight_limit ? -1.0 : 1.0;
+        const double v16 = v15 * side;
+        const double v17 = v14 * side;
+        const double v18 = gx * v14 + ux * v16;
         const double b13 = nx * side;
-        const double v22 = gy * v17 + uy * v19;
-        const double b22 = gy * v18 - uy * v20;
+        const double v19 = gy * v14 + uy * v16;
+        const double b22 = gy * v15 - uy * v17;
         const double b23 = ny * side;
 
         /* theta1 */
-        const double X1 = ux * v20 - gx * v18;
+        const double X1 = ux * v17 - gx * v15;
         const double w1 = sqrt(X1 * X1 + b22 * b22);
         const int free1 = w1 <= free_limit;
         const double divisor1 = free1 ? 1.0 : w1;
 
         /* theta2, type 3: B1[2, 2] and B1[1, 2] */
-        const double c2 = uz * v20 - gz * v18;
+        const double c2 = uz * v17 - gz * v15;
 
         /* theta5, type 2: U5[3, 3] */
-        const double v27 = T33 * c2;
+        const double v24 = T33 * c2;
 
         /* theta7, type 3: U5[3, 2] and U5[3, 1] */
-        const double v33 = T32 * c2;
-        const double v39 = T31 * c2;
+        const double v30 = T32 * c2;
+        const double v36 = T31 * c2;
 
         /* joint values */
-        const double q4 = wrap(atan2(-v5, -v4) - offset4);
+        const double q4 = wrap(atan2(-v3, -v2) - offset4);
 
         for (int i2 = 0; i2 < 2; i2++) { /* left, right */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta1 */
             if (e2 < 0.0 && free1) continue; /* both signs give the same */
             const double factor1 = e2 / divisor1;
-            const double c1 = free1 ? cos(v23) : -(X1 * factor1);
-            const double s1 = free1 ? sin(v23) : b22 * factor1;
+            const double c1 = free1 ? cos(v20) : -(X1 * factor1);
+            const double s1 = free1 ? sin(v20) : b22 * factor1;
             const double s2 = w1 * e2;
 
             /* theta3, type 3: B1[3, 1] and B1[3, 3] */
-            const double s3 = v22 * c1 - v21 * s1;
+            const double s3 = v19 * c1 - v18 * s1;
             const double c3 = b23 * c1 - b13 * s1;
             const double q3 = atan2(s3, c3);
 
             /* theta5 */
-            const double v24 = T13 * c1 + T23 * s1;
-            const double v25 = c2 * v24 + T33 * s2;
-            const double v26 = T13 * s1 - T23 * c1;
-            const double v28 = s2 * v24 - v27;
-            const double X5 = c3 * (v4 * v25) + s3 * (v4 * v26) + v5 * v28;
-            const double Y5 = c3 * -v26 + s3 * v25;
+            const double v21 = T13 * c1 + T23 * s1;
+            const double v22 = c2 * v21 + T33 * s2;
+            const double v23 = T13 * s1 - T23 * c1;
+            const double v25 = s2 * v21 - v24;
+            const double X5 = c3 * (v2 * v22) + s3 * (v2 * v23) + v3 * v25;
+            const double Y5 = c3 * -v23 + s3 * v22;
             const double w5 = sqrt(X5 * X5 + Y5 * Y5);
             const int free5 = w5 <= free_limit;
             const double divisor5 = free5 ? 1.0 : w5;
 
             /* theta6, type 3: U5[2, 3] and U5[1, 3] */
-            const double c6 = c3 * (v5 * v25) + s3 * (v5 * v26) - v4 * v28;
+            const double c6 = c3 * (v3 * v22) + s3 * (v3 * v23) - v2 * v25;
 
             /* theta7 */
-            const double v29 = T12 * s1 - T22 * c1;
-            const double v30 = T12 * c1 + T22 * s1;
-            const double v31 = c2 * v30 + T32 * s2;
-            const double v32 = c3 * -v29 + s3 * v31;
-            const double v34 = c3 * (v4 * v31) + s3 * (v4 * v29) + v5 * (s2 * v30 - v33);
-            const double v35 = T11 * s1 - T21 * c1;
-            const double v36 = T11 * c1 + T21 * s1;
-            const double v37 = c2 * v36 + T31 * s2;
-            const double v38 = c3 * -v35 + s3 * v37;
-            const double v40 = c3 * (v4 * v37) + s3 * (v4 * v35) + v5 * (s2 * v36 - v39);
+            const double v26 = T12 * s1 - T22 * c1;
+            const double v27 = T12 * c1 + T22 * s1;
+            const double v28 = c2 * v27 + T32 * s2;
+            const double v29 = c3 * -v26 + s3 * v28;
+            const double v31 = c3 * (v2 * v28) + s3 * (v2 * v26) + v3 * (s2 * v27 - v30);
+            const double v32 = T11 * s1 - T21 * c1;
+            const double v33 = T11 * c1 + T21 * s1;
+            const double v34 = c2 * v33 + T31 * s2;
+            const double v35 = c3 * -v32 + s3 * v34;
+            const double v37 = c3 * (v2 * v34) + s3 * (v2 * v32) + v3 * (s2 * v33 - v36);
 
             /* joint values */
             const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -1278,7 +1162,7 @@ static void solve(
                 const double s6 = w5 * e3;
 
                 /* theta7 */
-                const double q7 = atan2(-(c5 * v38 + s5 * v40), -(c5 * v32 + s5 * v34));
+                const double q7 = atan2(-(c5 * v35 + s5 * v37), -(c5 * v29 + s5 * v31));
 
                 /* joint values */
                 const double q6 = wrap(atan2(s6, c6) - offset6);

@@ -17,7 +17,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -48,7 +48,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -89,8 +90,12 @@ d1 = 0.36  # joint offset 1 [m]
 d3 = 0.42  # joint offset 3 [m]
 d5 = 0.4  # joint offset 5 [m]
 d7 = 0.126  # joint offset 7 [m]
-reach_slack2 = 1.7056360000000002e-13  # rounding at the boundary of the workspace [m^2]
-merge_slack2 = 1.705636e-14  # nearer to that boundary two branches are one [m^2]
+longest4 = 0.6724000000000001  # square of the longest reach [m^2]
+shortest4 = 0.0003999999999999985  # square of the shortest reach [m^2]
+longest4_reach = 0.6724000000002143  # the longest, with what rounding adds [m^2]
+shortest4_reach = 0.0003999999999947745  # the shortest, with what rounding adds [m^2]
+longest4_apart = 0.6723999999999786  # the longest, where branches merge [m^2]
+shortest4_apart = 0.00040000000000052087  # the shortest, where branches merge [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 straight_limit = 5.353007080137295e-08  # a stretched arm: its elbow is on either side [m^2]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
@@ -98,10 +103,8 @@ offset2 = 3.141592653589793  # offset of joint 2 [rad]
 offset4 = 3.141592653589793  # offset of joint 4 [rad]
 offset6 = 3.141592653589793  # offset of joint 6 [rad]
 k1 = 0.336  # 2 * d5 * d3 [m^2]
-k2 = 0.72  # 2 * d1 [m]
-k3 = -0.2068  # d1^2 - (d3^2 + d5^2) [m^2]
-k4 = 0.11289600000000001  # (2 * d5 * d3)^2 [m^4]
-k5 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
+k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
+k3 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.9670597293903604  # lowest value of joint 1
 high1 = 2.9670597293903604  # highest value of joint 1
@@ -434,84 +437,82 @@ def _solve(pose, q_free, seed, q, status):
     wx = T14 - T13 * d7
     wy = T24 - d7 * T23
     wz = T34 - d7 * T33
-    v1 = wx * wx
-    v2 = wy * wy
-    Z4 = v1 + (v2 + (wz * (wz - k2) + k3))
-    D4 = k4 - Z4 * Z4
-    v3 = 2.0 * abs(Z4)
-    apart4 = merge_slack2 * (v3 + merge_slack2) < D4
-    if not (-(reach_slack2 * (v3 + reach_slack2)) <= D4):
+    v1 = wz - d1
+    V4 = wx * wx + wy * wy + v1 * v1
+    Z4 = V4 - k2
+    D4 = (longest4 - V4) * (V4 - shortest4)
+    apart4 = shortest4_apart < V4 and V4 < longest4_apart
+    if not (shortest4_reach <= V4 and V4 <= longest4_reach):
         return  # out of reach
     w4 = math.sqrt(D4 if apart4 else 0.0)
-    v4 = k5 * (k1 * Z4)
+    v2 = k3 * (k1 * Z4)
 
     # shoulder, its rotation, from the arm angle and theta4
-    v6 = wz - d1
-    reach = math.sqrt(v1 + v2 + v6 * v6)
-    v7 = 1.0 / reach
-    gx = wx * v7
-    gy = wy * v7
-    gz = v6 * v7
+    reach = math.sqrt(V4)
+    v4 = 1.0 / reach
+    gx = wx * v4
+    gy = wy * v4
+    gz = v1 * v4
     lean = math.sqrt(gy * gy + gx * gx)
     upright = lean <= free_limit
-    v8 = 1.0 / (1.0 if upright else lean)
-    v9 = 0.0 if upright else gy * v8
-    v10 = 1.0 if upright else -(gx * v8)
-    v11 = gz * v10
-    v12 = gz * v9
+    v5 = 1.0 / (1.0 if upright else lean)
+    v6 = 0.0 if upright else gy * v5
+    v7 = 1.0 if upright else -(gx * v5)
+    v8 = gz * v7
+    v9 = gz * v6
     cos_psi = math.cos(q_free[0])
     sin_psi = math.sin(q_free[0])
-    uz = (gy * v9 - gx * v10) * cos_psi
-    ux = v11 * cos_psi + v9 * sin_psi
-    uy = v10 * sin_psi - v12 * cos_psi
-    nx = v9 * cos_psi - v11 * sin_psi
-    ny = v10 * cos_psi + v12 * sin_psi
-    v14 = d3 + d5 * v4
-    v15 = v14 * v14
+    uz = (gy * v6 - gx * v7) * cos_psi
+    ux = v8 * cos_psi + v6 * sin_psi
+    uy = v7 * sin_psi - v9 * cos_psi
+    nx = v6 * cos_psi - v8 * sin_psi
+    ny = v7 * cos_psi + v9 * sin_psi
+    v11 = d3 + d5 * v2
+    v12 = v11 * v11
 
     # theta1, type 2: B1[3, 2]
-    v23 = seed[0] + offset1
+    v20 = seed[0] + offset1
 
     for i1 in range(2):  # noflip4, flip4
         e1 = 1.0 - 2.0 * i1
         # theta4
         if e1 < 0.0 and not apart4:
             continue  # both signs give the same
-        v5 = k5 * (k1 * (w4 * e1))
+        v3 = k3 * (k1 * (w4 * e1))
 
         # shoulder
-        v13 = d5 * v5
-        arm = math.sqrt(v13 * v13 + v15)
-        v16 = 1.0 / arm
-        v17 = v13 * v16
-        v18 = v14 * v16
-        side = -1.0 if -(d5 * (d3 * v5)) < -straight_limit else 1.0
-        v19 = v18 * side
-        v20 = v17 * side
-        v21 = gx * v17 + ux * v19
+        v10 = d5 * v3
+        arm = math.sqrt(v10 * v10 + v12)
+        v13 = 1.0 / arm
+        v14 = v10 * v13
+        v15 = v11 * v13
+        side = -1.0 if -(d5 * (d3 * v3)) < -straight_limit else 1.0
+        v16 = v15 * side
+        v17 = v14 * side
+        v18 = gx * v14 + ux * v16
         b13 = nx * side
-        v22 = gy * v17 + uy * v19
-        b22 = gy * v18 - uy * v20
+        v19 = gy * v14 + uy * v16
+        b22 = gy * v15 - uy * v17
         b23 = ny * side
 
         # theta1
-        X1 = ux * v20 - gx * v18
+        X1 = ux * v17 - gx * v15
         w1 = math.sqrt(X1 * X1 + b22 * b22)
         free1 = w1 <= free_limit
         divisor1 = 1.0 if free1 else w1
 
         # theta2, type 3: B1[2, 2] and B1[1, 2]
-        c2 = uz * v20 - gz * v18
+        c2 = uz * v17 - gz * v15
 
         # theta5, type 2: U5[3, 3]
-        v27 = T33 * c2
+        v24 = T33 * c2
 
         # theta7, type 3: U5[3, 2] and U5[3, 1]
-        v33 = T32 * c2
-        v39 = T31 * c2
+        v30 = T32 * c2
+        v36 = T31 * c2
 
         # joint values
-        q4 = _wrap(_atan2(-v5, -v4) - offset4)
+        q4 = _wrap(_atan2(-v3, -v2) - offset4)
 
         for i2 in range(2):  # left, right
             e2 = 1.0 - 2.0 * i2
@@ -519,40 +520,40 @@ def _solve(pose, q_free, seed, q, status):
             if e2 < 0.0 and free1:
                 continue  # both signs give the same
             factor1 = e2 / divisor1
-            c1 = math.cos(v23) if free1 else -(X1 * factor1)
-            s1 = math.sin(v23) if free1 else b22 * factor1
+            c1 = math.cos(v20) if free1 else -(X1 * factor1)
+            s1 = math.sin(v20) if free1 else b22 * factor1
             s2 = w1 * e2
 
             # theta3, type 3: B1[3, 1] and B1[3, 3]
-            s3 = v22 * c1 - v21 * s1
+            s3 = v19 * c1 - v18 * s1
             c3 = b23 * c1 - b13 * s1
             q3 = _atan2(s3, c3)
 
             # theta5
-            v24 = T13 * c1 + T23 * s1
-            v25 = c2 * v24 + T33 * s2
-            v26 = T13 * s1 - T23 * c1
-            v28 = s2 * v24 - v27
-            X5 = c3 * (v4 * v25) + s3 * (v4 * v26) + v5 * v28
-            Y5 = c3 * -v26 + s3 * v25
+            v21 = T13 * c1 + T23 * s1
+            v22 = c2 * v21 + T33 * s2
+            v23 = T13 * s1 - T23 * c1
+            v25 = s2 * v21 - v24
+            X5 = c3 * (v2 * v22) + s3 * (v2 * v23) + v3 * v25
+            Y5 = c3 * -v23 + s3 * v22
             w5 = math.sqrt(X5 * X5 + Y5 * Y5)
             free5 = w5 <= free_limit
             divisor5 = 1.0 if free5 else w5
 
             # theta6, type 3: U5[2, 3] and U5[1, 3]
-            c6 = c3 * (v5 * v25) + s3 * (v5 * v26) - v4 * v28
+            c6 = c3 * (v3 * v22) + s3 * (v3 * v23) - v2 * v25
 
             # theta7
-            v29 = T12 * s1 - T22 * c1
-            v30 = T12 * c1 + T22 * s1
-            v31 = c2 * v30 + T32 * s2
-            v32 = c3 * -v29 + s3 * v31
-            v34 = c3 * (v4 * v31) + s3 * (v4 * v29) + v5 * (s2 * v30 - v33)
-            v35 = T11 * s1 - T21 * c1
-            v36 = T11 * c1 + T21 * s1
-            v37 = c2 * v36 + T31 * s2
-            v38 = c3 * -v35 + s3 * v37
-            v40 = c3 * (v4 * v37) + s3 * (v4 * v35) + v5 * (s2 * v36 - v39)
+            v26 = T12 * s1 - T22 * c1
+            v27 = T12 * c1 + T22 * s1
+            v28 = c2 * v27 + T32 * s2
+            v29 = c3 * -v26 + s3 * v28
+            v31 = c3 * (v2 * v28) + s3 * (v2 * v26) + v3 * (s2 * v27 - v30)
+            v32 = T11 * s1 - T21 * c1
+            v33 = T11 * c1 + T21 * s1
+            v34 = c2 * v33 + T31 * s2
+            v35 = c3 * -v32 + s3 * v34
+            v37 = c3 * (v2 * v34) + s3 * (v2 * v32) + v3 * (s2 * v33 - v36)
 
             # joint values
             q1 = _wrap(_atan2(s1, c1) - offset1)
@@ -570,7 +571,7 @@ def _solve(pose, q_free, seed, q, status):
                 s6 = w5 * e3
 
                 # theta7
-                q7 = _atan2(-(c5 * v38 + s5 * v40), -(c5 * v32 + s5 * v34))
+                q7 = _atan2(-(c5 * v35 + s5 * v37), -(c5 * v29 + s5 * v31))
 
                 # joint values
                 q6 = _wrap(_atan2(s6, c6) - offset6)
@@ -676,185 +677,185 @@ def _regular(pose, q_free, q, status):
     # theta4, type 2: the squared length of column 4 of U1 A7^-1
     wx = T14 - d7 * T13
     wy = T24 - d7 * T23
-    wz = T34 - d7 * T33
-    v1 = wx * wx
-    v2 = wy * wy
-    Z4 = v1 + (v2 + (k3 + wz * (wz - k2)))
-    D4 = k4 - Z4 * Z4
-    v3 = 2.0 * abs(Z4)
-    v4 = k1 * Z4
-    v5 = k5 * v4
-    v6 = k1 * math.sqrt(D4)
-    v7 = k5 * v6
+    v1 = T34 - d7 * T33 - d1
+    V4 = wx * wx + wy * wy + v1 * v1
+    v2 = k1 * (V4 - k2)
+    v3 = k3 * v2
+    v4 = k1 * math.sqrt((longest4 - V4) * (V4 - shortest4))
+    v5 = k3 * v4
 
     # shoulder, its rotation, from the arm angle and theta4
-    v8 = wz - d1
-    v9 = v1 + v2 + v8 * v8
-    v10 = math.sqrt(v9) * (1.0 / v9)
-    gx = wx * v10
-    gy = wy * v10
-    gz = v8 * v10
-    v11 = gy * gy + gx * gx
-    upright = v11 <= m1
-    v12 = 1.0 / (1.0 if upright else math.sqrt(v11))
-    v13 = 0.0 if upright else gy * v12
-    v14 = 1.0 if upright else -(gx * v12)
-    v15 = gz * v14
-    v16 = gz * v13
-    v17 = d5 * v7
-    v18 = d3 + d5 * v5
-    v19 = v18 * v18 + v17 * v17
-    v20 = math.sqrt(v19) * (1.0 / v19)
-    v21 = d5 * (d3 * v7)
-    side_p = -1.0 if -v21 < -straight_limit else 1.0
-    side_m = -1.0 if v21 < -straight_limit else 1.0
-    v22 = v18 * side_p
-    v23 = v18 * side_m
-    v24 = v17 * side_p
-    v25 = v17 * side_m
-    v26 = gx * v17
-    v27 = gy * v17
-    v28 = gy * v18
+    v6 = math.sqrt(V4) * (1.0 / V4)
+    gx = wx * v6
+    gy = wy * v6
+    gz = v1 * v6
+    v7 = gy * gy + gx * gx
+    upright = v7 <= m1
+    v8 = 1.0 / (1.0 if upright else math.sqrt(v7))
+    v9 = 0.0 if upright else gy * v8
+    v10 = 1.0 if upright else -(gx * v8)
+    v11 = gz * v10
+    v12 = gz * v9
+    v13 = d5 * v5
+    v14 = d3 + d5 * v3
+    v15 = v14 * v14 + v13 * v13
+    arm = math.sqrt(v15)
+    v16 = 1.0 / v15
+    v17 = arm * v16
+    v18 = v13 * v17
+    v19 = v14 * v17
+    v20 = d5 * (d3 * v5)
+    side_p = -1.0 if -v20 < -straight_limit else 1.0
+    side_m = -1.0 if v20 < -straight_limit else 1.0
+    v21 = v19 * side_p
+    v22 = v19 * side_m
+    v23 = v18 * side_p
+    v24 = v18 * side_m
+    v25 = gx * v18
+    v26 = gy * v18
+    v27 = gy * v19
 
     # theta1, type 2: B1[3, 2]
-    v29 = gx * v18
+    v28 = gx * v19
 
     # theta2, type 3: B1[2, 2] and B1[1, 2]
-    v35 = gz * v18
-    sin_psi = math.sin(q_free[0])
-    cos_psi = math.cos(q_free[0])
-    angle11 = _atan2(-v6, -v4)
-
-    # shoulder, its rotation, from the arm angle and theta4
-    uz = cos_psi * (gy * v13 - gx * v14)
-    ux = v15 * cos_psi + v13 * sin_psi
-    uy = v14 * sin_psi - v16 * cos_psi
-    nx = v13 * cos_psi - v15 * sin_psi
-    ny = v14 * cos_psi + v16 * sin_psi
-    b22_p = v28 - uy * v24
-    b22_m = v28 + uy * v25
-
-    # theta1, type 2: B1[3, 2]
-    X1_p = ux * v24 - v29
-    v30 = v29 + ux * v25
-    v31 = v20 * (X1_p * (v20 * X1_p) + b22_p * (v20 * b22_p))
-    v32 = v20 * (v30 * (v20 * v30) + b22_m * (v20 * b22_m))
-    w1_p = math.sqrt(v31)
-    w1_m = math.sqrt(v32)
-    v33 = 1.0 / v31
-    v34 = 1.0 / v32
-    factor1_p = w1_p * v33
-    factor1_m = w1_m * v34
-
-    # theta2, type 3: B1[2, 2] and B1[1, 2]
-    c2_p = uz * v24 - v35
-    v36 = v35 + uz * v25
-
-    # theta3, type 3: B1[3, 1] and B1[3, 3]
-    s3_p = -X1_p * (v20 * (v27 + uy * v22)) - b22_p * (v20 * (v26 + ux * v22))
-    s3_m = v30 * (v20 * (uy * v23 - v27)) - b22_m * (v20 * (ux * v23 - v26))
-    c3_p = -X1_p * (ny * side_p) - b22_p * (nx * side_p)
-    c3_m = v30 * (ny * side_m) - b22_m * (nx * side_m)
+    v34 = gz * v19
 
     # theta5, type 2: U5[3, 3]
-    v37 = T13 * -X1_p + T23 * b22_p
-    v38 = T13 * v30 + T23 * b22_m
-    v39 = v20 * c2_p
-    v40 = v20 * v36
-    v41 = v20 * (v37 * v39)
-    v42 = v20 * (v38 * v40)
-    v43 = T33 * w1_p + factor1_p * v41
-    v44 = T33 * w1_m - factor1_m * v42
-    v45 = T13 * b22_p - T23 * -X1_p
-    v46 = T13 * b22_m - T23 * v30
-    v47 = factor1_p * (w1_p * v37) - T33 * c2_p
-    v48 = factor1_m * (w1_m * v38) + T33 * v36
-    v49 = factor1_p * (v20 * s3_p)
-    v50 = factor1_m * (v20 * s3_m)
-    X5_p = factor1_p * (c3_p * (v5 * v43) + v49 * (v5 * v45)) + v7 * v47
-    X5_m = factor1_m * (c3_m * (v5 * v44) + v50 * (v5 * v46)) - v7 * v48
-    v51 = v20 * c3_p
-    v52 = v20 * c3_m
-    Y5_p = w1_p * (v33 * (s3_p * v41 + v51 * -v45) + T33 * s3_p)
-    Y5_m = w1_m * (v34 * (v52 * -v46 - s3_m * v42) + T33 * s3_m)
-    v53 = v20 * X5_p
-    v54 = v20 * X5_m
-    v55 = v20 * Y5_p
-    v56 = v20 * Y5_m
-    v57 = v20 * (X5_p * v53 + factor1_p * (Y5_p * (factor1_p * v55)))
-    v58 = v20 * (X5_m * v54 + factor1_m * (Y5_m * (factor1_m * v56)))
-    v59 = factor1_p * Y5_p
-    v60 = factor1_m * Y5_m
+    v50 = arm * (v16 * (gz * (T33 * v14)))
+    v51 = T33 * v13
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v61 = b22_p * T12 - -X1_p * T22
-    v62 = b22_m * T12 - v30 * T22
-    v63 = -X1_p * T12 + b22_p * T22
-    v64 = v30 * T12 + b22_m * T22
-    v65 = v20 * (v39 * v63)
-    v66 = v20 * (v40 * v64)
-    v67 = b22_p * T11 - -X1_p * T21
-    v68 = b22_m * T11 - v30 * T21
-    v69 = -X1_p * T11 + b22_p * T21
-    v70 = v30 * T11 + b22_m * T21
-    v71 = v20 * (v39 * v69)
-    v72 = v20 * (v40 * v70)
-    v73 = (
-        v53 * (w1_p * (v33 * (s3_p * v71 + v51 * -v67) + s3_p * T31)) - v55 * (factor1_p * (c3_p *
-        (v5 * (w1_p * T31 + factor1_p * v71)) + v49 * (v5 * v67)) + v7 * (factor1_p * (w1_p * v69) -
-        c2_p * T31))
-    )
+    v65 = arm * (v16 * (gz * (v14 * T32)))
+    v72 = arm * (v16 * (gz * (v14 * T31)))
+    v73 = v13 * T31
+    v76 = v13 * T32
+    sin_psi = math.sin(q_free[0])
+    cos_psi = math.cos(q_free[0])
+    angle11 = _atan2(-v4, -v2)
+
+    # shoulder, its rotation, from the arm angle and theta4
+    uz = cos_psi * (gy * v9 - gx * v10)
+    ux = v11 * cos_psi + v9 * sin_psi
+    uy = v10 * sin_psi - v12 * cos_psi
+    nx = v9 * cos_psi - v11 * sin_psi
+    ny = v10 * cos_psi + v12 * sin_psi
+    b22_p = v27 - uy * v23
+    b22_m = v27 + uy * v24
+
+    # theta1, type 2: B1[3, 2]
+    X1_p = ux * v23 - v28
+    v29 = v28 + ux * v24
+    v30 = X1_p * X1_p + b22_p * b22_p
+    v31 = v29 * v29 + b22_m * b22_m
+    w1_p = math.sqrt(v30)
+    w1_m = math.sqrt(v31)
+    v32 = 1.0 / v30
+    v33 = 1.0 / v31
+
+    # theta2, type 3: B1[2, 2] and B1[1, 2]
+    c2_p = uz * v23 - v34
+    v35 = v34 + uz * v24
+
+    # theta3, type 3: B1[3, 1] and B1[3, 3]
+    v36 = v32 * (b22_p * (v25 + ux * v21) + X1_p * (v26 + uy * v21))
+    v37 = v33 * (b22_m * (ux * v22 - v25) - v29 * (uy * v22 - v26))
+    v38 = w1_p * v36
+    v39 = w1_m * v37
+    v40 = v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p))
+    v41 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m))
+    v42 = w1_p * v40
+    v43 = w1_m * v41
+
+    # theta5, type 2: U5[3, 3]
+    v44 = w1_p * (v32 * (T23 * b22_p - T13 * X1_p))
+    v45 = w1_m * (v33 * (T23 * b22_m + T13 * v29))
+    v46 = c2_p * v44 + T33 * w1_p
+    v47 = T33 * w1_m - v35 * v45
+    v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p))
+    v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29))
+    v52 = w1_p * v44 - (uz * (arm * (v16 * (side_p * v51))) - v50)
+    v53 = w1_m * v45 + (v50 + uz * (arm * (v16 * (side_m * v51))))
+    X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48))
+    v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49))
+    Y5_p = v42 * v48 - v38 * v46
+    Y5_m = v43 * v49 - v39 * v47
+    v55 = X5_p * X5_p + Y5_p * Y5_p
+    v56 = v54 * v54 + Y5_m * Y5_m
+    w5_p = math.sqrt(v55)
+    w5_m = math.sqrt(v56)
+    factor5_p = w5_p * (1.0 / v55)
+    factor5_m = w5_m * (1.0 / v56)
+    v57 = X5_p * factor5_p
+    v58 = v54 * factor5_m
+    s5_p = Y5_p * factor5_p
+    s5_m = Y5_m * factor5_m
+
+    # theta7, type 3: U5[3, 2] and U5[3, 1]
+    v59 = w1_p * (v32 * (b22_p * T12 + X1_p * T22))
+    v60 = w1_m * (v33 * (b22_m * T12 - v29 * T22))
+    v61 = w1_p * (v32 * (b22_p * T22 - X1_p * T12))
+    v62 = w1_m * (v33 * (b22_m * T22 + v29 * T12))
+    v63 = c2_p * v61 + w1_p * T32
+    v64 = w1_m * T32 - v35 * v62
+    v66 = w1_p * (v32 * (b22_p * T11 + X1_p * T21))
+    v67 = w1_m * (v33 * (b22_m * T11 - v29 * T21))
+    v68 = w1_p * (v32 * (b22_p * T21 - X1_p * T11))
+    v69 = w1_m * (v33 * (b22_m * T21 + v29 * T11))
+    v70 = c2_p * v68 + w1_p * T31
+    v71 = w1_m * T31 - v35 * v69
     v74 = (
-        v54 * (w1_m * (v34 * (v52 * -v68 - s3_m * v72) + s3_m * T31)) - v56 * (factor1_m * (c3_m *
-        (v5 * (w1_m * T31 - factor1_m * v72)) + v50 * (v5 * v68)) - v7 * (factor1_m * (w1_m * v70) +
-        v36 * T31))
+        v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm * (v16 * (side_p *
+        v73))) - v72)) - (v42 * (v3 * v70) + v38 * (v3 * v66)))
+    )
+    v75 = (
+        s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm * (v16 * (side_m * v73))))) + (v43 * (v3 * v71)
+        + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71)
     )
 
     # joint values
-    v83 = angle11 - offset4
-    v84 = offset4 + angle11
-    q4_ppp = v83 + (m4 if v83 <= -half_turn else 0.0)
-    q4_mpp = (m4 if -v84 <= -half_turn else 0.0) - v84
-    v89 = q4_ppp < low4 or high4 < q4_ppp
-    v90 = q4_mpp < low4 or high4 < q4_mpp
+    v85 = angle11 - offset4
+    v86 = offset4 + angle11
+    q4_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
+    q4_mpp = (m4 if -v86 <= -half_turn else 0.0) - v86
+    v91 = q4_ppp < low4 or high4 < q4_ppp
+    v92 = q4_mpp < low4 or high4 < q4_mpp
     doubt1 = (
-        v58 <= m2 or (v32 <= m2 or (v57 <= m2 or (-(reach_slack2 * (reach_slack2 + v3)) <= D4 and
-        not (merge_slack2 * (merge_slack2 + v3) < D4) or v31 <= m2)))
+        v56 <= m2 or (v31 <= m2 or (v55 <= m2 or ((shortest4_reach <= V4 and V4 <= longest4_reach
+        and not (shortest4_apart < V4 and V4 < longest4_apart)) or v30 <= m2)))
     )
 
     # angles, side by side
-    room[0] = s3_p
-    room[1] = s3_m
-    room[2] = v59
-    room[3] = v60
-    room[4] = v73
-    room[5] = v74
+    room[0] = -v36
+    room[1] = -v37
+    room[2] = Y5_p
+    room[3] = Y5_m
+    room[4] = v74
+    room[5] = v75
     room[6] = b22_p
     room[7] = b22_m
     room[8] = w1_p
     room[9] = w1_m
-    room[10] = math.sqrt(v57)
-    room[11] = math.sqrt(v58)
-    room[16] = c3_p
-    room[17] = c3_m
+    room[10] = w5_p
+    room[11] = w5_m
+    room[16] = -v40
+    room[17] = -v41
     room[18] = -X5_p
-    room[19] = -X5_m
+    room[19] = v54
     room[20] = (
-        v53 * (w1_p * (v33 * (s3_p * v65 + v51 * -v61) + s3_p * T32)) - v55 * (factor1_p * (c3_p *
-        (v5 * (w1_p * T32 + factor1_p * v65)) + v49 * (v5 * v61)) + v7 * (factor1_p * (w1_p * v63) -
-        c2_p * T32))
+        v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm * (v16 * (side_p *
+        v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))
     )
     room[21] = (
-        v54 * (w1_m * (v34 * (v52 * -v62 - s3_m * v66) + s3_m * T32)) - v56 * (factor1_m * (c3_m *
-        (v5 * (w1_m * T32 - factor1_m * v66)) + v50 * (v5 * v62)) - v7 * (factor1_m * (w1_m * v64) +
-        v36 * T32))
+        s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm * (v16 * (side_m * v76))))) + (v43 * (v3 * v64)
+        + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)
     )
     room[22] = -X1_p
-    room[23] = v30
-    room[24] = v39
-    room[25] = -v40
-    room[26] = v20 * (factor1_p * (c3_p * (v7 * v43) + v49 * (v7 * v45)) - v5 * v47)
-    room[27] = -(v20 * (factor1_m * (c3_m * (v7 * v44) + v50 * (v7 * v46)) + v5 * v48))
+    room[23] = v29
+    room[24] = c2_p
+    room[25] = -v35
+    room[26] = -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))
+    room[27] = v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53
     for k in range(12, 16):
         room[k] = room[k + 16] = 1.0
     for k in range(16):
@@ -873,78 +874,78 @@ def _regular(pose, q_free, q, status):
     angle13 = room[11]
 
     # theta3, type 3: B1[3, 1] and B1[3, 3]
-    q3_pmp = angle1 - math.copysign(half_turn, s3_p) * h1
-    q3_mmp = angle2 - math.copysign(half_turn, s3_m) * h1
+    q3_pmp = angle1 - math.copysign(half_turn, -v36) * h1
+    q3_mmp = angle2 - math.copysign(half_turn, -v37) * h1
 
     # theta5, type 2: U5[3, 3]
-    q5_ppm = angle3 - h1 * math.copysign(half_turn, v59)
-    q5_mpm = angle4 - h1 * math.copysign(half_turn, v60)
+    q5_ppm = angle3 - h1 * math.copysign(half_turn, Y5_p)
+    q5_mpm = angle4 - h1 * math.copysign(half_turn, Y5_m)
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    q7_ppm = angle5 - h1 * math.copysign(half_turn, v73)
-    q7_mpm = angle6 - h1 * math.copysign(half_turn, v74)
+    q7_ppm = angle5 - h1 * math.copysign(half_turn, v74)
+    q7_mpm = angle6 - h1 * math.copysign(half_turn, v75)
 
     # joint values
-    v75 = angle7 - offset1
-    v76 = angle7 - h1 * math.copysign(half_turn, b22_p) - offset1
-    v77 = angle8 - offset1
-    v78 = angle8 - h1 * math.copysign(half_turn, b22_m) - offset1
-    q1_ppp = v75 + (m4 if v75 <= -half_turn else 0.0)
-    q1_pmp = v76 + (m4 if v76 <= -half_turn else 0.0)
-    q1_mpp = v77 + (m4 if v77 <= -half_turn else 0.0)
-    q1_mmp = v78 + (m4 if v78 <= -half_turn else 0.0)
-    v79 = angle9 - offset2
-    v80 = offset2 + angle9
-    v81 = angle10 - offset2
-    v82 = offset2 + angle10
-    q2_ppp = v79 + (m4 if v79 <= -half_turn else 0.0)
-    q2_pmp = (m4 if -v80 <= -half_turn else 0.0) - v80
-    q2_mpp = v81 + (m4 if v81 <= -half_turn else 0.0)
-    q2_mmp = (m4 if -v82 <= -half_turn else 0.0) - v82
-    v85 = angle12 - offset6
-    v86 = offset6 + angle12
-    v87 = angle13 - offset6
-    v88 = offset6 + angle13
-    q6_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
-    q6_ppm = (m4 if -v86 <= -half_turn else 0.0) - v86
-    q6_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
-    q6_mpm = (m4 if -v88 <= -half_turn else 0.0) - v88
-    v91 = angle3 < low5 or high5 < angle3
-    v92 = q5_ppm < low5 or high5 < q5_ppm
-    v93 = angle4 < low5 or high5 < angle4
-    v94 = q5_mpm < low5 or high5 < q5_mpm
-    v95 = q6_ppp < low6 or high6 < q6_ppp
-    v96 = q6_ppm < low6 or high6 < q6_ppm
-    v97 = q6_mpp < low6 or high6 < q6_mpp
-    v98 = q6_mpm < low6 or high6 < q6_mpm
-    v99 = angle5 < low7 or high7 < angle5
-    v100 = q7_ppm < low7 or high7 < q7_ppm
-    v101 = angle6 < low7 or high7 < angle6
-    v102 = q7_mpm < low7 or high7 < q7_mpm
-    v103 = (
-        v89 or (angle1 < low3 or high3 < angle1 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp <
+    v77 = angle7 - offset1
+    v78 = angle7 - h1 * math.copysign(half_turn, b22_p) - offset1
+    v79 = angle8 - offset1
+    v80 = angle8 - h1 * math.copysign(half_turn, b22_m) - offset1
+    q1_ppp = v77 + (m4 if v77 <= -half_turn else 0.0)
+    q1_pmp = v78 + (m4 if v78 <= -half_turn else 0.0)
+    q1_mpp = v79 + (m4 if v79 <= -half_turn else 0.0)
+    q1_mmp = v80 + (m4 if v80 <= -half_turn else 0.0)
+    v81 = angle9 - offset2
+    v82 = offset2 + angle9
+    v83 = angle10 - offset2
+    v84 = offset2 + angle10
+    q2_ppp = v81 + (m4 if v81 <= -half_turn else 0.0)
+    q2_pmp = (m4 if -v82 <= -half_turn else 0.0) - v82
+    q2_mpp = v83 + (m4 if v83 <= -half_turn else 0.0)
+    q2_mmp = (m4 if -v84 <= -half_turn else 0.0) - v84
+    v87 = angle12 - offset6
+    v88 = offset6 + angle12
+    v89 = angle13 - offset6
+    v90 = offset6 + angle13
+    q6_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
+    q6_ppm = (m4 if -v88 <= -half_turn else 0.0) - v88
+    q6_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
+    q6_mpm = (m4 if -v90 <= -half_turn else 0.0) - v90
+    v93 = angle3 < low5 or high5 < angle3
+    v94 = q5_ppm < low5 or high5 < q5_ppm
+    v95 = angle4 < low5 or high5 < angle4
+    v96 = q5_mpm < low5 or high5 < q5_mpm
+    v97 = q6_ppp < low6 or high6 < q6_ppp
+    v98 = q6_ppm < low6 or high6 < q6_ppm
+    v99 = q6_mpp < low6 or high6 < q6_mpp
+    v100 = q6_mpm < low6 or high6 < q6_mpm
+    v101 = angle5 < low7 or high7 < angle5
+    v102 = q7_ppm < low7 or high7 < q7_ppm
+    v103 = angle6 < low7 or high7 < angle6
+    v104 = q7_mpm < low7 or high7 < q7_mpm
+    v105 = (
+        v91 or (angle1 < low3 or high3 < angle1 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp <
         low2 or high2 < q2_ppp)))
     )
-    v104 = (
-        v89 or (q3_pmp < low3 or high3 < q3_pmp or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp <
+    v106 = (
+        v91 or (q3_pmp < low3 or high3 < q3_pmp or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp <
         low2 or high2 < q2_pmp)))
     )
-    v105 = (
-        v90 or (angle2 < low3 or high3 < angle2 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp <
+    v107 = (
+        v92 or (angle2 < low3 or high3 < angle2 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp <
         low2 or high2 < q2_mpp)))
     )
-    v106 = (
-        v90 or (q3_mmp < low3 or high3 < q3_mmp or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp <
+    v108 = (
+        v92 or (q3_mmp < low3 or high3 < q3_mmp or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp <
         low2 or high2 < q2_mmp)))
     )
-    outside_ppp = v99 or (v95 or (v91 or v103))
-    outside_ppm = v100 or (v96 or (v92 or v103))
-    outside_pmp = v99 or (v95 or (v91 or v104))
-    outside_pmm = v100 or (v96 or (v92 or v104))
-    outside_mpp = v101 or (v97 or (v93 or v105))
-    outside_mpm = v102 or (v98 or (v94 or v105))
-    outside_mmp = v101 or (v97 or (v93 or v106))
-    outside_mmm = v102 or (v98 or (v94 or v106))
+    outside_ppp = v101 or (v97 or (v93 or v105))
+    outside_ppm = v102 or (v98 or (v94 or v105))
+    outside_pmp = v101 or (v97 or (v93 or v106))
+    outside_pmm = v102 or (v98 or (v94 or v106))
+    outside_mpp = v103 or (v99 or (v95 or v107))
+    outside_mpm = v104 or (v100 or (v96 or v107))
+    outside_mmp = v103 or (v99 or (v95 or v108))
+    outside_mmm = v104 or (v100 or (v96 or v108))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1023,6 +1024,11 @@ def _into(T, q_free, seed, q, status):
         raise ValueError("T, q and status must be (4, 4), (8, 7) and (8,)")
     if q_free.shape != (1,):
         raise ValueError("q_free must be (1,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T, q_free)
     if not valid:
         status[:] = INVALID_POSE
@@ -1069,7 +1075,8 @@ def ik_into(T, q_free, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(7), 7)) if q_seed is None else q_seed
     if seed.shape != (7,):
@@ -1175,16 +1182,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2592, 2624, 2656, 2688, 2720, 2752, 2784],
-    [2592, 2624, 2656, 2688, 2816, 2848, 2880],
-    [2912, 2944, 2976, 2688, 2720, 2752, 2784],
-    [2912, 2944, 2976, 2688, 2816, 2848, 2880],
-    [3008, 3040, 3072, 3104, 3136, 3168, 3200],
-    [3008, 3040, 3072, 3104, 3232, 3264, 3296],
-    [3328, 3360, 3392, 3104, 3136, 3168, 3200],
-    [3328, 3360, 3392, 3104, 3232, 3264, 3296],
+    [2784, 2816, 2848, 2880, 2912, 2944, 2976],
+    [2784, 2816, 2848, 2880, 3008, 3040, 3072],
+    [3104, 3136, 3168, 2880, 2912, 2944, 2976],
+    [3104, 3136, 3168, 2880, 3008, 3040, 3072],
+    [3200, 3232, 3264, 3296, 3328, 3360, 3392],
+    [3200, 3232, 3264, 3296, 3424, 3456, 3488],
+    [3520, 3552, 3584, 3296, 3328, 3360, 3392],
+    [3520, 3552, 3584, 3296, 3424, 3456, 3488],
 ])
-_KINDS = np.array([3424, 3456, 3488, 3520, 3552, 3584, 3616, 3648])
+_KINDS = np.array([3616, 3648, 3680, 3712, 3744, 3776, 3808, 3840])
 _LEFT_OVER = 255
 
 
@@ -1195,7 +1202,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(3680)
+    work = np.empty(3872)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1225,81 +1232,93 @@ def _in_tiles(T, q_free, q, status):
             T14 = work[96 + k]
             T23 = work[192 + k]
             T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
             T33 = work[320 + k]
             T34 = work[352 + k]
             given1 = work[512 + k]
             wx = T14 - d7 * T13
             wy = T24 - d7 * T23
-            wz = T34 - d7 * T33
-            v1 = wx * wx
-            v2 = wy * wy
-            Z4 = v1 + (v2 + (k3 + wz * (wz - k2)))
-            D4 = k4 - Z4 * Z4
-            v3 = 2.0 * abs(Z4)
-            v4 = k1 * Z4
-            v5 = k5 * v4
-            v6 = k1 * math.sqrt(D4)
-            v7 = k5 * v6
-            v8 = wz - d1
-            v9 = v1 + v2 + v8 * v8
-            v10 = math.sqrt(v9) * (1.0 / v9)
-            gx = wx * v10
-            gy = wy * v10
-            gz = v8 * v10
-            v11 = gy * gy + gx * gx
-            upright = v11 <= m1
-            v12 = 1.0 / (1.0 if upright else math.sqrt(v11))
-            v13 = 0.0 if upright else gy * v12
-            v14 = 1.0 if upright else -(gx * v12)
-            v15 = gz * v14
-            v16 = gz * v13
-            v17 = d5 * v7
-            v18 = d3 + d5 * v5
-            v19 = v18 * v18 + v17 * v17
-            v20 = math.sqrt(v19) * (1.0 / v19)
-            v21 = d5 * (d3 * v7)
-            side_p = -1.0 if -v21 < -straight_limit else 1.0
-            side_m = -1.0 if v21 < -straight_limit else 1.0
-            v22 = v18 * side_p
-            v23 = v18 * side_m
-            v24 = v17 * side_p
-            v25 = v17 * side_m
-            v26 = gx * v17
-            v27 = gy * v17
-            v28 = gy * v18
-            v29 = gx * v18
-            v35 = gz * v18
-            work[576 + k] = D4
+            v1 = T34 - d7 * T33 - d1
+            V4 = wx * wx + wy * wy + v1 * v1
+            v2 = k1 * (V4 - k2)
+            v3 = k3 * v2
+            v4 = k1 * math.sqrt((longest4 - V4) * (V4 - shortest4))
+            v5 = k3 * v4
+            v6 = math.sqrt(V4) * (1.0 / V4)
+            gx = wx * v6
+            gy = wy * v6
+            gz = v1 * v6
+            v7 = gy * gy + gx * gx
+            upright = v7 <= m1
+            v8 = 1.0 / (1.0 if upright else math.sqrt(v7))
+            v9 = 0.0 if upright else gy * v8
+            v10 = 1.0 if upright else -(gx * v8)
+            v11 = gz * v10
+            v12 = gz * v9
+            v13 = d5 * v5
+            v14 = d3 + d5 * v3
+            v15 = v14 * v14 + v13 * v13
+            arm = math.sqrt(v15)
+            v16 = 1.0 / v15
+            v17 = arm * v16
+            v18 = v13 * v17
+            v19 = v14 * v17
+            v20 = d5 * (d3 * v5)
+            side_p = -1.0 if -v20 < -straight_limit else 1.0
+            side_m = -1.0 if v20 < -straight_limit else 1.0
+            v21 = v19 * side_p
+            v22 = v19 * side_m
+            v23 = v18 * side_p
+            v24 = v18 * side_m
+            v25 = gx * v18
+            v26 = gy * v18
+            v27 = gy * v19
+            v28 = gx * v19
+            v34 = gz * v19
+            v50 = arm * (v16 * (gz * (T33 * v14)))
+            v51 = T33 * v13
+            v65 = arm * (v16 * (gz * (v14 * T32)))
+            v72 = arm * (v16 * (gz * (v14 * T31)))
+            v73 = v13 * T31
+            v76 = v13 * T32
+            work[576 + k] = V4
             work[608 + k] = v3
             work[640 + k] = v5
-            work[672 + k] = v7
-            work[704 + k] = gx
-            work[736 + k] = gy
-            work[768 + k] = v13
-            work[800 + k] = v14
-            work[832 + k] = v15
-            work[864 + k] = v16
-            work[896 + k] = v20
+            work[672 + k] = gx
+            work[704 + k] = gy
+            work[736 + k] = v9
+            work[768 + k] = v10
+            work[800 + k] = v11
+            work[832 + k] = v12
+            work[864 + k] = arm
+            work[896 + k] = v16
             work[928 + k] = side_p
             work[960 + k] = side_m
-            work[992 + k] = v22
-            work[1024 + k] = v23
-            work[1056 + k] = v24
-            work[1088 + k] = v25
-            work[1120 + k] = v26
-            work[1152 + k] = v27
-            work[1184 + k] = v28
-            work[1216 + k] = v29
-            work[1248 + k] = v35
-            work[1280 + k] = given1
-            work[1312 + k] = given1
-            work[1344 + k] = -v6
-            work[1376 + k] = -v4
-        for k in range(1280, 1312):
+            work[992 + k] = v21
+            work[1024 + k] = v22
+            work[1056 + k] = v23
+            work[1088 + k] = v24
+            work[1120 + k] = v25
+            work[1152 + k] = v26
+            work[1184 + k] = v27
+            work[1216 + k] = v28
+            work[1248 + k] = v34
+            work[1280 + k] = v50
+            work[1312 + k] = v51
+            work[1344 + k] = v65
+            work[1376 + k] = v72
+            work[1408 + k] = v73
+            work[1440 + k] = v76
+            work[1472 + k] = given1
+            work[1504 + k] = given1
+            work[1536 + k] = -v4
+            work[1568 + k] = -v2
+        for k in range(1472, 1504):
             work[k] = math.sin(work[k])
-        for k in range(1312, 1344):
+        for k in range(1504, 1536):
             work[k] = math.cos(work[k])
-        for k in range(1344, 1376):
+        for k in range(1536, 1568):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
             T11 = work[0 + k]
@@ -1311,330 +1330,327 @@ def _in_tiles(T, q_free, q, status):
             T31 = work[256 + k]
             T32 = work[288 + k]
             T33 = work[320 + k]
-            D4 = work[576 + k]
+            V4 = work[576 + k]
             v3 = work[608 + k]
             v5 = work[640 + k]
-            v7 = work[672 + k]
-            gx = work[704 + k]
-            gy = work[736 + k]
-            v13 = work[768 + k]
-            v14 = work[800 + k]
-            v15 = work[832 + k]
-            v16 = work[864 + k]
-            v20 = work[896 + k]
+            gx = work[672 + k]
+            gy = work[704 + k]
+            v9 = work[736 + k]
+            v10 = work[768 + k]
+            v11 = work[800 + k]
+            v12 = work[832 + k]
+            arm = work[864 + k]
+            v16 = work[896 + k]
             side_p = work[928 + k]
             side_m = work[960 + k]
-            v22 = work[992 + k]
-            v23 = work[1024 + k]
-            v24 = work[1056 + k]
-            v25 = work[1088 + k]
-            v26 = work[1120 + k]
-            v27 = work[1152 + k]
-            v28 = work[1184 + k]
-            v29 = work[1216 + k]
-            v35 = work[1248 + k]
-            sin_psi = work[1280 + k]
-            cos_psi = work[1312 + k]
-            angle11 = work[1344 + k]
-            uz = cos_psi * (gy * v13 - gx * v14)
-            ux = v15 * cos_psi + v13 * sin_psi
-            uy = v14 * sin_psi - v16 * cos_psi
-            nx = v13 * cos_psi - v15 * sin_psi
-            ny = v14 * cos_psi + v16 * sin_psi
-            b22_p = v28 - uy * v24
-            b22_m = v28 + uy * v25
-            X1_p = ux * v24 - v29
-            v30 = v29 + ux * v25
-            v31 = v20 * (X1_p * (v20 * X1_p) + b22_p * (v20 * b22_p))
-            v32 = v20 * (v30 * (v20 * v30) + b22_m * (v20 * b22_m))
-            w1_p = math.sqrt(v31)
-            w1_m = math.sqrt(v32)
+            v21 = work[992 + k]
+            v22 = work[1024 + k]
+            v23 = work[1056 + k]
+            v24 = work[1088 + k]
+            v25 = work[1120 + k]
+            v26 = work[1152 + k]
+            v27 = work[1184 + k]
+            v28 = work[1216 + k]
+            v34 = work[1248 + k]
+            v50 = work[1280 + k]
+            v51 = work[1312 + k]
+            v65 = work[1344 + k]
+            v72 = work[1376 + k]
+            v73 = work[1408 + k]
+            v76 = work[1440 + k]
+            sin_psi = work[1472 + k]
+            cos_psi = work[1504 + k]
+            angle11 = work[1536 + k]
+            uz = cos_psi * (gy * v9 - gx * v10)
+            ux = v11 * cos_psi + v9 * sin_psi
+            uy = v10 * sin_psi - v12 * cos_psi
+            nx = v9 * cos_psi - v11 * sin_psi
+            ny = v10 * cos_psi + v12 * sin_psi
+            b22_p = v27 - uy * v23
+            b22_m = v27 + uy * v24
+            X1_p = ux * v23 - v28
+            v29 = v28 + ux * v24
+            v30 = X1_p * X1_p + b22_p * b22_p
+            v31 = v29 * v29 + b22_m * b22_m
+            w1_p = math.sqrt(v30)
+            w1_m = math.sqrt(v31)
+            v32 = 1.0 / v30
             v33 = 1.0 / v31
-            v34 = 1.0 / v32
-            factor1_p = w1_p * v33
-            factor1_m = w1_m * v34
-            c2_p = uz * v24 - v35
-            v36 = v35 + uz * v25
-            s3_p = -X1_p * (v20 * (v27 + uy * v22)) - b22_p * (v20 * (v26 + ux * v22))
-            s3_m = v30 * (v20 * (uy * v23 - v27)) - b22_m * (v20 * (ux * v23 - v26))
-            c3_p = -X1_p * (ny * side_p) - b22_p * (nx * side_p)
-            c3_m = v30 * (ny * side_m) - b22_m * (nx * side_m)
-            v37 = T13 * -X1_p + T23 * b22_p
-            v38 = T13 * v30 + T23 * b22_m
-            v39 = v20 * c2_p
-            v40 = v20 * v36
-            v41 = v20 * (v37 * v39)
-            v42 = v20 * (v38 * v40)
-            v43 = T33 * w1_p + factor1_p * v41
-            v44 = T33 * w1_m - factor1_m * v42
-            v45 = T13 * b22_p - T23 * -X1_p
-            v46 = T13 * b22_m - T23 * v30
-            v47 = factor1_p * (w1_p * v37) - T33 * c2_p
-            v48 = factor1_m * (w1_m * v38) + T33 * v36
-            v49 = factor1_p * (v20 * s3_p)
-            v50 = factor1_m * (v20 * s3_m)
-            X5_p = factor1_p * (c3_p * (v5 * v43) + v49 * (v5 * v45)) + v7 * v47
-            X5_m = factor1_m * (c3_m * (v5 * v44) + v50 * (v5 * v46)) - v7 * v48
-            v51 = v20 * c3_p
-            v52 = v20 * c3_m
-            Y5_p = w1_p * (v33 * (s3_p * v41 + v51 * -v45) + T33 * s3_p)
-            Y5_m = w1_m * (v34 * (v52 * -v46 - s3_m * v42) + T33 * s3_m)
-            v53 = v20 * X5_p
-            v54 = v20 * X5_m
-            v55 = v20 * Y5_p
-            v56 = v20 * Y5_m
-            v57 = v20 * (X5_p * v53 + factor1_p * (Y5_p * (factor1_p * v55)))
-            v58 = v20 * (X5_m * v54 + factor1_m * (Y5_m * (factor1_m * v56)))
-            v59 = factor1_p * Y5_p
-            v60 = factor1_m * Y5_m
-            v61 = b22_p * T12 - -X1_p * T22
-            v62 = b22_m * T12 - v30 * T22
-            v63 = -X1_p * T12 + b22_p * T22
-            v64 = v30 * T12 + b22_m * T22
-            v65 = v20 * (v39 * v63)
-            v66 = v20 * (v40 * v64)
-            v67 = b22_p * T11 - -X1_p * T21
-            v68 = b22_m * T11 - v30 * T21
-            v69 = -X1_p * T11 + b22_p * T21
-            v70 = v30 * T11 + b22_m * T21
-            v71 = v20 * (v39 * v69)
-            v72 = v20 * (v40 * v70)
-            v73 = (
-                v53 * (w1_p * (v33 * (s3_p * v71 + v51 * -v67) + s3_p * T31)) - v55 * (factor1_p *
-                (c3_p * (v5 * (w1_p * T31 + factor1_p * v71)) + v49 * (v5 * v67)) + v7 * (factor1_p
-                * (w1_p * v69) - c2_p * T31))
-            )
+            c2_p = uz * v23 - v34
+            v35 = v34 + uz * v24
+            v36 = v32 * (b22_p * (v25 + ux * v21) + X1_p * (v26 + uy * v21))
+            v37 = v33 * (b22_m * (ux * v22 - v25) - v29 * (uy * v22 - v26))
+            v38 = w1_p * v36
+            v39 = w1_m * v37
+            v40 = v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p))
+            v41 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m))
+            v42 = w1_p * v40
+            v43 = w1_m * v41
+            v44 = w1_p * (v32 * (T23 * b22_p - T13 * X1_p))
+            v45 = w1_m * (v33 * (T23 * b22_m + T13 * v29))
+            v46 = c2_p * v44 + T33 * w1_p
+            v47 = T33 * w1_m - v35 * v45
+            v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p))
+            v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29))
+            v52 = w1_p * v44 - (uz * (arm * (v16 * (side_p * v51))) - v50)
+            v53 = w1_m * v45 + (v50 + uz * (arm * (v16 * (side_m * v51))))
+            X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48))
+            v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49))
+            Y5_p = v42 * v48 - v38 * v46
+            Y5_m = v43 * v49 - v39 * v47
+            v55 = X5_p * X5_p + Y5_p * Y5_p
+            v56 = v54 * v54 + Y5_m * Y5_m
+            w5_p = math.sqrt(v55)
+            w5_m = math.sqrt(v56)
+            factor5_p = w5_p * (1.0 / v55)
+            factor5_m = w5_m * (1.0 / v56)
+            v57 = X5_p * factor5_p
+            v58 = v54 * factor5_m
+            s5_p = Y5_p * factor5_p
+            s5_m = Y5_m * factor5_m
+            v59 = w1_p * (v32 * (b22_p * T12 + X1_p * T22))
+            v60 = w1_m * (v33 * (b22_m * T12 - v29 * T22))
+            v61 = w1_p * (v32 * (b22_p * T22 - X1_p * T12))
+            v62 = w1_m * (v33 * (b22_m * T22 + v29 * T12))
+            v63 = c2_p * v61 + w1_p * T32
+            v64 = w1_m * T32 - v35 * v62
+            v66 = w1_p * (v32 * (b22_p * T11 + X1_p * T21))
+            v67 = w1_m * (v33 * (b22_m * T11 - v29 * T21))
+            v68 = w1_p * (v32 * (b22_p * T21 - X1_p * T11))
+            v69 = w1_m * (v33 * (b22_m * T21 + v29 * T11))
+            v70 = c2_p * v68 + w1_p * T31
+            v71 = w1_m * T31 - v35 * v69
             v74 = (
-                v54 * (w1_m * (v34 * (v52 * -v68 - s3_m * v72) + s3_m * T31)) - v56 * (factor1_m *
-                (c3_m * (v5 * (w1_m * T31 - factor1_m * v72)) + v50 * (v5 * v68)) - v7 * (factor1_m
-                * (w1_m * v70) + v36 * T31))
+                v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm * (v16 *
+                (side_p * v73))) - v72)) - (v42 * (v3 * v70) + v38 * (v3 * v66)))
             )
-            v83 = angle11 - offset4
-            v84 = offset4 + angle11
-            q4_ppp = v83 + (m4 if v83 <= -half_turn else 0.0)
-            q4_mpp = (m4 if -v84 <= -half_turn else 0.0) - v84
-            v89 = q4_ppp < low4 or high4 < q4_ppp
-            v90 = q4_mpp < low4 or high4 < q4_mpp
+            v75 = (
+                s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm * (v16 * (side_m * v73))))) + (v43 * (v3
+                * v71) + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71)
+            )
+            v85 = angle11 - offset4
+            v86 = offset4 + angle11
+            q4_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
+            q4_mpp = (m4 if -v86 <= -half_turn else 0.0) - v86
+            v91 = q4_ppp < low4 or high4 < q4_ppp
+            v92 = q4_mpp < low4 or high4 < q4_mpp
             doubt1 = (
-                v58 <= m2 or (v32 <= m2 or (v57 <= m2 or (-(reach_slack2 * (reach_slack2 + v3)) <=
-                D4 and not (merge_slack2 * (merge_slack2 + v3) < D4) or v31 <= m2)))
+                v56 <= m2 or (v31 <= m2 or (v55 <= m2 or ((shortest4_reach <= V4 and V4 <=
+                longest4_reach and not (shortest4_apart < V4 and V4 < longest4_apart)) or v30 <=
+                m2)))
             )
-            work[1408 + k] = b22_p
-            work[1440 + k] = b22_m
-            work[1472 + k] = s3_p
-            work[1504 + k] = s3_m
-            work[1536 + k] = v59
-            work[1568 + k] = v60
-            work[1600 + k] = v73
-            work[1632 + k] = v74
-            work[1664 + k] = q4_ppp
-            work[1696 + k] = q4_mpp
-            work[1728 + k] = v89
-            work[1760 + k] = v90
-            work[1792 + k] = doubt1
-            work[1824 + k] = s3_p
-            work[1856 + k] = s3_m
-            work[1888 + k] = v59
-            work[1920 + k] = v60
-            work[1952 + k] = v73
-            work[1984 + k] = v74
-            work[2016 + k] = b22_p
-            work[2048 + k] = b22_m
-            work[2080 + k] = w1_p
-            work[2112 + k] = w1_m
-            work[2144 + k] = math.sqrt(v57)
-            work[2176 + k] = math.sqrt(v58)
-            work[2208 + k] = c3_p
-            work[2240 + k] = c3_m
-            work[2272 + k] = -X5_p
-            work[2304 + k] = -X5_m
-            work[2336 + k] = (
-                v53 * (w1_p * (v33 * (s3_p * v65 + v51 * -v61) + s3_p * T32)) - v55 * (factor1_p *
-                (c3_p * (v5 * (w1_p * T32 + factor1_p * v65)) + v49 * (v5 * v61)) + v7 * (factor1_p
-                * (w1_p * v63) - c2_p * T32))
+            work[1600 + k] = b22_p
+            work[1632 + k] = b22_m
+            work[1664 + k] = v36
+            work[1696 + k] = v37
+            work[1728 + k] = Y5_p
+            work[1760 + k] = Y5_m
+            work[1792 + k] = v74
+            work[1824 + k] = v75
+            work[1856 + k] = q4_ppp
+            work[1888 + k] = q4_mpp
+            work[1920 + k] = v91
+            work[1952 + k] = v92
+            work[1984 + k] = doubt1
+            work[2016 + k] = -v36
+            work[2048 + k] = -v37
+            work[2080 + k] = Y5_p
+            work[2112 + k] = Y5_m
+            work[2144 + k] = v74
+            work[2176 + k] = v75
+            work[2208 + k] = b22_p
+            work[2240 + k] = b22_m
+            work[2272 + k] = w1_p
+            work[2304 + k] = w1_m
+            work[2336 + k] = w5_p
+            work[2368 + k] = w5_m
+            work[2400 + k] = -v40
+            work[2432 + k] = -v41
+            work[2464 + k] = -X5_p
+            work[2496 + k] = v54
+            work[2528 + k] = (
+                v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm * (v16 *
+                (side_p * v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))
             )
-            work[2368 + k] = (
-                v54 * (w1_m * (v34 * (v52 * -v62 - s3_m * v66) + s3_m * T32)) - v56 * (factor1_m *
-                (c3_m * (v5 * (w1_m * T32 - factor1_m * v66)) + v50 * (v5 * v62)) - v7 * (factor1_m
-                * (w1_m * v64) + v36 * T32))
-            )
-            work[2400 + k] = -X1_p
-            work[2432 + k] = v30
-            work[2464 + k] = v39
-            work[2496 + k] = -v40
-            work[2528 + k] = v20 * (factor1_p * (c3_p * (v7 * v43) + v49 * (v7 * v45)) - v5 * v47)
             work[2560 + k] = (
-                -(v20 * (factor1_m * (c3_m * (v7 * v44) + v50 * (v7 * v46)) + v5 * v48))
+                s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm * (v16 * (side_m * v76))))) + (v43 * (v3
+                * v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)
             )
-        for k in range(1824, 2208):
+            work[2592 + k] = -X1_p
+            work[2624 + k] = v29
+            work[2656 + k] = c2_p
+            work[2688 + k] = -v35
+            work[2720 + k] = -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))
+            work[2752 + k] = v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53
+        for k in range(2016, 2400):
             work[k] = _atan2(work[k], work[k + 384])
         for k in range(0, 32):
-            b22_p = work[1408 + k]
-            b22_m = work[1440 + k]
-            s3_p = work[1472 + k]
-            s3_m = work[1504 + k]
-            v59 = work[1536 + k]
-            v60 = work[1568 + k]
-            v73 = work[1600 + k]
-            v74 = work[1632 + k]
-            q4_ppp = work[1664 + k]
-            q4_mpp = work[1696 + k]
-            v89 = work[1728 + k] != 0.0
-            v90 = work[1760 + k] != 0.0
-            doubt1 = work[1792 + k] != 0.0
-            angle1 = work[1824 + k]
-            angle2 = work[1856 + k]
-            angle3 = work[1888 + k]
-            angle4 = work[1920 + k]
-            angle5 = work[1952 + k]
-            angle6 = work[1984 + k]
-            angle7 = work[2016 + k]
-            angle8 = work[2048 + k]
-            angle9 = work[2080 + k]
-            angle10 = work[2112 + k]
-            angle12 = work[2144 + k]
-            angle13 = work[2176 + k]
-            q3_pmp = angle1 - math.copysign(half_turn, s3_p) * h1
-            q3_mmp = angle2 - math.copysign(half_turn, s3_m) * h1
-            q5_ppm = angle3 - h1 * math.copysign(half_turn, v59)
-            q5_mpm = angle4 - h1 * math.copysign(half_turn, v60)
-            q7_ppm = angle5 - h1 * math.copysign(half_turn, v73)
-            q7_mpm = angle6 - h1 * math.copysign(half_turn, v74)
-            v75 = angle7 - offset1
-            v76 = angle7 - h1 * math.copysign(half_turn, b22_p) - offset1
-            v77 = angle8 - offset1
-            v78 = angle8 - h1 * math.copysign(half_turn, b22_m) - offset1
-            q1_ppp = v75 + (m4 if v75 <= -half_turn else 0.0)
-            q1_pmp = v76 + (m4 if v76 <= -half_turn else 0.0)
-            q1_mpp = v77 + (m4 if v77 <= -half_turn else 0.0)
-            q1_mmp = v78 + (m4 if v78 <= -half_turn else 0.0)
-            v79 = angle9 - offset2
-            v80 = offset2 + angle9
-            v81 = angle10 - offset2
-            v82 = offset2 + angle10
-            q2_ppp = v79 + (m4 if v79 <= -half_turn else 0.0)
-            q2_pmp = (m4 if -v80 <= -half_turn else 0.0) - v80
-            q2_mpp = v81 + (m4 if v81 <= -half_turn else 0.0)
-            q2_mmp = (m4 if -v82 <= -half_turn else 0.0) - v82
-            v85 = angle12 - offset6
-            v86 = offset6 + angle12
-            v87 = angle13 - offset6
-            v88 = offset6 + angle13
-            q6_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
-            q6_ppm = (m4 if -v86 <= -half_turn else 0.0) - v86
-            q6_mpp = v87 + (m4 if v87 <= -half_turn else 0.0)
-            q6_mpm = (m4 if -v88 <= -half_turn else 0.0) - v88
-            v91 = angle3 < low5 or high5 < angle3
-            v92 = q5_ppm < low5 or high5 < q5_ppm
-            v93 = angle4 < low5 or high5 < angle4
-            v94 = q5_mpm < low5 or high5 < q5_mpm
-            v95 = q6_ppp < low6 or high6 < q6_ppp
-            v96 = q6_ppm < low6 or high6 < q6_ppm
-            v97 = q6_mpp < low6 or high6 < q6_mpp
-            v98 = q6_mpm < low6 or high6 < q6_mpm
-            v99 = angle5 < low7 or high7 < angle5
-            v100 = q7_ppm < low7 or high7 < q7_ppm
-            v101 = angle6 < low7 or high7 < angle6
-            v102 = q7_mpm < low7 or high7 < q7_mpm
-            v103 = (
-                v89 or (angle1 < low3 or high3 < angle1 or (q1_ppp < low1 or high1 < q1_ppp or
+            b22_p = work[1600 + k]
+            b22_m = work[1632 + k]
+            v36 = work[1664 + k]
+            v37 = work[1696 + k]
+            Y5_p = work[1728 + k]
+            Y5_m = work[1760 + k]
+            v74 = work[1792 + k]
+            v75 = work[1824 + k]
+            q4_ppp = work[1856 + k]
+            q4_mpp = work[1888 + k]
+            v91 = work[1920 + k] != 0.0
+            v92 = work[1952 + k] != 0.0
+            doubt1 = work[1984 + k] != 0.0
+            angle1 = work[2016 + k]
+            angle2 = work[2048 + k]
+            angle3 = work[2080 + k]
+            angle4 = work[2112 + k]
+            angle5 = work[2144 + k]
+            angle6 = work[2176 + k]
+            angle7 = work[2208 + k]
+            angle8 = work[2240 + k]
+            angle9 = work[2272 + k]
+            angle10 = work[2304 + k]
+            angle12 = work[2336 + k]
+            angle13 = work[2368 + k]
+            q3_pmp = angle1 - math.copysign(half_turn, -v36) * h1
+            q3_mmp = angle2 - math.copysign(half_turn, -v37) * h1
+            q5_ppm = angle3 - h1 * math.copysign(half_turn, Y5_p)
+            q5_mpm = angle4 - h1 * math.copysign(half_turn, Y5_m)
+            q7_ppm = angle5 - h1 * math.copysign(half_turn, v74)
+            q7_mpm = angle6 - h1 * math.copysign(half_turn, v75)
+            v77 = angle7 - offset1
+            v78 = angle7 - h1 * math.copysign(half_turn, b22_p) - offset1
+            v79 = angle8 - offset1
+            v80 = angle8 - h1 * math.copysign(half_turn, b22_m) - offset1
+            q1_ppp = v77 + (m4 if v77 <= -half_turn else 0.0)
+            q1_pmp = v78 + (m4 if v78 <= -half_turn else 0.0)
+            q1_mpp = v79 + (m4 if v79 <= -half_turn else 0.0)
+            q1_mmp = v80 + (m4 if v80 <= -half_turn else 0.0)
+            v81 = angle9 - offset2
+            v82 = offset2 + angle9
+            v83 = angle10 - offset2
+            v84 = offset2 + angle10
+            q2_ppp = v81 + (m4 if v81 <= -half_turn else 0.0)
+            q2_pmp = (m4 if -v82 <= -half_turn else 0.0) - v82
+            q2_mpp = v83 + (m4 if v83 <= -half_turn else 0.0)
+            q2_mmp = (m4 if -v84 <= -half_turn else 0.0) - v84
+            v87 = angle12 - offset6
+            v88 = offset6 + angle12
+            v89 = angle13 - offset6
+            v90 = offset6 + angle13
+            q6_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
+            q6_ppm = (m4 if -v88 <= -half_turn else 0.0) - v88
+            q6_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
+            q6_mpm = (m4 if -v90 <= -half_turn else 0.0) - v90
+            v93 = angle3 < low5 or high5 < angle3
+            v94 = q5_ppm < low5 or high5 < q5_ppm
+            v95 = angle4 < low5 or high5 < angle4
+            v96 = q5_mpm < low5 or high5 < q5_mpm
+            v97 = q6_ppp < low6 or high6 < q6_ppp
+            v98 = q6_ppm < low6 or high6 < q6_ppm
+            v99 = q6_mpp < low6 or high6 < q6_mpp
+            v100 = q6_mpm < low6 or high6 < q6_mpm
+            v101 = angle5 < low7 or high7 < angle5
+            v102 = q7_ppm < low7 or high7 < q7_ppm
+            v103 = angle6 < low7 or high7 < angle6
+            v104 = q7_mpm < low7 or high7 < q7_mpm
+            v105 = (
+                v91 or (angle1 < low3 or high3 < angle1 or (q1_ppp < low1 or high1 < q1_ppp or
                 (q2_ppp < low2 or high2 < q2_ppp)))
             )
-            v104 = (
-                v89 or (q3_pmp < low3 or high3 < q3_pmp or (q1_pmp < low1 or high1 < q1_pmp or
+            v106 = (
+                v91 or (q3_pmp < low3 or high3 < q3_pmp or (q1_pmp < low1 or high1 < q1_pmp or
                 (q2_pmp < low2 or high2 < q2_pmp)))
             )
-            v105 = (
-                v90 or (angle2 < low3 or high3 < angle2 or (q1_mpp < low1 or high1 < q1_mpp or
+            v107 = (
+                v92 or (angle2 < low3 or high3 < angle2 or (q1_mpp < low1 or high1 < q1_mpp or
                 (q2_mpp < low2 or high2 < q2_mpp)))
             )
-            v106 = (
-                v90 or (q3_mmp < low3 or high3 < q3_mmp or (q1_mmp < low1 or high1 < q1_mmp or
+            v108 = (
+                v92 or (q3_mmp < low3 or high3 < q3_mmp or (q1_mmp < low1 or high1 < q1_mmp or
                 (q2_mmp < low2 or high2 < q2_mmp)))
             )
-            outside_ppp = v99 or (v95 or (v91 or v103))
-            outside_ppm = v100 or (v96 or (v92 or v103))
-            outside_pmp = v99 or (v95 or (v91 or v104))
-            outside_pmm = v100 or (v96 or (v92 or v104))
-            outside_mpp = v101 or (v97 or (v93 or v105))
-            outside_mpm = v102 or (v98 or (v94 or v105))
-            outside_mmp = v101 or (v97 or (v93 or v106))
-            outside_mmm = v102 or (v98 or (v94 or v106))
-            _2592 = q1_ppp
-            work[2592 + k] = _2592
-            _2624 = q2_ppp
-            work[2624 + k] = _2624
-            _2656 = angle1
-            work[2656 + k] = _2656
-            _2688 = q4_ppp
-            work[2688 + k] = _2688
-            _2720 = angle3
-            work[2720 + k] = _2720
-            _2752 = q6_ppp
-            work[2752 + k] = _2752
-            _2784 = angle5
+            outside_ppp = v101 or (v97 or (v93 or v105))
+            outside_ppm = v102 or (v98 or (v94 or v105))
+            outside_pmp = v101 or (v97 or (v93 or v106))
+            outside_pmm = v102 or (v98 or (v94 or v106))
+            outside_mpp = v103 or (v99 or (v95 or v107))
+            outside_mpm = v104 or (v100 or (v96 or v107))
+            outside_mmp = v103 or (v99 or (v95 or v108))
+            outside_mmm = v104 or (v100 or (v96 or v108))
+            _2784 = q1_ppp
             work[2784 + k] = _2784
-            _2816 = q5_ppm
+            _2816 = q2_ppp
             work[2816 + k] = _2816
-            _2848 = q6_ppm
+            _2848 = angle1
             work[2848 + k] = _2848
-            _2880 = q7_ppm
+            _2880 = q4_ppp
             work[2880 + k] = _2880
-            _2912 = q1_pmp
+            _2912 = angle3
             work[2912 + k] = _2912
-            _2944 = q2_pmp
+            _2944 = q6_ppp
             work[2944 + k] = _2944
-            _2976 = q3_pmp
+            _2976 = angle5
             work[2976 + k] = _2976
-            _3008 = q1_mpp
+            _3008 = q5_ppm
             work[3008 + k] = _3008
-            _3040 = q2_mpp
+            _3040 = q6_ppm
             work[3040 + k] = _3040
-            _3072 = angle2
+            _3072 = q7_ppm
             work[3072 + k] = _3072
-            _3104 = q4_mpp
+            _3104 = q1_pmp
             work[3104 + k] = _3104
-            _3136 = angle4
+            _3136 = q2_pmp
             work[3136 + k] = _3136
-            _3168 = q6_mpp
+            _3168 = q3_pmp
             work[3168 + k] = _3168
-            _3200 = angle6
+            _3200 = q1_mpp
             work[3200 + k] = _3200
-            _3232 = q5_mpm
+            _3232 = q2_mpp
             work[3232 + k] = _3232
-            _3264 = q6_mpm
+            _3264 = angle2
             work[3264 + k] = _3264
-            _3296 = q7_mpm
+            _3296 = q4_mpp
             work[3296 + k] = _3296
-            _3328 = q1_mmp
+            _3328 = angle4
             work[3328 + k] = _3328
-            _3360 = q2_mmp
+            _3360 = q6_mpp
             work[3360 + k] = _3360
-            _3392 = q3_mmp
+            _3392 = angle6
             work[3392 + k] = _3392
-            work[3424 + k] = (
-                UNREACHABLE if _2592 != _2592 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[3456 + k] = (
-                UNREACHABLE if _2592 != _2592 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
-            work[3488 + k] = (
-                UNREACHABLE if _2912 != _2912 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[3520 + k] = (
-                UNREACHABLE if _2912 != _2912 else (OUT_OF_LIMITS if outside_pmm else OK)
-            )
-            work[3552 + k] = (
-                UNREACHABLE if _3008 != _3008 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[3584 + k] = (
-                UNREACHABLE if _3008 != _3008 else (OUT_OF_LIMITS if outside_mpm else OK)
-            )
+            _3424 = q5_mpm
+            work[3424 + k] = _3424
+            _3456 = q6_mpm
+            work[3456 + k] = _3456
+            _3488 = q7_mpm
+            work[3488 + k] = _3488
+            _3520 = q1_mmp
+            work[3520 + k] = _3520
+            _3552 = q2_mmp
+            work[3552 + k] = _3552
+            _3584 = q3_mmp
+            work[3584 + k] = _3584
             work[3616 + k] = (
-                UNREACHABLE if _3328 != _3328 else (OUT_OF_LIMITS if outside_mmp else OK)
+                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
             work[3648 + k] = (
-                UNREACHABLE if _3328 != _3328 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_ppm else OK)
+            )
+            work[3680 + k] = (
+                UNREACHABLE if _3104 != _3104 else (OUT_OF_LIMITS if outside_pmp else OK)
+            )
+            work[3712 + k] = (
+                UNREACHABLE if _3104 != _3104 else (OUT_OF_LIMITS if outside_pmm else OK)
+            )
+            work[3744 + k] = (
+                UNREACHABLE if _3200 != _3200 else (OUT_OF_LIMITS if outside_mpp else OK)
+            )
+            work[3776 + k] = (
+                UNREACHABLE if _3200 != _3200 else (OUT_OF_LIMITS if outside_mpm else OK)
+            )
+            work[3808 + k] = (
+                UNREACHABLE if _3520 != _3520 else (OUT_OF_LIMITS if outside_mmp else OK)
+            )
+            work[3840 + k] = (
+                UNREACHABLE if _3520 != _3520 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[544 + k] = 1.0 if doubt1 else work[544 + k]
         for k in range(count):
@@ -1663,6 +1679,21 @@ def ik_batch(T, q_free, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((8, 7)), np.empty(8, _BYTE)
+    T = fk(_ZEROS)
+    q_free = np.zeros(1)
+    jacobian(_ZEROS)
+    arm_angle(_ZEROS)
+    ik_into(T, q_free, q, status)
+    ik_into(T, q_free, q, status, _ZEROS)
+    _unseeded(T, q_free, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(7))
+    q_free = q_free[np.newaxis]
+    ik_batch(T[np.newaxis], q_free)
 
 
 def _share(solve, cores, *arrays):

@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -516,86 +514,48 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d7 * T33 - d1;
-    const wide v3 = a1 + w1;
-    const wide v4 = a1 - w1;
-    const wide v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3;
-    const wide N3_m = v5 + v4 * v4;
+    const wide v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3;
+    const wide N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v6 = m5 * N3_p - m4;
-    const wide v7 = m5 * N3_m - m4;
-    const wide v8 = m3 * w3_p;
-    const wide v9 = v6 + v8;
-    const wide v10 = v6 - v8;
-    const wide v11 = m3 * w3_m;
-    const wide v12 = v7 + v11;
-    const wide v13 = v7 - v11;
-    const wide v14 = m6 - m3 * N3_p;
-    const wide v15 = m6 - m3 * N3_m;
-    const wide v16 = m5 * w3_p;
-    const wide c3_pp = v14 + v16;
-    const wide c3_pm = v14 - v16;
+    const wide v6 = m5 * N3_p - m4, v7 = m5 * N3_m - m4, v8 = m3 * w3_p, v9 = v6 + v8;
+    const wide v10 = v6 - v8, v11 = m3 * w3_m, v12 = v7 + v11, v13 = v7 - v11, v14 = m6 - m3 * N3_p;
+    const wide v15 = m6 - m3 * N3_m, v16 = m5 * w3_p;
+    const wide c3_pp = v14 + v16, c3_pm = v14 - v16;
     const wide v17 = m5 * w3_m;
-    const wide c3_mp = v15 + v17;
-    const wide c3_mm = v15 - v17;
-    const wide angle2 = atan2_wide(-v9, c3_pp);
-    const wide angle3 = atan2_wide(-v10, c3_pm);
-    const wide angle4 = atan2_wide(-v12, c3_mp);
-    const wide angle5 = atan2_wide(-v13, c3_mm);
+    const wide c3_mp = v15 + v17, c3_mm = v15 - v17;
+    const wide angle2 = atan2_wide(-v9, c3_pp), angle3 = atan2_wide(-v10, c3_pm);
+    const wide angle4 = atan2_wide(-v12, c3_mp), angle5 = atan2_wide(-v13, c3_mm);
 
     /* theta2 */
-    const wide X2_2_p = m8 - m7 * N3_p;
-    const wide X2_2_m = m8 - m7 * N3_m;
-    const wide v18 = Z1_3 * X2_2_p;
-    const wide v19 = Z1_3 * X2_2_m;
-    const wide v20 = w3_p * (m7 * v3);
-    const wide S2_pp = v18 + v20;
-    const wide S2_pm = v18 - v20;
-    const wide S2_mp = v19 + w3_m * (m7 * v4);
+    const wide X2_2_p = m8 - m7 * N3_p, X2_2_m = m8 - m7 * N3_m;
+    const wide v18 = Z1_3 * X2_2_p, v19 = Z1_3 * X2_2_m, v20 = w3_p * (m7 * v3);
+    const wide S2_pp = v18 + v20, S2_pm = v18 - v20, S2_mp = v19 + w3_m * (m7 * v4);
     const wide S2_mm = v19 + w3_m * (m7 * -v4);
-    const wide v21 = v3 * X2_2_p;
-    const wide v22 = v4 * X2_2_m;
-    const wide v23 = m7 * Z1_3;
-    const wide v24 = m7 * -Z1_3;
-    const wide C2_pp = v21 - w3_p * v23;
-    const wide C2_pm = v21 - w3_p * v24;
-    const wide C2_mp = v22 - w3_m * v23;
+    const wide v21 = v3 * X2_2_p, v22 = v4 * X2_2_m, v23 = m7 * Z1_3, v24 = m7 * -Z1_3;
+    const wide C2_pp = v21 - w3_p * v23, C2_pm = v21 - w3_p * v24, C2_mp = v22 - w3_m * v23;
     const wide C2_mm = v22 - w3_m * v24;
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
+    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide c23_pp = c3_pp * C2_pp + v9 * S2_pp;
-    const wide c23_pm = c3_pm * C2_pm + v10 * S2_pm;
-    const wide c23_mp = c3_mp * C2_mp + v12 * S2_mp;
-    const wide c23_mm = c3_mm * C2_mm + v13 * S2_mm;
-    const wide s23_pp = c3_pp * S2_pp - v9 * C2_pp;
-    const wide s23_pm = c3_pm * S2_pm - v10 * C2_pm;
-    const wide s23_mp = c3_mp * S2_mp - v12 * C2_mp;
-    const wide s23_mm = c3_mm * S2_mm - v13 * C2_mm;
+    const wide c23_pp = c3_pp * C2_pp + v9 * S2_pp, c23_pm = c3_pm * C2_pm + v10 * S2_pm;
+    const wide c23_mp = c3_mp * C2_mp + v12 * S2_mp, c23_mm = c3_mm * C2_mm + v13 * S2_mm;
+    const wide s23_pp = c3_pp * S2_pp - v9 * C2_pp, s23_pm = c3_pm * S2_pm - v10 * C2_pm;
+    const wide s23_mp = c3_mp * S2_mp - v12 * C2_mp, s23_mm = c3_mm * S2_mm - v13 * C2_mm;
     const wide v25 = w1 * (v2 * (T23 * Y1 - T13 * t14));
-    const wide X4_pp = c23_pp * v25 - T33 * s23_pp;
-    const wide X4_pm = c23_pm * v25 - T33 * s23_pm;
-    const wide v26 = c23_mp * v25 + T33 * s23_mp;
-    const wide v27 = c23_mm * v25 + T33 * s23_mm;
-    const wide v28 = w1 * (v2 * (T13 * Y1 + t14 * T23));
-    const wide v29 = v28 * v28;
+    const wide X4_pp = c23_pp * v25 - T33 * s23_pp, X4_pm = c23_pm * v25 - T33 * s23_pm;
+    const wide v26 = c23_mp * v25 + T33 * s23_mp, v27 = c23_mm * v25 + T33 * s23_mm;
+    const wide v28 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v29 = v28 * v28;
     const wide v30 = v29 + factor2_p * (X4_pp * (factor2_p * X4_pp));
-    const wide v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm));
-    const wide v32 = factor2_m * v26;
-    const wide v33 = v29 + factor2_m * (v26 * v32);
-    const wide v34 = factor2_m * v27;
+    const wide v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm)), v32 = factor2_m * v26;
+    const wide v33 = v29 + factor2_m * (v26 * v32), v34 = factor2_m * v27;
     const wide v35 = v29 + factor2_m * (v27 * v34);
     const wide angle6 = atan2_wide(-v28, factor2_p * -X4_pp);
-    const wide angle7 = atan2_wide(-v28, factor2_p * -X4_pm);
-    const wide angle8 = atan2_wide(v28, v32);
+    const wide angle7 = atan2_wide(-v28, factor2_p * -X4_pm), angle8 = atan2_wide(v28, v32);
     const wide angle9 = atan2_wide(v28, v34);
     const wide v36 = copysign_wide(all_wide(half_turn), -v28) * h1;
     const wide v37 = copysign_wide(all_wide(half_turn), v28) * h1;
-    const wide q4_ppm = angle6 - v36;
-    const wide q4_pmm = angle7 - v36;
-    const wide q4_mpm = angle8 - v37;
+    const wide q4_ppm = angle6 - v36, q4_pmm = angle7 - v36, q4_mpm = angle8 - v37;
     const wide q4_mmm = angle9 - v37;
 
     /* theta5 */
@@ -605,10 +565,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle13 = atan2_wide(sqrt_wide(v35), -(factor2_m * (T33 * c23_mm - s23_mm * v25)));
 
     /* theta6 */
-    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12));
-    const wide v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const wide v40 = w1 * (v2 * (t14 * T21 + Y1 * T11));
-    const wide v41 = w1 * (v2 * (Y1 * T21 - t14 * T11));
+    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const wide v40 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v41 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const wide v42 = -X4_pp * v40 + v28 * (c23_pp * v41 - s23_pp * T31);
     const wide v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31);
     const wide v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40;
@@ -643,60 +601,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v33 <= m9) |
         ((v31 <= m9) | ((v1 <= m1) | (v30 <= m9))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = angle2;
-    q[3] = angle6;
-    q[4] = angle10;
-    q[5] = angle14;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle2; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = angle2;
-    q[9] = q4_ppm;
-    q[10] = -angle10;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = angle2; q[9] = q4_ppm; q[10] = -angle10; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = angle3;
-    q[15] = angle7;
-    q[16] = angle11;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = angle3; q[15] = angle7; q[16] = angle11;
     q[17] = angle15;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = angle3;
-    q[21] = q4_pmm;
-    q[22] = -angle11;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = angle3; q[21] = q4_pmm; q[22] = -angle11;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = angle4;
-    q[27] = angle8;
-    q[28] = angle12;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = angle4; q[27] = angle8; q[28] = angle12;
     q[29] = angle16;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = angle4;
-    q[33] = q4_mpm;
-    q[34] = -angle12;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = angle4; q[33] = q4_mpm; q[34] = -angle12;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = angle5;
-    q[39] = angle9;
-    q[40] = angle13;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = angle5; q[39] = angle9; q[40] = angle13;
     q[41] = angle17;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = angle5;
-    q[45] = q4_mmm;
-    q[46] = -angle13;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = angle5; q[45] = q4_mmm; q[46] = -angle13;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -721,8 +645,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = t14 * t14 + Y1 * Y1;
     const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1;
-    const double v3 = copysign(half_turn, Y1);
+    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d7 * T33 - d1;
@@ -730,19 +653,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v5 = Z1_3 * Z1_3;
     const four N3 = v5 + v4 * v4;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v6 = m3 * e2;
-    const four v7 = m5 * N3 - m4;
-    const four v8 = v7 + w3 * v6;
-    const four v9 = m5 * e2;
-    const four v10 = m6 - m3 * N3;
+    const four v6 = m3 * e2, v7 = m5 * N3 - m4, v8 = v7 + w3 * v6, v9 = m5 * e2, v10 = m6 - m3 * N3;
     const four c3 = v10 + w3 * v9;
 
     /* theta2 */
     const four X2_2 = m8 - m7 * N3;
     const four v11 = Z1_3 * X2_2;
     const four S2 = v11 + w3 * (m7 * (e2 * v4));
-    const four v12 = v4 * X2_2;
-    const four v13 = m7 * (e2 * Z1_3);
+    const four v12 = v4 * X2_2, v13 = m7 * (e2 * Z1_3);
     const four C2 = v12 - w3 * v13;
     const four factor2 = 1.0 / N3;
 
@@ -751,25 +669,21 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four s23 = c3 * S2 - v8 * C2;
     const double v14 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const four X4 = e1 * (c23 * v14) - T33 * s23;
-    const double v15 = w1 * (v2 * (T13 * Y1 + t14 * T23));
-    const double v16 = v15 * v15;
+    const double v15 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v16 = v15 * v15;
     const four v17 = v16 + factor2 * (X4 * (factor2 * X4));
     const four_mask doubt3 = v17 <= m9;
     const four v18 = copysign_four(all_four(half_turn), -(e1 * v15)) * h1;
 
     /* theta6 */
-    const double v19 = w1 * (v2 * (t14 * T22 + Y1 * T12));
-    const double v20 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const double v21 = w1 * (v2 * (t14 * T21 + Y1 * T11));
-    const double v22 = w1 * (v2 * (Y1 * T21 - t14 * T11));
+    const double v19 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v20 = w1 * (v2 * (Y1 * T22 - t14 * T12));
+    const double v21 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v22 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const four v23 = e1 * (-X4 * v21 + v15 * (e1 * (c23 * v22) - s23 * T31));
 
     /* joint values */
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle2 = atan2_four(-v8, c3);
-    const four angle3 = atan2_four(-(e1 * v15), factor2 * -X4);
+    const four angle2 = atan2_four(-v8, c3), angle3 = atan2_four(-(e1 * v15), factor2 * -X4);
     const four angle4 = atan2_four(sqrt_four(v17), -(factor2 * (T33 * c23 + e1 * (s23 * v14))));
     const four angle5 = atan2_four(v23, e1 * (-X4 * v19 + v15 * (e1 * (c23 * v20) - s23 * T32)));
     const four angle6 = atan2_four(S2, C2);

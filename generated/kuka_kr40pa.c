@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -462,8 +460,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle1 = atan2_wide(-T31, T33);
 
     /* theta1 */
-    const wide v2 = T12 * T12 + T22 * T22;
-    const wide v3 = sqrt_wide(v2) * (1.0 / v2);
+    const wide v2 = T12 * T12 + T22 * T22, v3 = sqrt_wide(v2) * (1.0 / v2);
     const wide c1 = T22 * v3;
     const wide v4 = T12 * v3;
 
@@ -477,28 +474,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle2 = atan2_wide(w3, N3 - k1);
 
     /* theta2 */
-    const wide v7 = w3 * (m2 * Z2_3);
-    const wide v8 = w3 * (m2 * -Z2_3);
-    const wide v9 = m2 * (Z1_3 * N3);
-    const wide v10 = v7 + v9;
-    const wide v11 = v8 + v9;
-    const wide v12 = m2 * (Z2_3 * N3);
+    const wide v7 = w3 * (m2 * Z2_3), v8 = w3 * (m2 * -Z2_3), v9 = m2 * (Z1_3 * N3), v10 = v7 + v9;
+    const wide v11 = v8 + v9, v12 = m2 * (Z2_3 * N3);
     const wide factor2 = 1.0 / N3;
     const wide v13 = m2 * (N3 * -Z1_3);
     const wide angle3 = atan2_wide(-v10, v12 - w3 * (m2 * Z1_3));
     const wide angle4 = atan2_wide(-v11, v12 - w3 * (m2 * -Z1_3));
 
     /* is the pose one that the arm can take? */
-    const wide v14 = v6 + Z2_3;
-    const wide v15 = d1 + v5;
+    const wide v14 = v6 + Z2_3, v15 = d1 + v5;
     const double v16 = sqrt(-1.0);
     const wide v17 = pick_wide(maximum_wide(abs_wide(T12 - v4), maximum_wide(abs_wide(T11 -
         factor234 * (T33 * c1)), maximum_wide(abs_wide(T13 + factor234 * (T31 * c1)),
         maximum_wide(abs_wide(T21 + factor234 * (T33 * v4)), maximum_wide(abs_wide(T22 - c1),
         maximum_wide(abs_wide(T23 - factor234 * (T31 * v4)), maximum_wide(abs_wide(T31 - T31 *
         factor234), maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32))))))))) <=
-        pose_slack, all_wide(0.0), all_wide(v16));
-    const wide v18 = abs_wide(T14 - c1 * v14);
+        pose_slack, all_wide(0.0), all_wide(v16)), v18 = abs_wide(T14 - c1 * v14);
     const wide v19 = abs_wide(T24 + v4 * v14);
     const wide v20 = pick_wide(maximum_wide(v19, maximum_wide(v18, abs_wide(T34 + (factor2 * (a3 *
         (v7 + v13)) - (v15 + factor2 * (a2 * v10)))))) <= pose_slack1, all_wide(0.0),
@@ -508,16 +499,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         all_wide(v16));
 
     /* joint values */
-    const wide v22 = angle1 - (angle2 + angle3);
-    const wide v23 = angle1 - (angle4 - angle2);
+    const wide v22 = angle1 - (angle2 + angle3), v23 = angle1 - (angle4 - angle2);
     const wide angle5 = atan2_wide(-T12, T22);
     const wide v24 = v17 + (angle5 + (w3 - w3));
-    const wide q1_p = v20 + v24;
-    const wide q1_m = v21 + v24;
-    const wide q2_p = v20 + (angle3 + v17);
-    const wide q2_m = v21 + (angle4 + v17);
-    const wide q3_p = v20 + (angle2 + v17);
-    const wide q3_m = v21 + (v17 - angle2);
+    const wide q1_p = v20 + v24, q1_m = v21 + v24;
+    const wide q2_p = v20 + (angle3 + v17), q2_m = v21 + (angle4 + v17);
+    const wide q3_p = v20 + (angle2 + v17), q3_m = v21 + (v17 - angle2);
     const wide q4_p = v20 + (v17 + (v22 - only_wide(half_turn < v22, m3) + only_wide(v22 <=
         -half_turn, m3)));
     const wide q4_m = v21 + (v17 + (v23 - only_wide(half_turn < v23, m3) + only_wide(v23 <=
@@ -526,15 +513,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0))));
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
-    q[3] = q4_p;
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_m;
-    q[5] = q2_m;
-    q[6] = q3_m;
-    q[7] = q4_m;
+    q[4] = q1_m; q[5] = q2_m; q[6] = q3_m; q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -555,8 +536,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double factor234 = sqrt(v1) * (1.0 / v1);
 
     /* theta1 */
-    const double v2 = T12 * T12 + T22 * T22;
-    const double v3 = sqrt(v2) * (1.0 / v2);
+    const double v2 = T12 * T12 + T22 * T22, v3 = sqrt(v2) * (1.0 / v2);
     const double c1 = T22 * v3;
     const double v4 = T12 * v3;
 
@@ -577,15 +557,12 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v11 = m2 * (N3 * -Z1_3);
 
     /* is the pose one that the arm can take? */
-    const double v12 = v6 + Z2_3;
-    const double v13 = d1 + v5;
-    const double v14 = sqrt(-1.0);
+    const double v12 = v6 + Z2_3, v13 = d1 + v5, v14 = sqrt(-1.0);
     const double v15 = (maximum_double(fabs(T12 - v4), maximum_double(fabs(T11 - factor234 * (T33 *
         c1)), maximum_double(fabs(T13 + factor234 * (T31 * c1)), maximum_double(fabs(T21 + factor234
         * (T33 * v4)), maximum_double(fabs(T22 - c1), maximum_double(fabs(T23 - factor234 * (T31 *
         v4)), maximum_double(fabs(T31 - T31 * factor234), maximum_double(fabs(T33 - T33 *
-        factor234), fabs(T32))))))))) <= pose_slack) ? 0.0 : v14;
-    const double v16 = fabs(T14 - c1 * v12);
+        factor234), fabs(T32))))))))) <= pose_slack) ? 0.0 : v14, v16 = fabs(T14 - c1 * v12);
     const double v17 = fabs(T24 + v4 * v12);
     const four v18 = pick_four(maximum_four(all_four(v17), maximum_four(all_four(v16), abs_four(T34
         + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)))))) <= pose_slack1,
@@ -605,9 +582,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
     const four packed2 = atan2_four((four){ -T12, -T12, -T12, -T12 }, (four){ T22, T22, T22, T22 });
     const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four v19 = e1 * angle2;
-    const four v20 = angle1 - (angle3 + v19);
-    const four v21 = v15 + (angle4 + (w3 - w3));
+    const four v19 = e1 * angle2, v20 = angle1 - (angle3 + v19), v21 = v15 + (angle4 + (w3 - w3));
     const four q1 = v18 + v21;
     const four q2 = v18 + (angle3 + v15);
     const four q3 = v18 + (v15 + v19);

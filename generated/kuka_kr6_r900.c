@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -529,76 +527,44 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v3 = a1 + w1;
-    const wide v4 = a1 - w1;
-    const wide v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3;
-    const wide N3_m = v5 + v4 * v4;
+    const wide v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3;
+    const wide N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
 
     /* theta2 */
-    const wide Y1_2_p = m4 + m3 * N3_p;
-    const wide Y1_2_m = m4 + m3 * N3_m;
-    const wide v6 = Z1_3 * Y1_2_p;
-    const wide v7 = Z1_3 * Y1_2_m;
-    const wide v8 = v3 * Y1_2_p;
-    const wide v9 = v4 * Y1_2_m;
-    const wide v10 = m3 * Z1_3;
-    const wide v11 = m3 * -Z1_3;
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
+    const wide Y1_2_p = m4 + m3 * N3_p, Y1_2_m = m4 + m3 * N3_m;
+    const wide v6 = Z1_3 * Y1_2_p, v7 = Z1_3 * Y1_2_m, v8 = v3 * Y1_2_p, v9 = v4 * Y1_2_m;
+    const wide v10 = m3 * Z1_3, v11 = m3 * -Z1_3;
+    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v12 = m5 * Z1_3;
-    const wide v13 = v12 - m6 * v3;
-    const wide v14 = v12 - m6 * v4;
-    const wide v15 = m7 * factor2_p - m6;
-    const wide v16 = m7 * factor2_m - m6;
-    const wide v17 = m8 * factor2_p - m5;
-    const wide v18 = m8 * factor2_m - m5;
-    const wide v19 = Z1_3 * v15 + v3 * v17;
-    const wide v20 = Z1_3 * v16 + v4 * v18;
-    const wide c23_pp = v19 + w3_p * (factor2_p * v13);
-    const wide c23_pm = v19 + w3_p * (factor2_p * -v13);
-    const wide c23_mp = v20 + w3_m * (factor2_m * v14);
-    const wide c23_mm = v20 + w3_m * (factor2_m * -v14);
-    const wide v21 = m6 * Z1_3;
-    const wide v22 = Z1_3 * v17 + v3 * -v15;
-    const wide v23 = Z1_3 * v18 + v4 * -v16;
+    const wide v12 = m5 * Z1_3, v13 = v12 - m6 * v3, v14 = v12 - m6 * v4, v15 = m7 * factor2_p - m6;
+    const wide v16 = m7 * factor2_m - m6, v17 = m8 * factor2_p - m5, v18 = m8 * factor2_m - m5;
+    const wide v19 = Z1_3 * v15 + v3 * v17, v20 = Z1_3 * v16 + v4 * v18;
+    const wide c23_pp = v19 + w3_p * (factor2_p * v13), c23_pm = v19 + w3_p * (factor2_p * -v13);
+    const wide c23_mp = v20 + w3_m * (factor2_m * v14), c23_mm = v20 + w3_m * (factor2_m * -v14);
+    const wide v21 = m6 * Z1_3, v22 = Z1_3 * v17 + v3 * -v15, v23 = Z1_3 * v18 + v4 * -v16;
     const wide v24 = w3_p * (factor2_p * (v21 + m5 * v3));
-    const wide s23_pp = v22 - v24;
-    const wide s23_pm = v22 + v24;
+    const wide s23_pp = v22 - v24, s23_pm = v22 + v24;
     const wide v25 = w3_m * (factor2_m * (v21 + m5 * v4));
-    const wide s23_mp = v23 - v25;
-    const wide s23_mm = v23 + v25;
+    const wide s23_mp = v23 - v25, s23_mm = v23 + v25;
     const wide v26 = w1 * (v2 * (T23 * Y1 - T13 * wx));
-    const wide X4_pp = T33 * s23_pp - c23_pp * v26;
-    const wide X4_pm = T33 * s23_pm - c23_pm * v26;
-    const wide X4_mp = T33 * s23_mp + c23_mp * v26;
-    const wide X4_mm = T33 * s23_mm + c23_mm * v26;
+    const wide X4_pp = T33 * s23_pp - c23_pp * v26, X4_pm = T33 * s23_pm - c23_pm * v26;
+    const wide X4_mp = T33 * s23_mp + c23_mp * v26, X4_mm = T33 * s23_mm + c23_mm * v26;
     const wide Y4 = w1 * (v2 * (T13 * Y1 + wx * T23));
-    const wide v27 = Y4 * Y4;
-    const wide v28 = v27 + X4_pp * X4_pp;
-    const wide v29 = v27 + X4_pm * X4_pm;
-    const wide v30 = v27 + X4_mp * X4_mp;
-    const wide v31 = v27 + X4_mm * X4_mm;
-    const wide angle2 = atan2_wide(Y4, -X4_pp);
-    const wide angle3 = atan2_wide(Y4, -X4_pm);
-    const wide angle4 = atan2_wide(-Y4, -X4_mp);
-    const wide angle5 = atan2_wide(-Y4, -X4_mm);
+    const wide v27 = Y4 * Y4, v28 = v27 + X4_pp * X4_pp, v29 = v27 + X4_pm * X4_pm;
+    const wide v30 = v27 + X4_mp * X4_mp, v31 = v27 + X4_mm * X4_mm;
+    const wide angle2 = atan2_wide(Y4, -X4_pp), angle3 = atan2_wide(Y4, -X4_pm);
+    const wide angle4 = atan2_wide(-Y4, -X4_mp), angle5 = atan2_wide(-Y4, -X4_mm);
     const wide v32 = copysign_wide(all_wide(half_turn), Y4) * h1;
     const wide v33 = copysign_wide(all_wide(half_turn), -Y4) * h1;
-    const wide q4_ppm = angle2 - v32;
-    const wide q4_pmm = angle3 - v32;
-    const wide q4_mpm = angle4 - v33;
+    const wide q4_ppm = angle2 - v32, q4_pmm = angle3 - v32, q4_mpm = angle4 - v33;
     const wide q4_mmm = angle5 - v33;
 
     /* theta6 */
-    const wide v34 = w1 * (v2 * (wx * T22 + Y1 * T12));
-    const wide v35 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const wide v36 = w1 * (v2 * (wx * T21 + Y1 * T11));
-    const wide v37 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const wide v34 = w1 * (v2 * (wx * T22 + Y1 * T12)), v35 = w1 * (v2 * (Y1 * T22 - wx * T12));
+    const wide v36 = w1 * (v2 * (wx * T21 + Y1 * T11)), v37 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const wide v38 = Y4 * (c23_pp * v37 - s23_pp * T31) - -X4_pp * v36;
     const wide v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36;
     const wide v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36;
@@ -626,26 +592,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q2_pmp = v44 - only_wide(half_turn < v44, m10);
     const wide q2_mpp = v45 - only_wide(half_turn < v45, m10);
     const wide q2_mmp = v46 - only_wide(half_turn < v46, m10);
-    const wide angle14 = atan2_wide(w3_p, N3_p - k3);
-    const wide angle15 = atan2_wide(w3_m, N3_m - k3);
-    const wide v47 = angle14 - turn1 - offset3;
-    const wide v48 = offset3 + (turn1 + angle14);
-    const wide v49 = angle15 - turn1 - offset3;
-    const wide v50 = offset3 + (turn1 + angle15);
+    const wide angle14 = atan2_wide(w3_p, N3_p - k3), angle15 = atan2_wide(w3_m, N3_m - k3);
+    const wide v47 = angle14 - turn1 - offset3, v48 = offset3 + (turn1 + angle14);
+    const wide v49 = angle15 - turn1 - offset3, v50 = offset3 + (turn1 + angle15);
     const wide q3_ppp = v47 - only_wide(half_turn < v47, m10);
     const wide q3_mpp = v49 - only_wide(half_turn < v49, m10);
     const wide angle16 = atan2_wide(sqrt_wide(v28), T33 * c23_pp + s23_pp * v26);
     const wide angle17 = atan2_wide(sqrt_wide(v29), T33 * c23_pm + s23_pm * v26);
     const wide angle18 = atan2_wide(sqrt_wide(v30), T33 * c23_mp - s23_mp * v26);
     const wide angle19 = atan2_wide(sqrt_wide(v31), T33 * c23_mm - s23_mm * v26);
-    const wide v51 = angle16 - offset5;
-    const wide v52 = offset5 + angle16;
-    const wide v53 = angle17 - offset5;
-    const wide v54 = offset5 + angle17;
-    const wide v55 = angle18 - offset5;
-    const wide v56 = offset5 + angle18;
-    const wide v57 = angle19 - offset5;
-    const wide v58 = offset5 + angle19;
+    const wide v51 = angle16 - offset5, v52 = offset5 + angle16, v53 = angle17 - offset5;
+    const wide v54 = offset5 + angle17, v55 = angle18 - offset5, v56 = offset5 + angle18;
+    const wide v57 = angle19 - offset5, v58 = offset5 + angle19;
     const wide q5_ppp = v51 + only_wide(v51 <= -half_turn, m10);
     const wide q5_ppm = only_wide(-v52 <= -half_turn, m10) - v52;
     const wide q5_pmp = v53 + only_wide(v53 <= -half_turn, m10);
@@ -662,61 +620,25 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v31 <= m9) | ((v30 <= m9) |
         ((v29 <= m9) | ((v1 <= m1) | (v28 <= m9))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = angle2;
-    q[4] = q5_ppp;
-    q[5] = angle6;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2; q[4] = q5_ppp; q[5] = angle6;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = -(v48 + only_wide(half_turn < -v48, m10));
-    q[15] = angle3;
-    q[16] = q5_pmp;
-    q[17] = angle7;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = -(v48 + only_wide(half_turn < -v48, m10));
+    q[15] = angle3; q[16] = q5_pmp; q[17] = angle7;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = -(v48 + only_wide(half_turn < -v48, m10));
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = -(v48 + only_wide(half_turn < -v48, m10));
+    q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_mpp;
-    q[27] = angle4;
-    q[28] = q5_mpp;
-    q[29] = angle8;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle4; q[28] = q5_mpp; q[29] = angle8;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_mpp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = -(v50 + only_wide(half_turn < -v50, m10));
-    q[39] = angle5;
-    q[40] = q5_mmp;
-    q[41] = angle9;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = -(v50 + only_wide(half_turn < -v50, m10));
+    q[39] = angle5; q[40] = q5_mmp; q[41] = angle9;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = -(v50 + only_wide(half_turn < -v50, m10));
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = -(v50 + only_wide(half_turn < -v50, m10));
+    q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -740,8 +662,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = wx * wx + Y1 * Y1;
     const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1;
-    const double v3 = copysign(half_turn, Y1);
+    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
@@ -752,21 +673,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta2 */
     const four Y1_2 = m4 + m3 * N3;
-    const four v6 = Z1_3 * Y1_2;
-    const four v7 = v4 * Y1_2;
-    const four v8 = m3 * (e2 * Z1_3);
+    const four v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m3 * (e2 * Z1_3);
     const four factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m5 * Z1_3;
-    const four v10 = v9 - m6 * v4;
-    const four v11 = m7 * factor2 - m6;
-    const four v12 = m8 * factor2 - m5;
+    const four v10 = v9 - m6 * v4, v11 = m7 * factor2 - m6, v12 = m8 * factor2 - m5;
     const four v13 = Z1_3 * v11 + v4 * v12;
     const four c23 = v13 + w3 * (factor2 * (e2 * v10));
     const double v14 = m6 * Z1_3;
-    const four v15 = v14 + m5 * v4;
-    const four v16 = Z1_3 * v12 + v4 * -v11;
+    const four v15 = v14 + m5 * v4, v16 = Z1_3 * v12 + v4 * -v11;
     const four s23 = v16 - w3 * (factor2 * (e2 * v15));
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s23 - e1 * (c23 * v17);
@@ -774,14 +690,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m9;
-    const four v20 = e1 * Y4;
-    const four v21 = copysign_four(all_four(half_turn), v20) * h1;
+    const four v20 = e1 * Y4, v21 = copysign_four(all_four(half_turn), v20) * h1;
 
     /* theta6 */
-    const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12));
-    const double v23 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const double v24 = w1 * (v2 * (wx * T21 + Y1 * T11));
-    const double v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12));
+    const double v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const four v26 = e1 * (Y4 * (e1 * (c23 * v25) - s23 * T31) - -X4 * v24);
 
     /* joint values */
@@ -802,8 +715,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q2_p = v27 - only_four(half_turn < v27, m10);
     const four v28 = e2 * angle5 - turn1 - offset3;
     const four q3_p = v28 - only_four(half_turn < v28, m10);
-    const four v29 = angle6 - offset5;
-    const four v30 = offset5 + angle6;
+    const four v29 = angle6 - offset5, v30 = offset5 + angle6;
     const four q5_p = v29 + only_four(v29 <= -half_turn, m10);
     const four q5_m = only_four(-v30 <= -half_turn, m10) - v30;
     const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);

@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -289,6 +287,7 @@ static const double a1 = 0.033; /* link length 1 [m] */
 static const double a2 = 0.155; /* link length 2 [m] */
 static const double a3 = 0.135; /* link length 3 [m] */
 static const double d5 = 0.2175; /* joint offset 5 [m] */
+static const double second_weight = 0.6875; /* lengths count in arm sizes [m] */
 static const double free_limit1 = 6.874999999999999e-13; /* a length that fixes no angle [m] */
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
 static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
@@ -318,7 +317,7 @@ static const double m6 = 0.018709677419354823; /* a coefficient of S2 */
 static const double m7 = 2.234039306640625e-13; /* doubt_limit_squared2^2 [m^4] */
 static const double m8 = 3.7037037037037037; /* a coefficient of c23 */
 static const double m9 = 0.021481481481481466; /* a coefficient of c23 */
-static const double m10 = 0.147; /* a coefficient of v14 */
+static const double m10 = 0.147; /* a coefficient of v17 */
 static const double m11 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -482,198 +481,130 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = T14 * T14 + T24 * T24;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide factor1 = w1 * v2;
-    const wide c1 = T14 * factor1;
-    const wide s1 = T24 * factor1;
-    const wide angle1 = atan2_wide(T24, T14);
+    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23);
+    const wide v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
+    const wide w1 = sqrt_wide(v4);
+    const wide v5 = 1.0 / v4;
+    const wide factor1 = w1 * v5;
+    const wide c1 = v2 * factor1;
+    const wide s1 = v3 * factor1;
+    const wide angle1 = atan2_wide(v3, v2);
 
     /* theta234 */
-    const wide Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23));
-    const wide v3 = T33 * T33 + Z2_234 * Z2_234;
-    const wide w234 = sqrt_wide(v3);
-    const wide v4 = 1.0 / v3;
-    const wide factor234 = w234 * v4;
-    const wide v5 = T33 * factor234;
+    const wide Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3));
+    const wide v6 = T33 * T33 + Z2_234 * Z2_234;
+    const wide w234 = sqrt_wide(v6);
+    const wide v7 = 1.0 / v6;
+    const wide factor234 = w234 * v7;
+    const wide v8 = T33 * factor234;
     const wide s234 = Z2_234 * factor234;
     const wide angle2 = atan2_wide(Z2_234, -T33);
 
     /* theta5 */
-    const wide S5 = w1 * (v2 * (T14 * T21 - T24 * T11));
-    const wide C5 = w1 * (v2 * (T14 * T22 - T24 * T12));
-    const wide v6 = S5 * S5 + C5 * C5;
-    const wide v7 = sqrt_wide(v6) * (1.0 / v6);
-    const wide v8 = C5 * v7;
-    const wide v9 = S5 * v7;
+    const wide S5 = w1 * (v5 * (v2 * T21 - v3 * T11));
+    const wide C5 = w1 * (v5 * (v2 * T22 - v3 * T12));
+    const wide v9 = S5 * S5 + C5 * C5, v10 = sqrt_wide(v9) * (1.0 / v9), v11 = C5 * v10;
+    const wide v12 = S5 * v10;
     const wide angle3 = atan2_wide(-S5, -C5);
 
     /* theta3 */
-    const wide v10 = T34 - d1;
-    const wide v11 = v10 - d5 * v5;
-    const wide v12 = w234 * (m4 * (T33 * v4));
-    const wide Z1_3 = v10 - v12;
-    const wide v13 = d5 * s234;
-    const wide v14 = w1 - a1;
-    const wide v15 = a1 + w1;
-    const wide v16 = v14 - v13;
-    const wide v17 = v13 - v15;
-    const wide v18 = w234 * (m4 * ((c1 * T13 + s1 * T23) * v4));
-    const wide Z2_3_p = v14 - v18;
-    const wide Z2_3_m = v18 - v15;
-    const wide v19 = Z1_3 * Z1_3;
-    const wide N3_p = v19 + Z2_3_p * Z2_3_p;
-    const wide N3_m = v19 + Z2_3_m * Z2_3_m;
+    const wide v13 = T34 - d1, v14 = v13 - d5 * v8, v15 = w234 * (m4 * (T33 * v7));
+    const wide Z1_3 = v13 - v15;
+    const wide v16 = d5 * s234, v17 = T14 * c1 + T24 * s1, v18 = v17 - a1, v19 = a1 + v17;
+    const wide v20 = v18 - v16, v21 = v16 - v19, v22 = w234 * (m4 * ((T13 * c1 + T23 * s1) * v7));
+    const wide Z2_3_p = v18 - v22, Z2_3_m = v22 - v19;
+    const wide v23 = Z1_3 * Z1_3;
+    const wide N3_p = v23 + Z2_3_p * Z2_3_p, N3_m = v23 + Z2_3_m * Z2_3_m;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v20 = w3_p - w3_p;
-    const wide v21 = w3_m - w3_m;
-    const wide angle4 = atan2_wide(w3_p, N3_p - k1);
-    const wide angle5 = atan2_wide(w3_m, N3_m - k1);
+    const wide v24 = w3_p - w3_p, v25 = w3_m - w3_m;
+    const wide angle4 = atan2_wide(w3_p, N3_p - k1), angle5 = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide v22 = m6 + m5 * N3_p;
-    const wide v23 = m6 + m5 * N3_m;
-    const wide v24 = v11 * v22;
-    const wide v25 = v11 * v23;
-    const wide S2_pp = v24 - w3_p * (m5 * v16);
-    const wide S2_pm = v24 - w3_p * (m5 * -v16);
-    const wide S2_mp = v25 - w3_m * (m5 * v17);
-    const wide S2_mm = v25 - w3_m * (m5 * -v17);
-    const wide v26 = m5 * v11;
-    const wide v27 = m5 * -v11;
-    const wide v28 = v16 * v22;
-    const wide v29 = v17 * v23;
-    const wide C2_pp = v28 + w3_p * v26;
-    const wide C2_pm = v28 + w3_p * v27;
-    const wide C2_mp = v29 + w3_m * v26;
-    const wide C2_mm = v29 + w3_m * v27;
-    const wide v30 = S2_pp * S2_pp + C2_pp * C2_pp;
-    const wide v31 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v32 = S2_mp * S2_mp + C2_mp * C2_mp;
-    const wide v33 = S2_mm * S2_mm + C2_mm * C2_mm;
-    const wide w2_pp = sqrt_wide(v30);
-    const wide w2_pm = sqrt_wide(v31);
-    const wide w2_mp = sqrt_wide(v32);
-    const wide w2_mm = sqrt_wide(v33);
-    const wide v34 = 1.0 / v30;
-    const wide v35 = 1.0 / v31;
-    const wide v36 = 1.0 / v32;
-    const wide v37 = 1.0 / v33;
-    const wide factor2_pp = w2_pp * v34;
-    const wide factor2_pm = w2_pm * v35;
-    const wide factor2_mp = w2_mp * v36;
-    const wide factor2_mm = w2_mm * v37;
-    const wide angle6 = atan2_wide(S2_pp, C2_pp);
-    const wide angle7 = atan2_wide(S2_pm, C2_pm);
-    const wide angle8 = atan2_wide(S2_mp, C2_mp);
-    const wide angle9 = atan2_wide(S2_mm, C2_mm);
+    const wide v26 = m6 + m5 * N3_p, v27 = m6 + m5 * N3_m, v28 = v14 * v26, v29 = v14 * v27;
+    const wide S2_pp = v28 - w3_p * (m5 * v20), S2_pm = v28 - w3_p * (m5 * -v20);
+    const wide S2_mp = v29 - w3_m * (m5 * v21), S2_mm = v29 - w3_m * (m5 * -v21);
+    const wide v30 = m5 * v14, v31 = m5 * -v14, v32 = v20 * v26, v33 = v21 * v27;
+    const wide C2_pp = v32 + w3_p * v30, C2_pm = v32 + w3_p * v31, C2_mp = v33 + w3_m * v30;
+    const wide C2_mm = v33 + w3_m * v31;
+    const wide v34 = S2_pp * S2_pp + C2_pp * C2_pp, v35 = S2_pm * S2_pm + C2_pm * C2_pm;
+    const wide v36 = S2_mp * S2_mp + C2_mp * C2_mp, v37 = S2_mm * S2_mm + C2_mm * C2_mm;
+    const wide w2_pp = sqrt_wide(v34), w2_pm = sqrt_wide(v35), w2_mp = sqrt_wide(v36);
+    const wide w2_mm = sqrt_wide(v37);
+    const wide v38 = 1.0 / v34, v39 = 1.0 / v35, v40 = 1.0 / v36, v41 = 1.0 / v37;
+    const wide factor2_pp = w2_pp * v38, factor2_pm = w2_pm * v39, factor2_mp = w2_mp * v40;
+    const wide factor2_mm = w2_mm * v41;
+    const wide angle6 = atan2_wide(S2_pp, C2_pp), angle7 = atan2_wide(S2_pm, C2_pm);
+    const wide angle8 = atan2_wide(S2_mp, C2_mp), angle9 = atan2_wide(S2_mm, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const wide v38 = c1 * v5;
-    const wide v39 = m8 * v11;
-    const wide v40 = m8 * -v11;
-    const wide v41 = m8 * N3_p - m9;
-    const wide v42 = m8 * N3_m - m9;
-    const wide v43 = v16 * v41;
-    const wide v44 = v17 * v42;
-    const wide v45 = v11 * v41;
-    const wide v46 = v11 * v42;
-    const wide v47 = a1 + v13;
-    const wide v48 = a1 - v13;
-    const wide v49 = v47 + w2_pp * (v34 * (a3 * (v43 - w3_p * v39) + a2 * C2_pp));
-    const wide v50 = v47 + w2_pm * (v35 * (a3 * (v43 - w3_p * v40) + a2 * C2_pm));
-    const wide v51 = v48 + w2_mp * (v36 * (a3 * (v44 - w3_m * v39) + a2 * C2_mp));
-    const wide v52 = v48 + w2_mm * (v37 * (a3 * (v44 - w3_m * v40) + a2 * C2_mm));
-    const wide v53 = s1 * v5;
-    const wide v54 = m10 + v12;
-    const double v55 = sqrt(-1.0);
-    const wide v56 = pick_wide(maximum_wide(abs_wide(T12 + (s1 * v8 + v9 * v38)),
-        maximum_wide(abs_wide(T11 - (v8 * v38 - s1 * v9)), maximum_wide(abs_wide(T13 - c1 * s234),
-        maximum_wide(abs_wide(T21 - (v8 * v53 + c1 * v9)), maximum_wide(abs_wide(T22 + (v9 * v53 -
-        c1 * v8)), maximum_wide(abs_wide(T23 - s1 * s234), maximum_wide(abs_wide(T31 + s234 * v8),
-        maximum_wide(abs_wide(T33 - v5), abs_wide(T32 - s234 * v9))))))))) <= pose_slack,
-        all_wide(0.0), all_wide(v55));
-    const wide v57 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v49), maximum_wide(abs_wide(T34 -
-        (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v45 + w3_p * (m8 * v16))))),
-        abs_wide(T14 - c1 * v49))) <= pose_slack1, all_wide(0.0), all_wide(v55));
-    const wide v58 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v50), maximum_wide(abs_wide(T34 -
-        (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v45 + w3_p * (m8 * -v16))))),
-        abs_wide(T14 - c1 * v50))) <= pose_slack1, all_wide(0.0), all_wide(v55));
-    const wide v59 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v51), maximum_wide(abs_wide(T34 -
-        (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v46 + w3_m * (m8 * v17))))),
-        abs_wide(T14 + c1 * v51))) <= pose_slack1, all_wide(0.0), all_wide(v55));
-    const wide v60 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v52), maximum_wide(abs_wide(T34 -
-        (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v46 + w3_m * (m8 * -v17))))),
-        abs_wide(T14 + c1 * v52))) <= pose_slack1, all_wide(0.0), all_wide(v55));
+    const wide v42 = c1 * v8, v43 = m8 * v14, v44 = m8 * -v14, v45 = m8 * N3_p - m9;
+    const wide v46 = m8 * N3_m - m9, v47 = v20 * v45, v48 = v21 * v46, v49 = v14 * v45;
+    const wide v50 = v14 * v46, v51 = a1 + v16, v52 = a1 - v16;
+    const wide v53 = v51 + w2_pp * (v38 * (a3 * (v47 - w3_p * v43) + a2 * C2_pp));
+    const wide v54 = v51 + w2_pm * (v39 * (a3 * (v47 - w3_p * v44) + a2 * C2_pm));
+    const wide v55 = v52 + w2_mp * (v40 * (a3 * (v48 - w3_m * v43) + a2 * C2_mp));
+    const wide v56 = v52 + w2_mm * (v41 * (a3 * (v48 - w3_m * v44) + a2 * C2_mm)), v57 = s1 * v8;
+    const wide v58 = m10 + v15;
+    const double v59 = sqrt(-1.0);
+    const wide v60 = pick_wide(maximum_wide(abs_wide(T12 + (s1 * v11 + v12 * v42)),
+        maximum_wide(abs_wide(T11 - (v11 * v42 - s1 * v12)), maximum_wide(abs_wide(T13 - c1 * s234),
+        maximum_wide(abs_wide(T21 - (v11 * v57 + c1 * v12)), maximum_wide(abs_wide(T22 + (v12 * v57
+        - c1 * v11)), maximum_wide(abs_wide(T23 - s1 * s234), maximum_wide(abs_wide(T31 + s234 *
+        v11), maximum_wide(abs_wide(T33 - v8), abs_wide(T32 - s234 * v12))))))))) <= pose_slack,
+        all_wide(0.0), all_wide(v59));
+    const wide v61 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v53), maximum_wide(abs_wide(T34 -
+        (v58 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v49 + w3_p * (m8 * v20))))),
+        abs_wide(T14 - c1 * v53))) <= pose_slack1, all_wide(0.0), all_wide(v59));
+    const wide v62 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v54), maximum_wide(abs_wide(T34 -
+        (v58 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v49 + w3_p * (m8 * -v20))))),
+        abs_wide(T14 - c1 * v54))) <= pose_slack1, all_wide(0.0), all_wide(v59));
+    const wide v63 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v55), maximum_wide(abs_wide(T34 -
+        (v58 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v50 + w3_m * (m8 * v21))))),
+        abs_wide(T14 + c1 * v55))) <= pose_slack1, all_wide(0.0), all_wide(v59));
+    const wide v64 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v56), maximum_wide(abs_wide(T34 -
+        (v58 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v50 + w3_m * (m8 * -v21))))),
+        abs_wide(T14 + c1 * v56))) <= pose_slack1, all_wide(0.0), all_wide(v59));
 
     /* joint values */
-    const wide v61 = angle6 - offset2;
-    const wide v62 = angle7 - offset2;
-    const wide v63 = angle8 - offset2;
-    const wide v64 = angle9 - offset2;
-    const wide v65 = angle2 - (angle4 + angle6) - offset4;
-    const wide v66 = angle2 - (angle7 - angle4) - offset4;
-    const wide v67 = offset4 + (angle2 + (angle5 + angle8));
-    const wide v68 = offset4 + (angle2 + (angle9 - angle5));
-    const wide v69 = v65 - only_wide(half_turn < v65, m11) + only_wide(v65 <= -half_turn, m11);
-    const wide v70 = v66 - only_wide(half_turn < v66, m11) + only_wide(v66 <= -half_turn, m11);
-    const wide v71 = only_wide(-v67 <= -half_turn, m11) - (v67 + only_wide(half_turn < -v67, m11));
-    const wide v72 = only_wide(-v68 <= -half_turn, m11) - (v68 + only_wide(half_turn < -v68, m11));
-    const wide v73 = v56 + (angle1 + v20);
-    const wide v74 = v56 + (v21 + (angle1 - copysign_wide(all_wide(half_turn), T24) * h1));
-    const wide q1_pp = v57 + v73;
-    const wide q1_pm = v58 + v73;
-    const wide q1_mp = v59 + v74;
-    const wide q1_mm = v60 + v74;
-    const wide q2_pp = v57 + (v56 + (v61 + only_wide(v61 <= -half_turn, m11)));
-    const wide q2_pm = v58 + (v56 + (v62 + only_wide(v62 <= -half_turn, m11)));
-    const wide q2_mp = v59 + (v56 + (v63 + only_wide(v63 <= -half_turn, m11)));
-    const wide q2_mm = v60 + (v56 + (v64 + only_wide(v64 <= -half_turn, m11)));
-    const wide q3_pp = v57 + (angle4 + v56);
-    const wide q3_pm = v58 + (v56 - angle4);
-    const wide q3_mp = v59 + (angle5 + v56);
-    const wide q3_mm = v60 + (v56 - angle5);
-    const wide q4_pp = v57 + (v56 + (v69 + only_wide(v69 <= -half_turn, m11)));
-    const wide q4_pm = v58 + (v56 + (v70 + only_wide(v70 <= -half_turn, m11)));
-    const wide q4_mp = v59 + (v56 + (v71 + only_wide(v71 <= -half_turn, m11)));
-    const wide q4_mm = v60 + (v56 + (v72 + only_wide(v72 <= -half_turn, m11)));
-    const wide v75 = v56 + (angle3 + v20);
-    const wide v76 = v56 + (v21 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -S5)));
-    const wide q5_pp = v57 + v75;
-    const wide q5_pm = v58 + v75;
-    const wide q5_mp = v59 + v76;
-    const wide q5_mm = v60 + v76;
-    const wide_mask doubt1 = (v3 <= m3) | ((v1 <= m1) | ((v6 <= m3) | ((v33 <= m7) | ((v32 <= m7) |
-        ((v31 <= m7) | ((v30 <= m7) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide v65 = angle6 - offset2, v66 = angle7 - offset2, v67 = angle8 - offset2;
+    const wide v68 = angle9 - offset2, v69 = angle2 - (angle4 + angle6) - offset4;
+    const wide v70 = angle2 - (angle7 - angle4) - offset4;
+    const wide v71 = offset4 + (angle2 + (angle5 + angle8));
+    const wide v72 = offset4 + (angle2 + (angle9 - angle5));
+    const wide v73 = v69 - only_wide(half_turn < v69, m11) + only_wide(v69 <= -half_turn, m11);
+    const wide v74 = v70 - only_wide(half_turn < v70, m11) + only_wide(v70 <= -half_turn, m11);
+    const wide v75 = only_wide(-v71 <= -half_turn, m11) - (v71 + only_wide(half_turn < -v71, m11));
+    const wide v76 = only_wide(-v72 <= -half_turn, m11) - (v72 + only_wide(half_turn < -v72, m11));
+    const wide v77 = v60 + (angle1 + v24);
+    const wide v78 = v60 + (v25 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1));
+    const wide q1_pp = v61 + v77, q1_pm = v62 + v77, q1_mp = v63 + v78, q1_mm = v64 + v78;
+    const wide q2_pp = v61 + (v60 + (v65 + only_wide(v65 <= -half_turn, m11)));
+    const wide q2_pm = v62 + (v60 + (v66 + only_wide(v66 <= -half_turn, m11)));
+    const wide q2_mp = v63 + (v60 + (v67 + only_wide(v67 <= -half_turn, m11)));
+    const wide q2_mm = v64 + (v60 + (v68 + only_wide(v68 <= -half_turn, m11)));
+    const wide q3_pp = v61 + (angle4 + v60), q3_pm = v62 + (v60 - angle4);
+    const wide q3_mp = v63 + (angle5 + v60), q3_mm = v64 + (v60 - angle5);
+    const wide q4_pp = v61 + (v60 + (v73 + only_wide(v73 <= -half_turn, m11)));
+    const wide q4_pm = v62 + (v60 + (v74 + only_wide(v74 <= -half_turn, m11)));
+    const wide q4_mp = v63 + (v60 + (v75 + only_wide(v75 <= -half_turn, m11)));
+    const wide q4_mm = v64 + (v60 + (v76 + only_wide(v76 <= -half_turn, m11)));
+    const wide v79 = v60 + (angle3 + v24);
+    const wide v80 = v60 + (v25 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -S5)));
+    const wide q5_pp = v61 + v79, q5_pm = v62 + v79, q5_mp = v63 + v80, q5_mm = v64 + v80;
+    const wide_mask doubt1 = (v6 <= m3) | ((v4 <= m1) | ((v9 <= m3) | ((v37 <= m7) | ((v36 <= m7) |
+        ((v35 <= m7) | ((v34 <= m7) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) &
         (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) ==
         0)))))))));
 
-    q[0] = q1_pp;
-    q[1] = q2_pp;
-    q[2] = q3_pp;
-    q[3] = q4_pp;
-    q[4] = q5_pp;
+    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_pm;
-    q[6] = q2_pm;
-    q[7] = q3_pm;
-    q[8] = q4_pm;
-    q[9] = q5_pm;
+    q[5] = q1_pm; q[6] = q2_pm; q[7] = q3_pm; q[8] = q4_pm; q[9] = q5_pm;
     kind[1] = kind_of(q[5] != q[5], 0);
-    q[10] = q1_mp;
-    q[11] = q2_mp;
-    q[12] = q3_mp;
-    q[13] = q4_mp;
-    q[14] = q5_mp;
+    q[10] = q1_mp; q[11] = q2_mp; q[12] = q3_mp; q[13] = q4_mp; q[14] = q5_mp;
     kind[2] = kind_of(q[10] != q[10], 0);
-    q[15] = q1_mm;
-    q[16] = q2_mm;
-    q[17] = q3_mm;
-    q[18] = q4_mm;
-    q[19] = q5_mm;
+    q[15] = q1_mm; q[16] = q2_mm; q[17] = q3_mm; q[18] = q4_mm; q[19] = q5_mm;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -692,111 +623,93 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = T14 * T14 + T24 * T24;
-    const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1;
-    const double factor1 = w1 * v2;
-    const double c1 = T14 * factor1;
-    const double s1 = T24 * factor1;
-    const double v3 = copysign(half_turn, T24);
-    const four v4 = m2 * (e1 - 1.0);
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1;
+    const double v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
+    const double w1 = sqrt(v4);
+    const double v5 = 1.0 / v4;
+    const double factor1 = w1 * v5;
+    const double c1 = v2 * factor1;
+    const double s1 = v3 * factor1;
+    const double v6 = copysign(half_turn, v3);
+    const four v7 = m2 * (e1 - 1.0);
 
     /* theta234 */
-    const double v5 = c1 * T13 + s1 * T23;
-    const double Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23));
-    const double v6 = T33 * T33 + Z2_234 * Z2_234;
-    const double w234 = sqrt(v6);
-    const double v7 = 1.0 / v6;
-    const double factor234 = w234 * v7;
-    const double v8 = T33 * factor234;
+    const double v8 = T13 * c1 + T23 * s1;
+    const double Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3));
+    const double v9 = T33 * T33 + Z2_234 * Z2_234;
+    const double w234 = sqrt(v9);
+    const double v10 = 1.0 / v9;
+    const double factor234 = w234 * v10;
+    const double v11 = T33 * factor234;
     const double s234 = Z2_234 * factor234;
 
     /* theta5 */
-    const double S5 = w1 * (v2 * (T14 * T21 - T24 * T11));
-    const double C5 = w1 * (v2 * (T14 * T22 - T24 * T12));
-    const double v9 = S5 * S5 + C5 * C5;
-    const double v10 = sqrt(v9) * (1.0 / v9);
-    const double v11 = C5 * v10;
-    const double v12 = S5 * v10;
-    const double v13 = copysign(half_turn, -S5);
+    const double S5 = w1 * (v5 * (v2 * T21 - v3 * T11));
+    const double C5 = w1 * (v5 * (v2 * T22 - v3 * T12));
+    const double v12 = S5 * S5 + C5 * C5, v13 = sqrt(v12) * (1.0 / v12), v14 = C5 * v13;
+    const double v15 = S5 * v13, v16 = copysign(half_turn, -S5);
 
     /* theta3 */
-    const double v14 = T34 - d1;
-    const double v15 = v14 - d5 * v8;
-    const double v16 = w234 * (m4 * (T33 * v7));
-    const double Z1_3 = v14 - v16;
-    const double v17 = d5 * s234;
-    const four v18 = e1 * w1 - a1;
-    const four v19 = e1 * v17;
-    const four v20 = v18 - v19;
-    const four Z2_3 = v18 - w234 * (m4 * (v7 * (e1 * v5)));
-    const double v21 = Z1_3 * Z1_3;
-    const four N3 = v21 + Z2_3 * Z2_3;
+    const double v17 = T34 - d1, v18 = v17 - d5 * v11, v19 = w234 * (m4 * (T33 * v10));
+    const double Z1_3 = v17 - v19;
+    const double v20 = d5 * s234, v21 = T14 * c1 + T24 * s1;
+    const four v22 = e1 * v21 - a1, v23 = e1 * v20, v24 = v22 - v23;
+    const four Z2_3 = v22 - w234 * (m4 * (v10 * (e1 * v8)));
+    const double v25 = Z1_3 * Z1_3;
+    const four N3 = v25 + Z2_3 * Z2_3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v22 = w3 - w3;
+    const four v26 = w3 - w3;
     const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart
         < N3) & (N3 < longest3_apart)) == 0);
 
     /* theta2 */
-    const four v23 = e2 * v20;
-    const four v24 = m6 + m5 * N3;
-    const four v25 = v15 * v24;
-    const four S2 = v25 - w3 * (m5 * v23);
-    const four v26 = e2 * v15;
-    const four v27 = m5 * v26;
-    const four v28 = v20 * v24;
-    const four C2 = v28 + w3 * v27;
-    const four v29 = S2 * S2 + C2 * C2;
-    const four w2 = sqrt_four(v29);
-    const four_mask doubt3 = v29 <= m7;
-    const four v30 = 1.0 / v29;
-    const four factor2 = w2 * v30;
+    const four v27 = e2 * v24, v28 = m6 + m5 * N3, v29 = v18 * v28;
+    const four S2 = v29 - w3 * (m5 * v27);
+    const four v30 = e2 * v18, v31 = m5 * v30, v32 = v24 * v28;
+    const four C2 = v32 + w3 * v31;
+    const four v33 = S2 * S2 + C2 * C2;
+    const four w2 = sqrt_four(v33);
+    const four_mask doubt3 = v33 <= m7;
+    const four v34 = 1.0 / v33;
+    const four factor2 = w2 * v34;
 
     /* is the pose one that the arm can take? */
-    const double v31 = c1 * v8;
-    const four v32 = m8 * v26;
-    const four v33 = m8 * N3 - m9;
-    const four v34 = v20 * v33;
-    const four v35 = v15 * v33;
-    const four v36 = a1 + v19;
-    const four v37 = v36 + w2 * (v30 * (a3 * (v34 - w3 * v32) + a2 * C2));
-    const double v38 = s1 * v8;
-    const double v39 = m10 + v16;
-    const double v40 = sqrt(-1.0);
-    const double v41 = (maximum_double(fabs(T12 + (s1 * v11 + v12 * v31)), maximum_double(fabs(T11 -
-        (v11 * v31 - s1 * v12)), maximum_double(fabs(T13 - c1 * s234), maximum_double(fabs(T21 -
-        (v11 * v38 + c1 * v12)), maximum_double(fabs(T22 + (v12 * v38 - c1 * v11)),
-        maximum_double(fabs(T23 - s1 * s234), maximum_double(fabs(T31 + s234 * v11),
-        maximum_double(fabs(T33 - v8), fabs(T32 - s234 * v12))))))))) <= pose_slack) ? 0.0 : v40;
-    const four v42 = pick_four(maximum_four(abs_four(T24 - e1 * (s1 * v37)),
-        maximum_four(abs_four(T34 - (v39 + factor2 * (a2 * S2) + factor2 * (a3 * (v35 + w3 * (m8 *
-        v23))))), abs_four(T14 - e1 * (c1 * v37)))) <= pose_slack1, all_four(0.0), all_four(v40));
+    const double v35 = c1 * v11;
+    const four v36 = m8 * v30, v37 = m8 * N3 - m9, v38 = v24 * v37, v39 = v18 * v37, v40 = a1 + v23;
+    const four v41 = v40 + w2 * (v34 * (a3 * (v38 - w3 * v36) + a2 * C2));
+    const double v42 = s1 * v11, v43 = m10 + v19, v44 = sqrt(-1.0);
+    const double v45 = (maximum_double(fabs(T12 + (s1 * v14 + v15 * v35)), maximum_double(fabs(T11 -
+        (v14 * v35 - s1 * v15)), maximum_double(fabs(T13 - c1 * s234), maximum_double(fabs(T21 -
+        (v14 * v42 + c1 * v15)), maximum_double(fabs(T22 + (v15 * v42 - c1 * v14)),
+        maximum_double(fabs(T23 - s1 * s234), maximum_double(fabs(T31 + s234 * v14),
+        maximum_double(fabs(T33 - v11), fabs(T32 - s234 * v15))))))))) <= pose_slack) ? 0.0 : v44;
+    const four v46 = pick_four(maximum_four(abs_four(T24 - e1 * (s1 * v41)),
+        maximum_four(abs_four(T34 - (v43 + factor2 * (a2 * S2) + factor2 * (a3 * (v39 + w3 * (m8 *
+        v27))))), abs_four(T14 - e1 * (c1 * v41)))) <= pose_slack1, all_four(0.0), all_four(v44));
 
     /* joint values */
-    const int doubt1 = (v6 <= m3) | ((v9 <= m3) | (v1 <= m1));
+    const int doubt1 = (v9 <= m3) | ((v12 <= m3) | (v4 <= m1));
 
     const four angle5 = atan2_four(S2, C2);
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
-        all_four(T24), 0, 5, 2, 3), all_four(Z2_234), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T14), 0, 5, 2, 3),
+        all_four(v3), 0, 5, 2, 3), all_four(Z2_234), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(v2), 0, 5, 2, 3),
         all_four(-T33), 0, 1, 2, 7));
     const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
     const four packed3 = atan2_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5 });
     const four angle3 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v43 = angle5 - offset2;
-    const four v44 = e2 * angle4;
-    const four v45 = e1 * angle2;
-    const four v46 = v45 - (angle5 + v44) - offset4;
-    const four v47 = v46 - only_four(half_turn < v46, m11) + only_four(v46 <= -half_turn, m11);
-    const four v48 = v41 + (v22 + (angle1 + v3 * v4));
-    const four q1 = v42 + v48;
-    const four q2 = v42 + (v41 + (v43 + only_four(v43 <= -half_turn, m11)));
-    const four q3 = v42 + (v41 + v44);
-    const four q4 = v42 + (v41 + (v47 + only_four(v47 <= -half_turn, m11)));
-    const four v49 = v41 + (v22 + (angle3 + v4 * v13));
-    const four q5 = v42 + v49;
+    const four v47 = angle5 - offset2, v48 = e2 * angle4, v49 = e1 * angle2;
+    const four v50 = v49 - (angle5 + v48) - offset4;
+    const four v51 = v50 - only_four(half_turn < v50, m11) + only_four(v50 <= -half_turn, m11);
+    const four v52 = v45 + (v26 + (angle1 + v6 * v7));
+    const four q1 = v46 + v52;
+    const four q2 = v46 + (v45 + (v47 + only_four(v47 <= -half_turn, m11)));
+    const four q3 = v46 + (v45 + v48);
+    const four q4 = v46 + (v45 + (v51 + only_four(v51 <= -half_turn, m11)));
+    const four v53 = v45 + (v26 + (angle3 + v7 * v16));
+    const four q5 = v46 + v53;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -874,35 +787,38 @@ static void solve(
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
-    /* theta1, type 2: U1[3, 4] */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    /* theta1, type 2: U1[3, 4] and U1[3, 3] */
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23);
+    const double v2 = T14 + T13 * v1;
+    const double v3 = T24 + T23 * v1;
+    const double w1 = sqrt(v2 * v2 + v3 * v3);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v1 = T33 * T33;
-    const double v2 = seed[1] + offset2;
-    const double v3 = v2 + seed[2] + (seed[3] + offset4);
+    const double v4 = T33 * T33;
+    const double v5 = seed[1] + offset2;
+    const double v6 = v5 + seed[2] + (seed[3] + offset4);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v6 = T34 - d1;
+    const double v9 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : T14 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : T24 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : v2 * factor1;
+        const double s1 = free1 ? sin(seed[0]) : v3 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
-        const double w234 = sqrt(Z2_234 * Z2_234 + v1);
+        const double w234 = sqrt(Z2_234 * Z2_234 + v4);
         const int free234 = w234 <= free_limit_squared;
         const double factor234 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v3) : -(T33 * factor234);
-        const double s234 = free234 ? sin(v3) : Z2_234 * factor234;
+        const double c234 = free234 ? cos(v6) : -(T33 * factor234);
+        const double s234 = free234 ? sin(v6) : Z2_234 * factor234;
         const double theta234 = atan2(s234, c234);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
@@ -910,16 +826,16 @@ static void solve(
         const double C5 = T22 * c1 - T12 * s1;
         const double w5 = sqrt(S5 * S5 + C5 * C5);
         const int free5 = w5 <= free_limit_squared;
-        const double v4 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(C5 * v4);
-        const double s5 = free5 ? sin(seed[4]) : -(S5 * v4);
+        const double v7 = 1.0 / (free5 ? 1.0 : w5);
+        const double c5 = free5 ? cos(seed[4]) : -(C5 * v7);
+        const double s5 = free5 ? sin(seed[4]) : -(S5 * v7);
         const double q5 = atan2(s5, c5);
 
         /* theta3 */
-        const double v5 = c234 * d5;
-        const double Z1_3 = v5 + v6;
-        const double v7 = s234 * d5;
-        const double Z2_3 = w1 * e1 - a1 - v7;
+        const double v8 = c234 * d5;
+        const double Z1_3 = v8 + v9;
+        const double v10 = s234 * d5;
+        const double Z2_3 = T14 * c1 + T24 * s1 - a1 - v10;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
@@ -948,19 +864,19 @@ static void solve(
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
         const double X1_2 = a2 + a3 * c3;
-        const double v8 = Z1_3 * X1_2;
-        const double v9 = Z2_3 * X1_2;
+        const double v11 = Z1_3 * X1_2;
+        const double v12 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v10 = c1 * c234;
-        const double v11 = a1 + v7;
-        const double v13 = s1 * c234;
-        const double v14 = d1 - v5;
+        const double v13 = c1 * c234;
+        const double v14 = a1 + v10;
+        const double v16 = s1 * c234;
+        const double v17 = d1 - v8;
         if (!(fabs(T33 + c234) <= pose_slack && (fabs(T32 + s234 * s5) <= pose_slack && (fabs(T31 -
             s234 * c5) <= pose_slack && (fabs(T23 - s1 * s234) <= pose_slack && (fabs(T22 + (c1 * c5
-            + s5 * v13)) <= pose_slack && (fabs(T21 - (c5 * v13 - c1 * s5)) <= pose_slack &&
-            (fabs(T13 - c1 * s234) <= pose_slack && (fabs(T11 - (c5 * v10 + s1 * s5)) <= pose_slack
-            && fabs(T12 - (s1 * c5 - s5 * v10)) <= pose_slack)))))))))
+            + s5 * v16)) <= pose_slack && (fabs(T21 - (c5 * v16 - c1 * s5)) <= pose_slack &&
+            (fabs(T13 - c1 * s234) <= pose_slack && (fabs(T11 - (c5 * v13 + s1 * s5)) <= pose_slack
+            && fabs(T12 - (s1 * c5 - s5 * v13)) <= pose_slack)))))))))
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
@@ -972,21 +888,21 @@ static void solve(
 
             /* theta2 */
             const double Y1_2 = a3 * s3;
-            const double S2 = v8 - Z2_3 * Y1_2;
-            const double C2 = v9 + Z1_3 * Y1_2;
+            const double S2 = v11 - Z2_3 * Y1_2;
+            const double C2 = v12 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v2) : C2 * factor2;
-            const double s2 = free2 ? sin(v2) : S2 * factor2;
+            const double c2 = free2 ? cos(v5) : C2 * factor2;
+            const double s2 = free2 ? sin(v5) : S2 * factor2;
             const double theta2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2;
             const double s23 = c3 * s2 + s3 * c2;
-            const double v12 = a3 * c23 + (a2 * c2 + v11);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 && (fabs(T14 - c1 * v12)
-                <= pose_slack1 && fabs(T24 - s1 * v12) <= pose_slack1)))
+            const double v15 = a3 * c23 + (a2 * c2 + v14);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 && (fabs(T14 - c1 * v15)
+                <= pose_slack1 && fabs(T24 - s1 * v15) <= pose_slack1)))
                 continue; /* the arm can't take this pose */
 
             /* joint values */

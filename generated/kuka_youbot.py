@@ -16,7 +16,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -47,7 +47,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -84,6 +85,7 @@ a1 = 0.033  # link length 1 [m]
 a2 = 0.155  # link length 2 [m]
 a3 = 0.135  # link length 3 [m]
 d5 = 0.2175  # joint offset 5 [m]
+second_weight = 0.6875  # lengths count in arm sizes [m]
 free_limit1 = 6.874999999999999e-13  # a length that fixes no angle [m]
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
@@ -108,7 +110,7 @@ m6 = 0.018709677419354823  # a coefficient of S2
 m7 = 2.234039306640625e-13  # doubt_limit_squared2^2 [m^4]
 m8 = 3.7037037037037037  # a coefficient of c23
 m9 = 0.021481481481481466  # a coefficient of c23
-m10 = 0.147  # a coefficient of v14
+m10 = 0.147  # a coefficient of v17
 m11 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
@@ -307,18 +309,21 @@ def _solve(pose, seed, q, status):
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    # theta1, type 2: U1[3, 4]
-    w1 = math.sqrt(T14 * T14 + T24 * T24)
+    # theta1, type 2: U1[3, 4] and U1[3, 3]
+    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    v2 = T14 + T13 * v1
+    v3 = T24 + T23 * v1
+    w1 = math.sqrt(v2 * v2 + v3 * v3)
     free1 = w1 <= free_limit1
     divisor1 = 1.0 if free1 else w1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v1 = T33 * T33
-    v2 = seed[1] + offset2
-    v3 = v2 + seed[2] + (seed[3] + offset4)
+    v4 = T33 * T33
+    v5 = seed[1] + offset2
+    v6 = v5 + seed[2] + (seed[3] + offset4)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v6 = T34 - d1
+    v9 = T34 - d1
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -326,17 +331,17 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and free1:
             continue  # both signs give the same
         factor1 = e1 / divisor1
-        c1 = math.cos(seed[0]) if free1 else T14 * factor1
-        s1 = math.sin(seed[0]) if free1 else T24 * factor1
+        c1 = math.cos(seed[0]) if free1 else v2 * factor1
+        s1 = math.sin(seed[0]) if free1 else v3 * factor1
         q1 = _atan2(s1, c1)
 
         # theta234
         Z2_234 = T13 * c1 + T23 * s1
-        w234 = math.sqrt(Z2_234 * Z2_234 + v1)
+        w234 = math.sqrt(Z2_234 * Z2_234 + v4)
         free234 = w234 <= free_limit_squared
         factor234 = 1.0 / (1.0 if free234 else w234)
-        c234 = math.cos(v3) if free234 else -(T33 * factor234)
-        s234 = math.sin(v3) if free234 else Z2_234 * factor234
+        c234 = math.cos(v6) if free234 else -(T33 * factor234)
+        s234 = math.sin(v6) if free234 else Z2_234 * factor234
         theta234 = _atan2(s234, c234)
 
         # theta5, type 3: U1[3, 2] and U1[3, 1]
@@ -344,16 +349,16 @@ def _solve(pose, seed, q, status):
         C5 = T22 * c1 - T12 * s1
         w5 = math.sqrt(S5 * S5 + C5 * C5)
         free5 = w5 <= free_limit_squared
-        v4 = 1.0 / (1.0 if free5 else w5)
-        c5 = math.cos(seed[4]) if free5 else -(C5 * v4)
-        s5 = math.sin(seed[4]) if free5 else -(S5 * v4)
+        v7 = 1.0 / (1.0 if free5 else w5)
+        c5 = math.cos(seed[4]) if free5 else -(C5 * v7)
+        s5 = math.sin(seed[4]) if free5 else -(S5 * v7)
         q5 = _atan2(s5, c5)
 
         # theta3
-        v5 = c234 * d5
-        Z1_3 = v5 + v6
-        v7 = s234 * d5
-        Z2_3 = w1 * e1 - a1 - v7
+        v8 = c234 * d5
+        Z1_3 = v8 + v9
+        v10 = s234 * d5
+        Z2_3 = T14 * c1 + T24 * s1 - a1 - v10
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
@@ -377,20 +382,20 @@ def _solve(pose, seed, q, status):
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2 = a2 + a3 * c3
-        v8 = Z1_3 * X1_2
-        v9 = Z2_3 * X1_2
+        v11 = Z1_3 * X1_2
+        v12 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v10 = c1 * c234
-        v11 = a1 + v7
-        v13 = s1 * c234
-        v14 = d1 - v5
+        v13 = c1 * c234
+        v14 = a1 + v10
+        v16 = s1 * c234
+        v17 = d1 - v8
         if (
             not (abs(T33 + c234) <= pose_slack and (abs(T32 + s234 * s5) <= pose_slack and (abs(T31
             - s234 * c5) <= pose_slack and (abs(T23 - s1 * s234) <= pose_slack and (abs(T22 + (c1 *
-            c5 + s5 * v13)) <= pose_slack and (abs(T21 - (c5 * v13 - c1 * s5)) <= pose_slack and
-            (abs(T13 - c1 * s234) <= pose_slack and (abs(T11 - (c5 * v10 + s1 * s5)) <= pose_slack
-            and abs(T12 - (s1 * c5 - s5 * v10)) <= pose_slack))))))))
+            c5 + s5 * v16)) <= pose_slack and (abs(T21 - (c5 * v16 - c1 * s5)) <= pose_slack and
+            (abs(T13 - c1 * s234) <= pose_slack and (abs(T11 - (c5 * v13 + s1 * s5)) <= pose_slack
+            and abs(T12 - (s1 * c5 - s5 * v13)) <= pose_slack))))))))
         ):
             continue  # the arm can't take this pose
 
@@ -404,22 +409,22 @@ def _solve(pose, seed, q, status):
 
             # theta2
             Y1_2 = a3 * s3
-            S2 = v8 - Z2_3 * Y1_2
-            C2 = v9 + Z1_3 * Y1_2
+            S2 = v11 - Z2_3 * Y1_2
+            C2 = v12 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v2) if free2 else C2 * factor2
-            s2 = math.sin(v2) if free2 else S2 * factor2
+            c2 = math.cos(v5) if free2 else C2 * factor2
+            s2 = math.sin(v5) if free2 else S2 * factor2
             theta2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v12 = a3 * c23 + (a2 * c2 + v11)
+            v15 = a3 * c23 + (a2 * c2 + v14)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 and (abs(T14 - c1 * v12)
-                <= pose_slack1 and abs(T24 - s1 * v12) <= pose_slack1))
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 and (abs(T14 - c1 * v15)
+                <= pose_slack1 and abs(T24 - s1 * v15) <= pose_slack1))
             ):
                 continue  # the arm can't take this pose
 
@@ -629,138 +634,142 @@ def _regular(pose, q, status):
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
     room = carray(_room(32), 32)
 
-    # theta1, type 2: U1[3, 4]
-    v1 = T14 * T14 + T24 * T24
-    w1 = math.sqrt(v1)
-    v2 = 1.0 / v1
-    factor1 = w1 * v2
-    c1 = T14 * factor1
-    s1 = T24 * factor1
+    # theta1, type 2: U1[3, 4] and U1[3, 3]
+    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    v2 = T14 + T13 * v1
+    v3 = T24 + T23 * v1
+    v4 = v2 * v2 + v3 * v3
+    w1 = math.sqrt(v4)
+    v5 = 1.0 / v4
+    factor1 = w1 * v5
+    c1 = v2 * factor1
+    s1 = v3 * factor1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23))
-    v3 = T33 * T33 + Z2_234 * Z2_234
-    w234 = math.sqrt(v3)
-    v4 = 1.0 / v3
-    factor234 = w234 * v4
-    v5 = T33 * factor234
+    Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3))
+    v6 = T33 * T33 + Z2_234 * Z2_234
+    w234 = math.sqrt(v6)
+    v7 = 1.0 / v6
+    factor234 = w234 * v7
+    v8 = T33 * factor234
     s234 = Z2_234 * factor234
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
-    S5 = w1 * (v2 * (T14 * T21 - T24 * T11))
-    C5 = w1 * (v2 * (T14 * T22 - T24 * T12))
-    v6 = S5 * S5 + C5 * C5
-    v7 = math.sqrt(v6) * (1.0 / v6)
-    v8 = C5 * v7
-    v9 = S5 * v7
+    S5 = w1 * (v5 * (v2 * T21 - v3 * T11))
+    C5 = w1 * (v5 * (v2 * T22 - v3 * T12))
+    v9 = S5 * S5 + C5 * C5
+    v10 = math.sqrt(v9) * (1.0 / v9)
+    v11 = C5 * v10
+    v12 = S5 * v10
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v10 = T34 - d1
-    v11 = v10 - d5 * v5
-    v12 = w234 * (m4 * (T33 * v4))
-    Z1_3 = v10 - v12
-    v13 = d5 * s234
-    v14 = w1 - a1
-    v15 = a1 + w1
-    v16 = v14 - v13
-    v17 = v13 - v15
-    v18 = w234 * (m4 * ((c1 * T13 + s1 * T23) * v4))
-    Z2_3_p = v14 - v18
-    Z2_3_m = v18 - v15
-    v19 = Z1_3 * Z1_3
-    N3_p = v19 + Z2_3_p * Z2_3_p
-    N3_m = v19 + Z2_3_m * Z2_3_m
+    v13 = T34 - d1
+    v14 = v13 - d5 * v8
+    v15 = w234 * (m4 * (T33 * v7))
+    Z1_3 = v13 - v15
+    v16 = d5 * s234
+    v17 = T14 * c1 + T24 * s1
+    v18 = v17 - a1
+    v19 = a1 + v17
+    v20 = v18 - v16
+    v21 = v16 - v19
+    v22 = w234 * (m4 * ((T13 * c1 + T23 * s1) * v7))
+    Z2_3_p = v18 - v22
+    Z2_3_m = v22 - v19
+    v23 = Z1_3 * Z1_3
+    N3_p = v23 + Z2_3_p * Z2_3_p
+    N3_m = v23 + Z2_3_m * Z2_3_m
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v20 = w3_p - w3_p
-    v21 = w3_m - w3_m
+    v24 = w3_p - w3_p
+    v25 = w3_m - w3_m
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v22 = m6 + m5 * N3_p
-    v23 = m6 + m5 * N3_m
-    v24 = v11 * v22
-    v25 = v11 * v23
-    S2_pp = v24 - w3_p * (m5 * v16)
-    S2_pm = v24 - w3_p * (m5 * -v16)
-    S2_mp = v25 - w3_m * (m5 * v17)
-    S2_mm = v25 - w3_m * (m5 * -v17)
-    v26 = m5 * v11
-    v27 = m5 * -v11
-    v28 = v16 * v22
-    v29 = v17 * v23
-    C2_pp = v28 + w3_p * v26
-    C2_pm = v28 + w3_p * v27
-    C2_mp = v29 + w3_m * v26
-    C2_mm = v29 + w3_m * v27
-    v30 = S2_pp * S2_pp + C2_pp * C2_pp
-    v31 = S2_pm * S2_pm + C2_pm * C2_pm
-    v32 = S2_mp * S2_mp + C2_mp * C2_mp
-    v33 = S2_mm * S2_mm + C2_mm * C2_mm
-    w2_pp = math.sqrt(v30)
-    w2_pm = math.sqrt(v31)
-    w2_mp = math.sqrt(v32)
-    w2_mm = math.sqrt(v33)
-    v34 = 1.0 / v30
-    v35 = 1.0 / v31
-    v36 = 1.0 / v32
-    v37 = 1.0 / v33
-    factor2_pp = w2_pp * v34
-    factor2_pm = w2_pm * v35
-    factor2_mp = w2_mp * v36
-    factor2_mm = w2_mm * v37
+    v26 = m6 + m5 * N3_p
+    v27 = m6 + m5 * N3_m
+    v28 = v14 * v26
+    v29 = v14 * v27
+    S2_pp = v28 - w3_p * (m5 * v20)
+    S2_pm = v28 - w3_p * (m5 * -v20)
+    S2_mp = v29 - w3_m * (m5 * v21)
+    S2_mm = v29 - w3_m * (m5 * -v21)
+    v30 = m5 * v14
+    v31 = m5 * -v14
+    v32 = v20 * v26
+    v33 = v21 * v27
+    C2_pp = v32 + w3_p * v30
+    C2_pm = v32 + w3_p * v31
+    C2_mp = v33 + w3_m * v30
+    C2_mm = v33 + w3_m * v31
+    v34 = S2_pp * S2_pp + C2_pp * C2_pp
+    v35 = S2_pm * S2_pm + C2_pm * C2_pm
+    v36 = S2_mp * S2_mp + C2_mp * C2_mp
+    v37 = S2_mm * S2_mm + C2_mm * C2_mm
+    w2_pp = math.sqrt(v34)
+    w2_pm = math.sqrt(v35)
+    w2_mp = math.sqrt(v36)
+    w2_mm = math.sqrt(v37)
+    v38 = 1.0 / v34
+    v39 = 1.0 / v35
+    v40 = 1.0 / v36
+    v41 = 1.0 / v37
+    factor2_pp = w2_pp * v38
+    factor2_pm = w2_pm * v39
+    factor2_mp = w2_mp * v40
+    factor2_mm = w2_mm * v41
 
     # is the pose one that the arm can take?
-    v38 = c1 * v5
-    v39 = m8 * v11
-    v40 = m8 * -v11
-    v41 = m8 * N3_p - m9
-    v42 = m8 * N3_m - m9
-    v43 = v16 * v41
-    v44 = v17 * v42
-    v45 = v11 * v41
-    v46 = v11 * v42
-    v47 = a1 + v13
-    v48 = a1 - v13
-    v49 = v47 + w2_pp * (v34 * (a3 * (v43 - w3_p * v39) + a2 * C2_pp))
-    v50 = v47 + w2_pm * (v35 * (a3 * (v43 - w3_p * v40) + a2 * C2_pm))
-    v51 = v48 + w2_mp * (v36 * (a3 * (v44 - w3_m * v39) + a2 * C2_mp))
-    v52 = v48 + w2_mm * (v37 * (a3 * (v44 - w3_m * v40) + a2 * C2_mm))
-    v53 = s1 * v5
-    v54 = m10 + v12
-    v55 = math.sqrt(-1.0)
-    v56 = (
-        0.0 if max(abs(T12 + (s1 * v8 + v9 * v38)), max(abs(T11 - (v8 * v38 - s1 * v9)), max(abs(T13
-        - c1 * s234), max(abs(T21 - (v8 * v53 + c1 * v9)), max(abs(T22 + (v9 * v53 - c1 * v8)),
-        max(abs(T23 - s1 * s234), max(abs(T31 + s234 * v8), max(abs(T33 - v5), abs(T32 - s234 *
-        v9))))))))) <= pose_slack else v55
-    )
-    v57 = (
-        0.0 if max(abs(T24 - s1 * v49), max(abs(T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp
-        * (a3 * (v45 + w3_p * (m8 * v16))))), abs(T14 - c1 * v49))) <= pose_slack1 else v55
-    )
-    v58 = (
-        0.0 if max(abs(T24 - s1 * v50), max(abs(T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm
-        * (a3 * (v45 + w3_p * (m8 * -v16))))), abs(T14 - c1 * v50))) <= pose_slack1 else v55
-    )
-    v59 = (
-        0.0 if max(abs(T24 + s1 * v51), max(abs(T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp
-        * (a3 * (v46 + w3_m * (m8 * v17))))), abs(T14 + c1 * v51))) <= pose_slack1 else v55
-    )
+    v42 = c1 * v8
+    v43 = m8 * v14
+    v44 = m8 * -v14
+    v45 = m8 * N3_p - m9
+    v46 = m8 * N3_m - m9
+    v47 = v20 * v45
+    v48 = v21 * v46
+    v49 = v14 * v45
+    v50 = v14 * v46
+    v51 = a1 + v16
+    v52 = a1 - v16
+    v53 = v51 + w2_pp * (v38 * (a3 * (v47 - w3_p * v43) + a2 * C2_pp))
+    v54 = v51 + w2_pm * (v39 * (a3 * (v47 - w3_p * v44) + a2 * C2_pm))
+    v55 = v52 + w2_mp * (v40 * (a3 * (v48 - w3_m * v43) + a2 * C2_mp))
+    v56 = v52 + w2_mm * (v41 * (a3 * (v48 - w3_m * v44) + a2 * C2_mm))
+    v57 = s1 * v8
+    v58 = m10 + v15
+    v59 = math.sqrt(-1.0)
     v60 = (
-        0.0 if max(abs(T24 + s1 * v52), max(abs(T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm
-        * (a3 * (v46 + w3_m * (m8 * -v17))))), abs(T14 + c1 * v52))) <= pose_slack1 else v55
+        0.0 if max(abs(T12 + (s1 * v11 + v12 * v42)), max(abs(T11 - (v11 * v42 - s1 * v12)),
+        max(abs(T13 - c1 * s234), max(abs(T21 - (v11 * v57 + c1 * v12)), max(abs(T22 + (v12 * v57 -
+        c1 * v11)), max(abs(T23 - s1 * s234), max(abs(T31 + s234 * v11), max(abs(T33 - v8), abs(T32
+        - s234 * v12))))))))) <= pose_slack else v59
+    )
+    v61 = (
+        0.0 if max(abs(T24 - s1 * v53), max(abs(T34 - (v58 + factor2_pp * (a2 * S2_pp) + factor2_pp
+        * (a3 * (v49 + w3_p * (m8 * v20))))), abs(T14 - c1 * v53))) <= pose_slack1 else v59
+    )
+    v62 = (
+        0.0 if max(abs(T24 - s1 * v54), max(abs(T34 - (v58 + factor2_pm * (a2 * S2_pm) + factor2_pm
+        * (a3 * (v49 + w3_p * (m8 * -v20))))), abs(T14 - c1 * v54))) <= pose_slack1 else v59
+    )
+    v63 = (
+        0.0 if max(abs(T24 + s1 * v55), max(abs(T34 - (v58 + factor2_mp * (a2 * S2_mp) + factor2_mp
+        * (a3 * (v50 + w3_m * (m8 * v21))))), abs(T14 + c1 * v55))) <= pose_slack1 else v59
+    )
+    v64 = (
+        0.0 if max(abs(T24 + s1 * v56), max(abs(T34 - (v58 + factor2_mm * (a2 * S2_mm) + factor2_mm
+        * (a3 * (v50 + w3_m * (m8 * -v21))))), abs(T14 + c1 * v56))) <= pose_slack1 else v59
     )
 
     # joint values
     doubt1 = (
-        v3 <= m3 or (v1 <= m1 or (v6 <= m3 or (v33 <= m7 or (v32 <= m7 or (v31 <= m7 or (v30 <= m7
-        or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart) or shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart))))))))
+        v6 <= m3 or (v4 <= m1 or (v9 <= m3 or (v37 <= m7 or (v36 <= m7 or (v35 <= m7 or (v34 <= m7
+        or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
+        N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)))))))))
     )
 
     # angles, side by side
-    room[0] = T24
+    room[0] = v3
     room[1] = Z2_234
     room[2] = -S5
     room[3] = w3_p
@@ -769,7 +778,7 @@ def _regular(pose, q, status):
     room[6] = S2_pm
     room[7] = S2_mp
     room[8] = S2_mm
-    room[16] = T14
+    room[16] = v2
     room[17] = -T33
     room[18] = -C5
     room[19] = N3_p - k1
@@ -793,42 +802,42 @@ def _regular(pose, q, status):
     angle9 = room[8]
 
     # joint values
-    v61 = angle6 - offset2
-    v62 = angle7 - offset2
-    v63 = angle8 - offset2
-    v64 = angle9 - offset2
-    v65 = angle2 - (angle4 + angle6) - offset4
-    v66 = angle2 - (angle7 - angle4) - offset4
-    v67 = offset4 + (angle2 + (angle5 + angle8))
-    v68 = offset4 + (angle2 + (angle9 - angle5))
-    v69 = v65 - (m11 if half_turn < v65 else 0.0) + (m11 if v65 <= -half_turn else 0.0)
-    v70 = v66 - (m11 if half_turn < v66 else 0.0) + (m11 if v66 <= -half_turn else 0.0)
-    v71 = (m11 if -v67 <= -half_turn else 0.0) - (v67 + (m11 if half_turn < -v67 else 0.0))
-    v72 = (m11 if -v68 <= -half_turn else 0.0) - (v68 + (m11 if half_turn < -v68 else 0.0))
-    v73 = v56 + (angle1 + v20)
-    v74 = v56 + (v21 + (angle1 - math.copysign(half_turn, T24) * h1))
-    q1_pp = v57 + v73
-    q1_pm = v58 + v73
-    q1_mp = v59 + v74
-    q1_mm = v60 + v74
-    q2_pp = v57 + (v56 + (v61 + (m11 if v61 <= -half_turn else 0.0)))
-    q2_pm = v58 + (v56 + (v62 + (m11 if v62 <= -half_turn else 0.0)))
-    q2_mp = v59 + (v56 + (v63 + (m11 if v63 <= -half_turn else 0.0)))
-    q2_mm = v60 + (v56 + (v64 + (m11 if v64 <= -half_turn else 0.0)))
-    q3_pp = v57 + (angle4 + v56)
-    q3_pm = v58 + (v56 - angle4)
-    q3_mp = v59 + (angle5 + v56)
-    q3_mm = v60 + (v56 - angle5)
-    q4_pp = v57 + (v56 + (v69 + (m11 if v69 <= -half_turn else 0.0)))
-    q4_pm = v58 + (v56 + (v70 + (m11 if v70 <= -half_turn else 0.0)))
-    q4_mp = v59 + (v56 + (v71 + (m11 if v71 <= -half_turn else 0.0)))
-    q4_mm = v60 + (v56 + (v72 + (m11 if v72 <= -half_turn else 0.0)))
-    v75 = v56 + (angle3 + v20)
-    v76 = v56 + (v21 + (angle3 - h1 * math.copysign(half_turn, -S5)))
-    q5_pp = v57 + v75
-    q5_pm = v58 + v75
-    q5_mp = v59 + v76
-    q5_mm = v60 + v76
+    v65 = angle6 - offset2
+    v66 = angle7 - offset2
+    v67 = angle8 - offset2
+    v68 = angle9 - offset2
+    v69 = angle2 - (angle4 + angle6) - offset4
+    v70 = angle2 - (angle7 - angle4) - offset4
+    v71 = offset4 + (angle2 + (angle5 + angle8))
+    v72 = offset4 + (angle2 + (angle9 - angle5))
+    v73 = v69 - (m11 if half_turn < v69 else 0.0) + (m11 if v69 <= -half_turn else 0.0)
+    v74 = v70 - (m11 if half_turn < v70 else 0.0) + (m11 if v70 <= -half_turn else 0.0)
+    v75 = (m11 if -v71 <= -half_turn else 0.0) - (v71 + (m11 if half_turn < -v71 else 0.0))
+    v76 = (m11 if -v72 <= -half_turn else 0.0) - (v72 + (m11 if half_turn < -v72 else 0.0))
+    v77 = v60 + (angle1 + v24)
+    v78 = v60 + (v25 + (angle1 - math.copysign(half_turn, v3) * h1))
+    q1_pp = v61 + v77
+    q1_pm = v62 + v77
+    q1_mp = v63 + v78
+    q1_mm = v64 + v78
+    q2_pp = v61 + (v60 + (v65 + (m11 if v65 <= -half_turn else 0.0)))
+    q2_pm = v62 + (v60 + (v66 + (m11 if v66 <= -half_turn else 0.0)))
+    q2_mp = v63 + (v60 + (v67 + (m11 if v67 <= -half_turn else 0.0)))
+    q2_mm = v64 + (v60 + (v68 + (m11 if v68 <= -half_turn else 0.0)))
+    q3_pp = v61 + (angle4 + v60)
+    q3_pm = v62 + (v60 - angle4)
+    q3_mp = v63 + (angle5 + v60)
+    q3_mm = v64 + (v60 - angle5)
+    q4_pp = v61 + (v60 + (v73 + (m11 if v73 <= -half_turn else 0.0)))
+    q4_pm = v62 + (v60 + (v74 + (m11 if v74 <= -half_turn else 0.0)))
+    q4_mp = v63 + (v60 + (v75 + (m11 if v75 <= -half_turn else 0.0)))
+    q4_mm = v64 + (v60 + (v76 + (m11 if v76 <= -half_turn else 0.0)))
+    v79 = v60 + (angle3 + v24)
+    v80 = v60 + (v25 + (angle3 - h1 * math.copysign(half_turn, -S5)))
+    q5_pp = v61 + v79
+    q5_pm = v62 + v79
+    q5_mp = v63 + v80
+    q5_mm = v64 + v80
 
     # a joint is free, or branches meet
     if doubt1:
@@ -865,6 +874,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -910,7 +924,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(5), 5)) if q_seed is None else q_seed
     if seed.shape != (5,):
@@ -1012,12 +1027,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1408, 1440, 1472, 1504, 1536],
-    [1568, 1600, 1632, 1664, 1696],
-    [1728, 1760, 1792, 1824, 1856],
-    [1888, 1920, 1952, 1984, 2016],
+    [1440, 1472, 1504, 1536, 1568],
+    [1600, 1632, 1664, 1696, 1728],
+    [1760, 1792, 1824, 1856, 1888],
+    [1920, 1952, 1984, 2016, 2048],
 ])
-_KINDS = np.array([2048, 2080, 2112, 2144])
+_KINDS = np.array([2080, 2112, 2144, 2176])
 _LEFT_OVER = 255
 
 
@@ -1028,7 +1043,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2176)
+    work = np.empty(2208)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1064,256 +1079,261 @@ def _in_tiles(T, q, status):
             T32 = work[288 + k]
             T33 = work[320 + k]
             T34 = work[352 + k]
-            v1 = T14 * T14 + T24 * T24
-            w1 = math.sqrt(v1)
-            v2 = 1.0 / v1
-            factor1 = w1 * v2
-            c1 = T14 * factor1
-            s1 = T24 * factor1
-            Z2_234 = w1 * (v2 * (T14 * T13 + T24 * T23))
-            v3 = T33 * T33 + Z2_234 * Z2_234
-            w234 = math.sqrt(v3)
-            v4 = 1.0 / v3
-            factor234 = w234 * v4
-            v5 = T33 * factor234
+            v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+            v2 = T14 + T13 * v1
+            v3 = T24 + T23 * v1
+            v4 = v2 * v2 + v3 * v3
+            w1 = math.sqrt(v4)
+            v5 = 1.0 / v4
+            factor1 = w1 * v5
+            c1 = v2 * factor1
+            s1 = v3 * factor1
+            Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3))
+            v6 = T33 * T33 + Z2_234 * Z2_234
+            w234 = math.sqrt(v6)
+            v7 = 1.0 / v6
+            factor234 = w234 * v7
+            v8 = T33 * factor234
             s234 = Z2_234 * factor234
-            S5 = w1 * (v2 * (T14 * T21 - T24 * T11))
-            C5 = w1 * (v2 * (T14 * T22 - T24 * T12))
-            v6 = S5 * S5 + C5 * C5
-            v7 = math.sqrt(v6) * (1.0 / v6)
-            v8 = C5 * v7
-            v9 = S5 * v7
-            v10 = T34 - d1
-            v11 = v10 - d5 * v5
-            v12 = w234 * (m4 * (T33 * v4))
-            Z1_3 = v10 - v12
-            v13 = d5 * s234
-            v14 = w1 - a1
-            v15 = a1 + w1
-            v16 = v14 - v13
-            v17 = v13 - v15
-            v18 = w234 * (m4 * ((c1 * T13 + s1 * T23) * v4))
-            Z2_3_p = v14 - v18
-            Z2_3_m = v18 - v15
-            v19 = Z1_3 * Z1_3
-            N3_p = v19 + Z2_3_p * Z2_3_p
-            N3_m = v19 + Z2_3_m * Z2_3_m
+            S5 = w1 * (v5 * (v2 * T21 - v3 * T11))
+            C5 = w1 * (v5 * (v2 * T22 - v3 * T12))
+            v9 = S5 * S5 + C5 * C5
+            v10 = math.sqrt(v9) * (1.0 / v9)
+            v11 = C5 * v10
+            v12 = S5 * v10
+            v13 = T34 - d1
+            v14 = v13 - d5 * v8
+            v15 = w234 * (m4 * (T33 * v7))
+            Z1_3 = v13 - v15
+            v16 = d5 * s234
+            v17 = T14 * c1 + T24 * s1
+            v18 = v17 - a1
+            v19 = a1 + v17
+            v20 = v18 - v16
+            v21 = v16 - v19
+            v22 = w234 * (m4 * ((T13 * c1 + T23 * s1) * v7))
+            Z2_3_p = v18 - v22
+            Z2_3_m = v22 - v19
+            v23 = Z1_3 * Z1_3
+            N3_p = v23 + Z2_3_p * Z2_3_p
+            N3_m = v23 + Z2_3_m * Z2_3_m
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v20 = w3_p - w3_p
-            v21 = w3_m - w3_m
-            v22 = m6 + m5 * N3_p
-            v23 = m6 + m5 * N3_m
-            v24 = v11 * v22
-            v25 = v11 * v23
-            S2_pp = v24 - w3_p * (m5 * v16)
-            S2_pm = v24 - w3_p * (m5 * -v16)
-            S2_mp = v25 - w3_m * (m5 * v17)
-            S2_mm = v25 - w3_m * (m5 * -v17)
-            v26 = m5 * v11
-            v27 = m5 * -v11
-            v28 = v16 * v22
-            v29 = v17 * v23
-            C2_pp = v28 + w3_p * v26
-            C2_pm = v28 + w3_p * v27
-            C2_mp = v29 + w3_m * v26
-            C2_mm = v29 + w3_m * v27
-            v30 = S2_pp * S2_pp + C2_pp * C2_pp
-            v31 = S2_pm * S2_pm + C2_pm * C2_pm
-            v32 = S2_mp * S2_mp + C2_mp * C2_mp
-            v33 = S2_mm * S2_mm + C2_mm * C2_mm
-            w2_pp = math.sqrt(v30)
-            w2_pm = math.sqrt(v31)
-            w2_mp = math.sqrt(v32)
-            w2_mm = math.sqrt(v33)
-            v34 = 1.0 / v30
-            v35 = 1.0 / v31
-            v36 = 1.0 / v32
-            v37 = 1.0 / v33
-            factor2_pp = w2_pp * v34
-            factor2_pm = w2_pm * v35
-            factor2_mp = w2_mp * v36
-            factor2_mm = w2_mm * v37
-            v38 = c1 * v5
-            v39 = m8 * v11
-            v40 = m8 * -v11
-            v41 = m8 * N3_p - m9
-            v42 = m8 * N3_m - m9
-            v43 = v16 * v41
-            v44 = v17 * v42
-            v45 = v11 * v41
-            v46 = v11 * v42
-            v47 = a1 + v13
-            v48 = a1 - v13
-            v49 = v47 + w2_pp * (v34 * (a3 * (v43 - w3_p * v39) + a2 * C2_pp))
-            v50 = v47 + w2_pm * (v35 * (a3 * (v43 - w3_p * v40) + a2 * C2_pm))
-            v51 = v48 + w2_mp * (v36 * (a3 * (v44 - w3_m * v39) + a2 * C2_mp))
-            v52 = v48 + w2_mm * (v37 * (a3 * (v44 - w3_m * v40) + a2 * C2_mm))
-            v53 = s1 * v5
-            v54 = m10 + v12
-            v55 = math.sqrt(-1.0)
-            v56 = (
-                0.0 if max(abs(T12 + (s1 * v8 + v9 * v38)), max(abs(T11 - (v8 * v38 - s1 * v9)),
-                max(abs(T13 - c1 * s234), max(abs(T21 - (v8 * v53 + c1 * v9)), max(abs(T22 + (v9 *
-                v53 - c1 * v8)), max(abs(T23 - s1 * s234), max(abs(T31 + s234 * v8), max(abs(T33 -
-                v5), abs(T32 - s234 * v9))))))))) <= pose_slack else v55
-            )
-            v57 = (
-                0.0 if max(abs(T24 - s1 * v49), max(abs(T34 - (v54 + factor2_pp * (a2 * S2_pp) +
-                factor2_pp * (a3 * (v45 + w3_p * (m8 * v16))))), abs(T14 - c1 * v49))) <=
-                pose_slack1 else v55
-            )
-            v58 = (
-                0.0 if max(abs(T24 - s1 * v50), max(abs(T34 - (v54 + factor2_pm * (a2 * S2_pm) +
-                factor2_pm * (a3 * (v45 + w3_p * (m8 * -v16))))), abs(T14 - c1 * v50))) <=
-                pose_slack1 else v55
-            )
-            v59 = (
-                0.0 if max(abs(T24 + s1 * v51), max(abs(T34 - (v54 + factor2_mp * (a2 * S2_mp) +
-                factor2_mp * (a3 * (v46 + w3_m * (m8 * v17))))), abs(T14 + c1 * v51))) <=
-                pose_slack1 else v55
-            )
+            v24 = w3_p - w3_p
+            v25 = w3_m - w3_m
+            v26 = m6 + m5 * N3_p
+            v27 = m6 + m5 * N3_m
+            v28 = v14 * v26
+            v29 = v14 * v27
+            S2_pp = v28 - w3_p * (m5 * v20)
+            S2_pm = v28 - w3_p * (m5 * -v20)
+            S2_mp = v29 - w3_m * (m5 * v21)
+            S2_mm = v29 - w3_m * (m5 * -v21)
+            v30 = m5 * v14
+            v31 = m5 * -v14
+            v32 = v20 * v26
+            v33 = v21 * v27
+            C2_pp = v32 + w3_p * v30
+            C2_pm = v32 + w3_p * v31
+            C2_mp = v33 + w3_m * v30
+            C2_mm = v33 + w3_m * v31
+            v34 = S2_pp * S2_pp + C2_pp * C2_pp
+            v35 = S2_pm * S2_pm + C2_pm * C2_pm
+            v36 = S2_mp * S2_mp + C2_mp * C2_mp
+            v37 = S2_mm * S2_mm + C2_mm * C2_mm
+            w2_pp = math.sqrt(v34)
+            w2_pm = math.sqrt(v35)
+            w2_mp = math.sqrt(v36)
+            w2_mm = math.sqrt(v37)
+            v38 = 1.0 / v34
+            v39 = 1.0 / v35
+            v40 = 1.0 / v36
+            v41 = 1.0 / v37
+            factor2_pp = w2_pp * v38
+            factor2_pm = w2_pm * v39
+            factor2_mp = w2_mp * v40
+            factor2_mm = w2_mm * v41
+            v42 = c1 * v8
+            v43 = m8 * v14
+            v44 = m8 * -v14
+            v45 = m8 * N3_p - m9
+            v46 = m8 * N3_m - m9
+            v47 = v20 * v45
+            v48 = v21 * v46
+            v49 = v14 * v45
+            v50 = v14 * v46
+            v51 = a1 + v16
+            v52 = a1 - v16
+            v53 = v51 + w2_pp * (v38 * (a3 * (v47 - w3_p * v43) + a2 * C2_pp))
+            v54 = v51 + w2_pm * (v39 * (a3 * (v47 - w3_p * v44) + a2 * C2_pm))
+            v55 = v52 + w2_mp * (v40 * (a3 * (v48 - w3_m * v43) + a2 * C2_mp))
+            v56 = v52 + w2_mm * (v41 * (a3 * (v48 - w3_m * v44) + a2 * C2_mm))
+            v57 = s1 * v8
+            v58 = m10 + v15
+            v59 = math.sqrt(-1.0)
             v60 = (
-                0.0 if max(abs(T24 + s1 * v52), max(abs(T34 - (v54 + factor2_mm * (a2 * S2_mm) +
-                factor2_mm * (a3 * (v46 + w3_m * (m8 * -v17))))), abs(T14 + c1 * v52))) <=
-                pose_slack1 else v55
+                0.0 if max(abs(T12 + (s1 * v11 + v12 * v42)), max(abs(T11 - (v11 * v42 - s1 * v12)),
+                max(abs(T13 - c1 * s234), max(abs(T21 - (v11 * v57 + c1 * v12)), max(abs(T22 + (v12
+                * v57 - c1 * v11)), max(abs(T23 - s1 * s234), max(abs(T31 + s234 * v11), max(abs(T33
+                - v8), abs(T32 - s234 * v12))))))))) <= pose_slack else v59
+            )
+            v61 = (
+                0.0 if max(abs(T24 - s1 * v53), max(abs(T34 - (v58 + factor2_pp * (a2 * S2_pp) +
+                factor2_pp * (a3 * (v49 + w3_p * (m8 * v20))))), abs(T14 - c1 * v53))) <=
+                pose_slack1 else v59
+            )
+            v62 = (
+                0.0 if max(abs(T24 - s1 * v54), max(abs(T34 - (v58 + factor2_pm * (a2 * S2_pm) +
+                factor2_pm * (a3 * (v49 + w3_p * (m8 * -v20))))), abs(T14 - c1 * v54))) <=
+                pose_slack1 else v59
+            )
+            v63 = (
+                0.0 if max(abs(T24 + s1 * v55), max(abs(T34 - (v58 + factor2_mp * (a2 * S2_mp) +
+                factor2_mp * (a3 * (v50 + w3_m * (m8 * v21))))), abs(T14 + c1 * v55))) <=
+                pose_slack1 else v59
+            )
+            v64 = (
+                0.0 if max(abs(T24 + s1 * v56), max(abs(T34 - (v58 + factor2_mm * (a2 * S2_mm) +
+                factor2_mm * (a3 * (v50 + w3_m * (m8 * -v21))))), abs(T14 + c1 * v56))) <=
+                pose_slack1 else v59
             )
             doubt1 = (
-                v3 <= m3 or (v1 <= m1 or (v6 <= m3 or (v33 <= m7 or (v32 <= m7 or (v31 <= m7 or (v30
-                <= m7 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart) or shortest3_reach <= N3_m and
+                v6 <= m3 or (v4 <= m1 or (v9 <= m3 or (v37 <= m7 or (v36 <= m7 or (v35 <= m7 or (v34
+                <= m7 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and
                 N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart))))))))
+                longest3_apart)))))))))
             )
-            work[544 + k] = S5
-            work[576 + k] = v20
-            work[608 + k] = v21
-            work[640 + k] = v56
-            work[672 + k] = v57
-            work[704 + k] = v58
-            work[736 + k] = v59
-            work[768 + k] = v60
-            work[800 + k] = doubt1
-            work[832 + k] = T24
-            work[864 + k] = Z2_234
-            work[896 + k] = -S5
-            work[928 + k] = w3_p
-            work[960 + k] = w3_m
-            work[992 + k] = S2_pp
-            work[1024 + k] = S2_pm
-            work[1056 + k] = S2_mp
-            work[1088 + k] = S2_mm
-            work[1120 + k] = T14
-            work[1152 + k] = -T33
-            work[1184 + k] = -C5
-            work[1216 + k] = N3_p - k1
-            work[1248 + k] = N3_m - k1
-            work[1280 + k] = C2_pp
-            work[1312 + k] = C2_pm
-            work[1344 + k] = C2_mp
-            work[1376 + k] = C2_mm
-        for k in range(832, 1120):
+            work[544 + k] = v3
+            work[576 + k] = S5
+            work[608 + k] = v24
+            work[640 + k] = v25
+            work[672 + k] = v60
+            work[704 + k] = v61
+            work[736 + k] = v62
+            work[768 + k] = v63
+            work[800 + k] = v64
+            work[832 + k] = doubt1
+            work[864 + k] = v3
+            work[896 + k] = Z2_234
+            work[928 + k] = -S5
+            work[960 + k] = w3_p
+            work[992 + k] = w3_m
+            work[1024 + k] = S2_pp
+            work[1056 + k] = S2_pm
+            work[1088 + k] = S2_mp
+            work[1120 + k] = S2_mm
+            work[1152 + k] = v2
+            work[1184 + k] = -T33
+            work[1216 + k] = -C5
+            work[1248 + k] = N3_p - k1
+            work[1280 + k] = N3_m - k1
+            work[1312 + k] = C2_pp
+            work[1344 + k] = C2_pm
+            work[1376 + k] = C2_mp
+            work[1408 + k] = C2_mm
+        for k in range(864, 1152):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
-            T24 = work[224 + k]
-            S5 = work[544 + k]
-            v20 = work[576 + k]
-            v21 = work[608 + k]
-            v56 = work[640 + k]
-            v57 = work[672 + k]
-            v58 = work[704 + k]
-            v59 = work[736 + k]
-            v60 = work[768 + k]
-            doubt1 = work[800 + k] != 0.0
-            angle1 = work[832 + k]
-            angle2 = work[864 + k]
-            angle3 = work[896 + k]
-            angle4 = work[928 + k]
-            angle5 = work[960 + k]
-            angle6 = work[992 + k]
-            angle7 = work[1024 + k]
-            angle8 = work[1056 + k]
-            angle9 = work[1088 + k]
-            v61 = angle6 - offset2
-            v62 = angle7 - offset2
-            v63 = angle8 - offset2
-            v64 = angle9 - offset2
-            v65 = angle2 - (angle4 + angle6) - offset4
-            v66 = angle2 - (angle7 - angle4) - offset4
-            v67 = offset4 + (angle2 + (angle5 + angle8))
-            v68 = offset4 + (angle2 + (angle9 - angle5))
-            v69 = v65 - (m11 if half_turn < v65 else 0.0) + (m11 if v65 <= -half_turn else 0.0)
-            v70 = v66 - (m11 if half_turn < v66 else 0.0) + (m11 if v66 <= -half_turn else 0.0)
-            v71 = (m11 if -v67 <= -half_turn else 0.0) - (v67 + (m11 if half_turn < -v67 else 0.0))
-            v72 = (m11 if -v68 <= -half_turn else 0.0) - (v68 + (m11 if half_turn < -v68 else 0.0))
-            v73 = v56 + (angle1 + v20)
-            v74 = v56 + (v21 + (angle1 - math.copysign(half_turn, T24) * h1))
-            q1_pp = v57 + v73
-            q1_pm = v58 + v73
-            q1_mp = v59 + v74
-            q1_mm = v60 + v74
-            q2_pp = v57 + (v56 + (v61 + (m11 if v61 <= -half_turn else 0.0)))
-            q2_pm = v58 + (v56 + (v62 + (m11 if v62 <= -half_turn else 0.0)))
-            q2_mp = v59 + (v56 + (v63 + (m11 if v63 <= -half_turn else 0.0)))
-            q2_mm = v60 + (v56 + (v64 + (m11 if v64 <= -half_turn else 0.0)))
-            q3_pp = v57 + (angle4 + v56)
-            q3_pm = v58 + (v56 - angle4)
-            q3_mp = v59 + (angle5 + v56)
-            q3_mm = v60 + (v56 - angle5)
-            q4_pp = v57 + (v56 + (v69 + (m11 if v69 <= -half_turn else 0.0)))
-            q4_pm = v58 + (v56 + (v70 + (m11 if v70 <= -half_turn else 0.0)))
-            q4_mp = v59 + (v56 + (v71 + (m11 if v71 <= -half_turn else 0.0)))
-            q4_mm = v60 + (v56 + (v72 + (m11 if v72 <= -half_turn else 0.0)))
-            v75 = v56 + (angle3 + v20)
-            v76 = v56 + (v21 + (angle3 - h1 * math.copysign(half_turn, -S5)))
-            q5_pp = v57 + v75
-            q5_pm = v58 + v75
-            q5_mp = v59 + v76
-            q5_mm = v60 + v76
-            _1408 = q1_pp
-            work[1408 + k] = _1408
-            _1440 = q2_pp
+            v3 = work[544 + k]
+            S5 = work[576 + k]
+            v24 = work[608 + k]
+            v25 = work[640 + k]
+            v60 = work[672 + k]
+            v61 = work[704 + k]
+            v62 = work[736 + k]
+            v63 = work[768 + k]
+            v64 = work[800 + k]
+            doubt1 = work[832 + k] != 0.0
+            angle1 = work[864 + k]
+            angle2 = work[896 + k]
+            angle3 = work[928 + k]
+            angle4 = work[960 + k]
+            angle5 = work[992 + k]
+            angle6 = work[1024 + k]
+            angle7 = work[1056 + k]
+            angle8 = work[1088 + k]
+            angle9 = work[1120 + k]
+            v65 = angle6 - offset2
+            v66 = angle7 - offset2
+            v67 = angle8 - offset2
+            v68 = angle9 - offset2
+            v69 = angle2 - (angle4 + angle6) - offset4
+            v70 = angle2 - (angle7 - angle4) - offset4
+            v71 = offset4 + (angle2 + (angle5 + angle8))
+            v72 = offset4 + (angle2 + (angle9 - angle5))
+            v73 = v69 - (m11 if half_turn < v69 else 0.0) + (m11 if v69 <= -half_turn else 0.0)
+            v74 = v70 - (m11 if half_turn < v70 else 0.0) + (m11 if v70 <= -half_turn else 0.0)
+            v75 = (m11 if -v71 <= -half_turn else 0.0) - (v71 + (m11 if half_turn < -v71 else 0.0))
+            v76 = (m11 if -v72 <= -half_turn else 0.0) - (v72 + (m11 if half_turn < -v72 else 0.0))
+            v77 = v60 + (angle1 + v24)
+            v78 = v60 + (v25 + (angle1 - math.copysign(half_turn, v3) * h1))
+            q1_pp = v61 + v77
+            q1_pm = v62 + v77
+            q1_mp = v63 + v78
+            q1_mm = v64 + v78
+            q2_pp = v61 + (v60 + (v65 + (m11 if v65 <= -half_turn else 0.0)))
+            q2_pm = v62 + (v60 + (v66 + (m11 if v66 <= -half_turn else 0.0)))
+            q2_mp = v63 + (v60 + (v67 + (m11 if v67 <= -half_turn else 0.0)))
+            q2_mm = v64 + (v60 + (v68 + (m11 if v68 <= -half_turn else 0.0)))
+            q3_pp = v61 + (angle4 + v60)
+            q3_pm = v62 + (v60 - angle4)
+            q3_mp = v63 + (angle5 + v60)
+            q3_mm = v64 + (v60 - angle5)
+            q4_pp = v61 + (v60 + (v73 + (m11 if v73 <= -half_turn else 0.0)))
+            q4_pm = v62 + (v60 + (v74 + (m11 if v74 <= -half_turn else 0.0)))
+            q4_mp = v63 + (v60 + (v75 + (m11 if v75 <= -half_turn else 0.0)))
+            q4_mm = v64 + (v60 + (v76 + (m11 if v76 <= -half_turn else 0.0)))
+            v79 = v60 + (angle3 + v24)
+            v80 = v60 + (v25 + (angle3 - h1 * math.copysign(half_turn, -S5)))
+            q5_pp = v61 + v79
+            q5_pm = v62 + v79
+            q5_mp = v63 + v80
+            q5_mm = v64 + v80
+            _1440 = q1_pp
             work[1440 + k] = _1440
-            _1472 = q3_pp
+            _1472 = q2_pp
             work[1472 + k] = _1472
-            _1504 = q4_pp
+            _1504 = q3_pp
             work[1504 + k] = _1504
-            _1536 = q5_pp
+            _1536 = q4_pp
             work[1536 + k] = _1536
-            _1568 = q1_pm
+            _1568 = q5_pp
             work[1568 + k] = _1568
-            _1600 = q2_pm
+            _1600 = q1_pm
             work[1600 + k] = _1600
-            _1632 = q3_pm
+            _1632 = q2_pm
             work[1632 + k] = _1632
-            _1664 = q4_pm
+            _1664 = q3_pm
             work[1664 + k] = _1664
-            _1696 = q5_pm
+            _1696 = q4_pm
             work[1696 + k] = _1696
-            _1728 = q1_mp
+            _1728 = q5_pm
             work[1728 + k] = _1728
-            _1760 = q2_mp
+            _1760 = q1_mp
             work[1760 + k] = _1760
-            _1792 = q3_mp
+            _1792 = q2_mp
             work[1792 + k] = _1792
-            _1824 = q4_mp
+            _1824 = q3_mp
             work[1824 + k] = _1824
-            _1856 = q5_mp
+            _1856 = q4_mp
             work[1856 + k] = _1856
-            _1888 = q1_mm
+            _1888 = q5_mp
             work[1888 + k] = _1888
-            _1920 = q2_mm
+            _1920 = q1_mm
             work[1920 + k] = _1920
-            _1952 = q3_mm
+            _1952 = q2_mm
             work[1952 + k] = _1952
-            _1984 = q4_mm
+            _1984 = q3_mm
             work[1984 + k] = _1984
-            _2016 = q5_mm
+            _2016 = q4_mm
             work[2016 + k] = _2016
-            work[2048 + k] = UNREACHABLE if _1408 != _1408 else OK
-            work[2080 + k] = UNREACHABLE if _1568 != _1568 else OK
-            work[2112 + k] = UNREACHABLE if _1728 != _1728 else OK
-            work[2144 + k] = UNREACHABLE if _1888 != _1888 else OK
+            _2048 = q5_mm
+            work[2048 + k] = _2048
+            work[2080 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[2112 + k] = UNREACHABLE if _1600 != _1600 else OK
+            work[2144 + k] = UNREACHABLE if _1760 != _1760 else OK
+            work[2176 + k] = UNREACHABLE if _1920 != _1920 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
@@ -1340,6 +1360,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((4, 5)), np.empty(4, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(5))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

@@ -406,7 +406,7 @@ static inline manseur_doty_lane manseur_doty_with_sign(manseur_doty_lane x, mans
 
 static inline manseur_doty_lane manseur_doty_sqrt(manseur_doty_lane x)
 {
-    manseur_doty_lane r;
+    manseur_doty_lane r = x;
     for (int k = 0; k < MANSEUR_DOTY_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
@@ -1284,6 +1284,81 @@ static void manseur_doty_close(const double T[16], manseur_doty_loop *loop)
     }
 }
 
+/* a rigid transform for each lane */
+typedef manseur_doty_lane manseur_doty_rigid[3][4];
+
+/* T Rz */
+static inline void manseur_doty_turn(manseur_doty_rigid T, manseur_doty_lane c, manseur_doty_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const manseur_doty_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void manseur_doty_move(manseur_doty_rigid T, int joint, manseur_doty_lane c,
+    manseur_doty_lane s)
+{
+    (void)joint;
+    manseur_doty_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void manseur_doty_follow(manseur_doty_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const manseur_doty_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void manseur_doty_begin(manseur_doty_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = manseur_doty_all(K[i]);
+    }
+}
+
+static inline void manseur_doty_to_unit(manseur_doty_lane *c, manseur_doty_lane *s)
+{
+    const manseur_doty_lane square = *c * *c + *s * *s, factor = 1.0 / manseur_doty_sqrt(square +
+        1e-300);
+    *c = manseur_doty_select(square > 1e-300, *c * factor, manseur_doty_all(1.0));
+    *s = manseur_doty_select(square > 1e-300, *s * factor, manseur_doty_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline manseur_doty_lane manseur_doty_reflect(manseur_doty_lane *const *row, int rows, int
+    column, int columns)
+{
+    manseur_doty_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = manseur_doty_with_sign(manseur_doty_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        manseur_doty_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
  * and
  * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
@@ -1461,33 +1536,6 @@ static void manseur_doty_equations(const manseur_doty_formulation *form, double 
             MANSEUR_DOTY_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
-static inline manseur_doty_lane manseur_doty_reflect(manseur_doty_lane *const *row, int rows, int
-    column, int columns)
-{
-    manseur_doty_lane axis[6], square = {0}, length, factor;
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        square += axis[i] * axis[i];
-    }
-    length = manseur_doty_with_sign(manseur_doty_sqrt(square), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        manseur_doty_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
-        }
-        sum *= factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
 }
 
 /* The determinant at hidden angles, and the upper triangular factor whose null vectors are
@@ -1997,6 +2045,71 @@ static void manseur_doty_find_roots(const manseur_doty_trigonometric *f, manseur
     }
 }
 
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} manseur_doty_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline manseur_doty_lane manseur_doty_through(const manseur_doty_lens *a, manseur_doty_lane
+    *c, manseur_doty_lane *s)
+{
+    const manseur_doty_lane u = *c + a->x, v = *s + a->y;
+    const manseur_doty_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const manseur_doty_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline manseur_doty_lane manseur_doty_weighted(manseur_doty_lane f, manseur_doty_lane square)
+{
+    const manseur_doty_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int manseur_doty_spread(const double samples[24], manseur_doty_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * manseur_doty_sample_c[k];
+        y += ratio * manseur_doty_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void manseur_doty_behind(const manseur_doty_lens *a, int count, double *cosine, double *sine)
+{
+    for (int i = 0; i < count; i += MANSEUR_DOTY_LANES) {
+        manseur_doty_lane c = MANSEUR_DOTY_LOAD(cosine + i), s = MANSEUR_DOTY_LOAD(sine + i);
+        (void)manseur_doty_through(a, &c, &s);
+        MANSEUR_DOTY_STORE(cosine + i, c);
+        MANSEUR_DOTY_STORE(sine + i, s);
+    }
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
@@ -2005,9 +2118,6 @@ typedef struct {
     int count, groups, group[MANSEUR_DOTY_CANDIDATES];
     double c[MANSEUR_DOTY_CANDIDATES], s[MANSEUR_DOTY_CANDIDATES], n[6][MANSEUR_DOTY_CANDIDATES];
 } manseur_doty_candidates;
-
-/* a rigid transform for each lane */
-typedef manseur_doty_lane manseur_doty_rigid[3][4];
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
 static inline void manseur_doty_inverse_iteration(manseur_doty_lane U[6][6], const manseur_doty_lane
@@ -2194,43 +2304,6 @@ static void manseur_doty_null_plane(const double *E, double c, double s, manseur
     out->groups++;
 }
 
-/* T Rz */
-static inline void manseur_doty_turn(manseur_doty_rigid T, manseur_doty_lane c, manseur_doty_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const manseur_doty_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void manseur_doty_move(manseur_doty_rigid T, int joint, manseur_doty_lane c,
-    manseur_doty_lane s)
-{
-    (void)joint;
-    manseur_doty_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void manseur_doty_follow(manseur_doty_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const manseur_doty_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void manseur_doty_begin(manseur_doty_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = manseur_doty_all(K[i]);
-    }
-}
-
 /* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
  * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
 static void manseur_doty_invariants(const double K[12], const double M[12], double w[5],
@@ -2270,14 +2343,6 @@ static void manseur_doty_invariants(const double K[12], const double M[12], doub
         solve[0][i] = (bb * a[i] - ab * b[i]) / det;
         solve[1][i] = (aa * b[i] - ab * a[i]) / det;
     }
-}
-
-static inline void manseur_doty_to_unit(manseur_doty_lane *c, manseur_doty_lane *s)
-{
-    const manseur_doty_lane square = *c * *c + *s * *s, factor = 1.0 / manseur_doty_sqrt(square +
-        1e-300);
-    *c = manseur_doty_select(square > 1e-300, *c * factor, manseur_doty_all(1.0));
-    *s = manseur_doty_select(square > 1e-300, *s * factor, manseur_doty_all(0.0));
 }
 
 /* phi_2 and phi_3 from the null vector */
@@ -2592,22 +2657,6 @@ static unsigned manseur_doty_offer(const manseur_doty_loop *loop, manseur_doty_l
     return met;
 }
 
-/* Roots that nearly meet are tried as one double root too. */
-static void manseur_doty_close_roots(const double *E, const manseur_doty_roots *roots,
-    manseur_doty_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                manseur_doty_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
-}
-
 static int manseur_doty_bits(unsigned set)
 {
     int count = 0;
@@ -2637,6 +2686,22 @@ static void manseur_doty_around(const manseur_doty_formulation *form, const mans
             manseur_doty_invert(loop->link[joint - 1], link[i]);
         } else {
             manseur_doty_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void manseur_doty_close_roots(const double *E, const manseur_doty_roots *roots,
+    manseur_doty_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                manseur_doty_null_plane(E, c * factor, s * factor, out);
+            }
         }
     }
 }
@@ -2684,6 +2749,19 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
     return complete && manseur_doty_bits(met) >= expected && manseur_doty_paired(found);
 }
 
+/* The determinant at the sample angles, through a lens. */
+static void manseur_doty_sample(const double *E, const manseur_doty_lens *lens, double samples[24])
+{
+    for (int k = 0; k < 24; k += MANSEUR_DOTY_LANES) {
+        manseur_doty_lane factor[6][6];
+        manseur_doty_lane c = MANSEUR_DOTY_LOAD(manseur_doty_sample_c + k), s =
+            MANSEUR_DOTY_LOAD(manseur_doty_sample_s + k);
+        const manseur_doty_lane square = manseur_doty_through(lens, &c, &s);
+        MANSEUR_DOTY_STORE(samples + k, manseur_doty_weighted(manseur_doty_fold(E, c, s, factor),
+            square));
+    }
+}
+
 /* Find what a formulation finds; whether that is certainly everything. */
 static int manseur_doty_attempt(const manseur_doty_formulation *form, const manseur_doty_loop *loop,
                            manseur_doty_found *found)
@@ -2692,19 +2770,20 @@ static int manseur_doty_attempt(const manseur_doty_formulation *form, const mans
     manseur_doty_trigonometric f;
     manseur_doty_roots roots;
     manseur_doty_candidates all;
+    manseur_doty_lens lens = {0.0, 0.0};
     manseur_doty_around(form, loop, link);
     manseur_doty_equations(form, link, E);
-    for (int k = 0; k < 24; k += MANSEUR_DOTY_LANES) {
-        manseur_doty_lane factor[6][6];
-        MANSEUR_DOTY_STORE(samples + k, manseur_doty_fold(E, MANSEUR_DOTY_LOAD(manseur_doty_sample_c
-            + k),
-                                   MANSEUR_DOTY_LOAD(manseur_doty_sample_s + k), factor));
+    manseur_doty_sample(E, &lens, samples);
+    if (manseur_doty_spread(samples, &lens)) {
+        manseur_doty_sample(E, &lens, samples);
     }
     manseur_doty_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }
     manseur_doty_find_roots(&f, &roots);
+    manseur_doty_behind(&lens, roots.simple, roots.c, roots.s);
+    manseur_doty_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     manseur_doty_null_vectors(E, &roots, &all);
     manseur_doty_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
@@ -2792,7 +2871,7 @@ static int manseur_doty_from_nearby(const manseur_doty_loop *loop, manseur_doty_
 static void manseur_doty_from_anywhere(const manseur_doty_loop *loop, manseur_doty_found *found)
 {
     unsigned long long seed = 1;
-    for (int batch = 0; batch < 8; batch++) {
+    for (int batch = 0; batch < 16; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
@@ -2847,7 +2926,8 @@ static int manseur_doty_before(const double a[6], const double b[6])
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
  * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
-static int manseur_doty_general(const double T[16], double q[16][6], double residual[16])
+static int manseur_doty_general(const double T[16], double q[16][6],
+                         double residual[16])
 {
     manseur_doty_found found;
     manseur_doty_loop whole;

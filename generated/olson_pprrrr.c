@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -293,6 +291,8 @@ static const double near_limit = 0.001; /* a length whose direction is good to f
 static const double free_limit_squared2 = 4.9e-23;
 static const double reach_slack1 = 7e-13; /* rounding at the boundary of the workspace [m] */
 static const double merge_slack1 = 7e-14; /* nearer to that boundary two branches are one [m] */
+/* the same where they follow an angle that is good to few digits [m] */
+static const double blur_slack1 = 6.999999999999999e-11;
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 4.9e-05;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
@@ -440,6 +440,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     /* theta3 */
     const wide v1 = T23 * T23 + T13 * T13;
     const wide w3 = sqrt_wide(v1);
+    const wide_mask free3 = v1 <= m1;
     const wide v2 = 1.0 / v1;
     const wide factor3 = w3 * v2;
     const wide angle1 = atan2_wide(-T13, T23);
@@ -448,52 +449,42 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide angle2 = atan2_wide(-w3, -T33);
 
     /* theta6 */
-    const wide v3 = v2 * (T23 * T12 - T13 * T22);
-    const wide v4 = v2 * (T23 * T11 - T13 * T21);
+    const wide v3 = v2 * (T23 * T12 - T13 * T22), v4 = v2 * (T23 * T11 - T13 * T21);
     const wide angle3 = atan2_wide(-v4, -v3);
 
     /* theta5 */
     const wide X5 = a4 * T33;
     const wide Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
         T32))));
-    const wide v5 = d6 * T33 + (d3 - T34);
     const wide N5 = X5 * X5 + Y5 * Y5;
-    const wide D5 = N5 - v5 * v5;
     const wide_mask free5 = N5 <= doubt_limit_squared2;
+    const wide v5 = d6 * T33 + (d3 - T34);
+    const wide D5 = N5 - v5 * v5;
     const wide v6 = 2.0 * abs_wide(v5);
     const wide w5 = sqrt_wide(D5);
     const wide v7 = w5 - w5;
     const wide inverse5 = 1.0 / N5;
-    const wide v8 = X5 * v5;
-    const wide v9 = Y5 * v5;
-    const wide v10 = X5 * w5;
-    const wide v11 = Y5 * w5;
-    const wide v12 = v11 - v8;
+    const wide v8 = X5 * v5, v9 = Y5 * v5, v10 = X5 * w5, v11 = Y5 * w5, v12 = v11 - v8;
     const wide v13 = v9 + v10;
     const wide angle4 = atan2_wide(v12, -v13);
     const wide v14 = v9 - v10;
-    const wide angle5 = atan2_wide(-(v8 + v11), -v14);
-    const wide angle6 = atan2_wide(-(v8 + v11), v14);
+    const wide angle5 = atan2_wide(-(v8 + v11), -v14), angle6 = atan2_wide(-(v8 + v11), v14);
     const wide angle7 = atan2_wide(v12, v13);
 
     /* r2 */
     const wide v15 = a4 * (T13 * factor3);
     const wide v16 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31));
-    const wide v17 = w3 * v8 + T33 * v9;
-    const wide v18 = T14 - d6 * T13 + inverse5 * (v15 * v17);
+    const wide v17 = w3 * v8 + T33 * v9, v18 = T14 - d6 * T13 + inverse5 * (v15 * v17);
     const wide q2_pp = v18 + w5 * (inverse5 * (v15 * v16));
     const wide q2_pm = v18 + w5 * (inverse5 * (v15 * -v16));
 
     /* r1 */
-    const wide v19 = a4 * (T23 * factor3);
-    const wide v20 = T24 - d6 * T23 + inverse5 * (v17 * v19);
+    const wide v19 = a4 * (T23 * factor3), v20 = T24 - d6 * T23 + inverse5 * (v17 * v19);
     const wide q1_pp = v20 + w5 * (inverse5 * (v16 * v19));
     const wide q1_pm = v20 + w5 * (inverse5 * (-v16 * v19));
 
     /* joint values */
-    const wide v21 = angle2 - angle4;
-    const wide v22 = angle2 - angle5;
-    const wide v23 = angle2 + angle6;
+    const wide v21 = angle2 - angle4, v22 = angle2 - angle5, v23 = angle2 + angle6;
     const wide v24 = angle2 + angle7;
     const wide q4_pp = v21 - only_wide(half_turn < v21, m4) + only_wide(v21 <= -half_turn, m4);
     const wide q4_pm = v22 - only_wide(half_turn < v22, m4) + only_wide(v22 <= -half_turn, m4);
@@ -503,36 +494,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide q3_mp = v7 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1);
     const wide q6_pp = angle3 + v7;
     const wide q6_mp = v7 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -v4));
-    const wide_mask doubt1 = (v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 + v6)) <= D5) &
-        (free5 | ((merge_slack1 * (merge_slack1 + v6) < D5) == 0))));
+    const wide_mask doubt1 = free5 | (free3 | ((-(reach_slack1 * (reach_slack1 + v6)) <= D5) &
+        (free5 | (((merge_slack1 * (merge_slack1 + v6) < D5) == 0) | (free3 & ((blur_slack1 *
+        (blur_slack1 + v6) < D5) == 0))))));
 
-    q[0] = q1_pp;
-    q[1] = q2_pp;
-    q[2] = q3_pp;
-    q[3] = q4_pp;
-    q[4] = angle4;
-    q[5] = q6_pp;
+    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = angle4; q[5] = q6_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_pm;
-    q[7] = q2_pm;
-    q[8] = q3_pp;
-    q[9] = q4_pm;
-    q[10] = angle5;
-    q[11] = q6_pp;
+    q[6] = q1_pm; q[7] = q2_pm; q[8] = q3_pp; q[9] = q4_pm; q[10] = angle5; q[11] = q6_pp;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_pm;
-    q[13] = q2_pm;
-    q[14] = q3_mp;
-    q[15] = q4_mp;
-    q[16] = angle6;
-    q[17] = q6_mp;
+    q[12] = q1_pm; q[13] = q2_pm; q[14] = q3_mp; q[15] = q4_mp; q[16] = angle6; q[17] = q6_mp;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_pp;
-    q[19] = q2_pp;
-    q[20] = q3_mp;
-    q[21] = q4_mm;
-    q[22] = angle7;
-    q[23] = q6_mp;
+    q[18] = q1_pp; q[19] = q2_pp; q[20] = q3_mp; q[21] = q4_mm; q[22] = angle7; q[23] = q6_mp;
     kind[3] = kind_of(q[18] != q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -553,14 +525,14 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     /* theta3 */
     const double v1 = T23 * T23 + T13 * T13;
     const double w3 = sqrt(v1);
+    const int free3 = v1 <= m1;
     const double v2 = 1.0 / v1;
     const double factor3 = w3 * v2;
     const double v3 = copysign(half_turn, -T13);
     const four v4 = m2 * (e1 - 1.0);
 
     /* theta6 */
-    const double v5 = v2 * (T23 * T12 - T13 * T22);
-    const double v6 = v2 * (T23 * T11 - T13 * T21);
+    const double v5 = v2 * (T23 * T12 - T13 * T22), v6 = v2 * (T23 * T11 - T13 * T21);
     const double v7 = copysign(half_turn, -v6);
 
     /* theta5 */
@@ -568,19 +540,16 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double v8 = a4 * (w3 * v6 * T32 - w3 * v5 * T31);
     const double Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
         T32))));
-    const double v9 = d6 * T33 + (d3 - T34);
     const double N5 = X5 * X5 + Y5 * Y5;
-    const double D5 = N5 - v9 * v9;
     const int free5 = N5 <= doubt_limit_squared2;
+    const double v9 = d6 * T33 + (d3 - T34);
+    const double D5 = N5 - v9 * v9;
     const double v10 = 2.0 * fabs(v9);
     const double w5 = sqrt(D5);
     const double v11 = w5 - w5;
     const double inverse5 = 1.0 / N5;
-    const double v12 = X5 * v9;
-    const double v13 = Y5 * v9;
-    const double v14 = X5 * w5;
-    const four v15 = e1 * v13;
-    const four v16 = e2 * v14;
+    const double v12 = X5 * v9, v13 = Y5 * v9, v14 = X5 * w5;
+    const four v15 = e1 * v13, v16 = e2 * v14;
     const double v17 = Y5 * w5;
     const four v18 = e1 * e2;
 
@@ -589,8 +558,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double v19 = a4 * (T13 * factor3);
     const four v20 = X5 * (T33 * v18) - v8 * (w3 * v18);
     const double v21 = w3 * v12;
-    const four v22 = v21 + v15 * (e1 * T33);
-    const four v23 = wx + inverse5 * (v19 * v22);
+    const four v22 = v21 + v15 * (e1 * T33), v23 = wx + inverse5 * (v19 * v22);
     const four q2 = v23 + w5 * (inverse5 * (v19 * v20));
 
     /* r1 */
@@ -600,16 +568,16 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const four q1 = v25 + w5 * (inverse5 * (v20 * v24));
 
     /* joint values */
-    const int doubt1 = (v1 <= m1) | (free5 | ((-(reach_slack1 * (reach_slack1 + v10)) <= D5) &
-        (free5 | ((merge_slack1 * (merge_slack1 + v10) < D5) == 0))));
+    const int doubt1 = free5 | (free3 | ((-(reach_slack1 * (reach_slack1 + v10)) <= D5) & (free5 |
+        (((merge_slack1 * (merge_slack1 + v10) < D5) == 0) | (free3 & ((blur_slack1 * (blur_slack1 +
+        v10) < D5) == 0))))));
 
     const four angle4 = atan2_four(v17 * v18 - v12, -(v15 + v16));
     const four packed2 = atan2_four((four){ -T13, -w3, -v6, -T13 }, (four){ T23, -T33, -v5, T23 });
     const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
     const four angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four v26 = e1 * angle2;
-    const four v27 = v26 - angle4;
+    const four v26 = e1 * angle2, v27 = v26 - angle4;
     const four q4 = v27 - only_four(half_turn < v27, m4) + only_four(v27 <= -half_turn, m4);
     const four q3 = v11 + (angle1 + v3 * v4);
     const four q6 = v11 + (angle3 + v4 * v7);
@@ -698,12 +666,14 @@ static void solve(
 
     /* theta5, type 2: U0 (A5 A6)^-1 [3, 4] */
     const double X5 = T33 * a4;
-    const double v3 = T33 * d6 + (d3 - T34);
-    const double v4 = X5 * X5;
-    const double v5 = v3 * v3;
-    const double v6 = 2.0 * fabs(v3);
-    const double v7 = merge_slack1 * (v6 + merge_slack1);
-    const double v8 = X5 * v3;
+    const double v3 = X5 * X5;
+    const double v4 = T33 * d6 + (d3 - T34);
+    const double v5 = v4 * v4;
+    const double v6 = fabs(v4);
+    const double v7 = 2.0 * v6;
+    const double v8 = merge_slack1 * (v7 + merge_slack1);
+    const double v9 = blur_slack1 * (v7 + blur_slack1);
+    const double v10 = X5 * v4;
 
     /* r2, type 1: U0 A6^-1 [1, 4] */
     const double wx = T14 - T13 * d6;
@@ -737,11 +707,11 @@ static void solve(
 
         /* theta5 */
         const double Y5 = a4 * (T32 * Z2_6 - T31 * Z1_6);
-        const double N5 = v4 + Y5 * Y5;
-        const double D5 = N5 - v5;
+        const double N5 = v3 + Y5 * Y5;
         const int free5 = N5 <= free_limit_squared2;
-        const int apart5 = v7 < D5;
-        if (!(-(reach_slack1 * (v6 + reach_slack1)) <= D5)) {
+        const double D5 = N5 - v5;
+        const int apart5 = v8 < D5;
+        if (!(-(reach_slack1 * (v7 + reach_slack1)) <= D5)) {
             if (near3) {
                 status[2 * i1] = NEARLY + 3;
                 q[2 * i1][0] = D5;
@@ -754,30 +724,31 @@ static void solve(
             continue; /* out of reach */
         }
         const double w5 = sqrt(apart5 ? D5 : 0.0);
-        const double inverse5 = 1.0 / (free5 ? 1.0 : N5);
-        const double v9 = Y5 * v3;
+        const double inverse5 = 1.0 / (free5 ? 1.0 : (apart5 ? N5 : v6 * sqrt(N5)));
+        const double v11 = Y5 * v4;
 
         /* r2 */
-        const double v11 = s3 * a4;
+        const double v13 = s3 * a4;
 
         /* r1 */
-        const double v12 = c3 * a4;
+        const double v14 = c3 * a4;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta5 */
-            if (e2 < 0.0 && (free5 || !apart5)) continue; /* both signs give the same */
+            if (e2 < 0.0 && (free5 || (!apart5 || (near3 && !(v9 < D5)))))
+                continue; /* both signs give the same */
             const double root5 = w5 * e2;
-            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (v9 + X5 * root5));
-            const double s5 = free5 ? sin(seed[4]) : inverse5 * (Y5 * root5 - v8);
+            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (v11 + X5 * root5));
+            const double s5 = free5 ? sin(seed[4]) : inverse5 * (Y5 * root5 - v10);
             const double q5 = atan2(s5, c5);
 
             /* r2 */
-            const double v10 = T33 * c5 + root3 * s5;
-            const double r2 = wx + v10 * v11;
+            const double v12 = T33 * c5 + root3 * s5;
+            const double r2 = wx + v12 * v13;
 
             /* r1 */
-            const double r1 = wy - v10 * v12;
+            const double r1 = wy - v12 * v14;
 
             /* joint values */
             const double q4 = wrap(theta45 - q5);

@@ -16,7 +16,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -47,7 +47,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -88,6 +89,8 @@ near_limit = 0.001  # a length whose direction is good to few digits
 free_limit_squared2 = 4.9e-23  # square of a length that fixes no angle [m^2]
 reach_slack1 = 7e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 7e-14  # nearer to that boundary two branches are one [m]
+# the same where they follow an angle that is good to few digits [m]
+blur_slack1 = 6.999999999999999e-11
 doubt_limit_squared2 = 4.9e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-06  # doubt_limit^2
@@ -265,12 +268,14 @@ def _solve(pose, seed, q, status):
 
     # theta5, type 2: U0 (A5 A6)^-1 [3, 4]
     X5 = T33 * a4
-    v3 = T33 * d6 + (d3 - T34)
-    v4 = X5 * X5
-    v5 = v3 * v3
-    v6 = 2.0 * abs(v3)
-    v7 = merge_slack1 * (v6 + merge_slack1)
-    v8 = X5 * v3
+    v3 = X5 * X5
+    v4 = T33 * d6 + (d3 - T34)
+    v5 = v4 * v4
+    v6 = abs(v4)
+    v7 = 2.0 * v6
+    v8 = merge_slack1 * (v7 + merge_slack1)
+    v9 = blur_slack1 * (v7 + blur_slack1)
+    v10 = X5 * v4
 
     # r2, type 1: U0 A6^-1 [1, 4]
     wx = T14 - T13 * d6
@@ -305,11 +310,11 @@ def _solve(pose, seed, q, status):
 
         # theta5
         Y5 = a4 * (T32 * Z2_6 - T31 * Z1_6)
-        N5 = v4 + Y5 * Y5
-        D5 = N5 - v5
+        N5 = v3 + Y5 * Y5
         free5 = N5 <= free_limit_squared2
-        apart5 = v7 < D5
-        if not (-(reach_slack1 * (v6 + reach_slack1)) <= D5):
+        D5 = N5 - v5
+        apart5 = v8 < D5
+        if not (-(reach_slack1 * (v7 + reach_slack1)) <= D5):
             if near3:
                 status[2 * i1] = _NEARLY + 3
                 q[2 * i1, 0] = D5
@@ -319,31 +324,31 @@ def _solve(pose, seed, q, status):
                 q[2 * i1, 0] = D5
             continue  # out of reach
         w5 = math.sqrt(D5 if apart5 else 0.0)
-        inverse5 = 1.0 / (1.0 if free5 else N5)
-        v9 = Y5 * v3
+        inverse5 = 1.0 / (1.0 if free5 else (N5 if apart5 else v6 * math.sqrt(N5)))
+        v11 = Y5 * v4
 
         # r2
-        v11 = s3 * a4
+        v13 = s3 * a4
 
         # r1
-        v12 = c3 * a4
+        v14 = c3 * a4
 
         for i2 in range(2):  # noflip5, flip5
             e2 = 1.0 - 2.0 * i2
             # theta5
-            if e2 < 0.0 and (free5 or not apart5):
+            if e2 < 0.0 and (free5 or (not apart5 or (near3 and not (v9 < D5)))):
                 continue  # both signs give the same
             root5 = w5 * e2
-            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (v9 + X5 * root5))
-            s5 = math.sin(seed[4]) if free5 else inverse5 * (Y5 * root5 - v8)
+            c5 = math.cos(seed[4]) if free5 else -(inverse5 * (v11 + X5 * root5))
+            s5 = math.sin(seed[4]) if free5 else inverse5 * (Y5 * root5 - v10)
             q5 = _atan2(s5, c5)
 
             # r2
-            v10 = T33 * c5 + root3 * s5
-            r2 = wx + v10 * v11
+            v12 = T33 * c5 + root3 * s5
+            r2 = wx + v12 * v13
 
             # r1
-            r1 = wy - v10 * v12
+            r1 = wy - v12 * v14
 
             # joint values
             q4 = _wrap(theta45 - q5)
@@ -555,6 +560,7 @@ def _regular(pose, q, status):
     # theta3, type 2: U3[2, 3]
     v1 = T23 * T23 + T13 * T13
     w3 = math.sqrt(v1)
+    free3 = v1 <= m1
     v2 = 1.0 / v1
     factor3 = w3 * v2
 
@@ -565,10 +571,10 @@ def _regular(pose, q, status):
     # theta5, type 2: U0 (A5 A6)^-1 [3, 4]
     X5 = a4 * T33
     Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
-    v5 = d6 * T33 + (d3 - T34)
     N5 = X5 * X5 + Y5 * Y5
-    D5 = N5 - v5 * v5
     free5 = N5 <= doubt_limit_squared2
+    v5 = d6 * T33 + (d3 - T34)
+    D5 = N5 - v5 * v5
     v6 = 2.0 * abs(v5)
     w5 = math.sqrt(D5)
     v7 = w5 - w5
@@ -597,8 +603,9 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or not
-        (merge_slack1 * (merge_slack1 + v6) < D5)))
+        free5 or (free3 or (-(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or (not
+        (merge_slack1 * (merge_slack1 + v6) < D5) or (free3 and not (blur_slack1 * (blur_slack1 +
+        v6) < D5))))))
     )
 
     # angles, side by side
@@ -681,6 +688,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (4, 6) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 6) and (4,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -726,7 +738,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
@@ -884,16 +897,17 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             v1 = T23 * T23 + T13 * T13
             w3 = math.sqrt(v1)
+            free3 = v1 <= m1
             v2 = 1.0 / v1
             factor3 = w3 * v2
             v3 = v2 * (T23 * T12 - T13 * T22)
             v4 = v2 * (T23 * T11 - T13 * T21)
             X5 = a4 * T33
             Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
-            v5 = d6 * T33 + (d3 - T34)
             N5 = X5 * X5 + Y5 * Y5
-            D5 = N5 - v5 * v5
             free5 = N5 <= doubt_limit_squared2
+            v5 = d6 * T33 + (d3 - T34)
+            D5 = N5 - v5 * v5
             v6 = 2.0 * abs(v5)
             w5 = math.sqrt(D5)
             v7 = w5 - w5
@@ -916,8 +930,9 @@ def _in_tiles(T, q, status):
             q1_pp = v20 + w5 * (inverse5 * (v16 * v19))
             q1_pm = v20 + w5 * (inverse5 * (-v16 * v19))
             doubt1 = (
-                v1 <= m1 or (free5 or -(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or not
-                (merge_slack1 * (merge_slack1 + v6) < D5)))
+                free5 or (free3 or (-(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or (not
+                (merge_slack1 * (merge_slack1 + v6) < D5) or (free3 and not (blur_slack1 *
+                (blur_slack1 + v6) < D5))))))
             )
             work[544 + k] = v4
             work[576 + k] = v7
@@ -1032,6 +1047,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((4, 6)), np.empty(4, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(6))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

@@ -145,6 +145,10 @@ static const double shortest2_reach = 0.0024999999999839994;
 static const double longest2_apart = 0.30249999999998245;
 /* the shortest, where branches merge [m^2] */
 static const double shortest2_apart = 0.002500000000001599;
+/* the longest, where blurred branches do [m^2] */
+static const double longest2_clear = 0.30249999998240007;
+/* the shortest, where blurred branches do [m^2] */
+static const double shortest2_clear = 0.002500000001599999;
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 2.5599999999999994e-24;
 static const double k1 = 0.5; /* 1 / 2 */
@@ -533,7 +537,8 @@ static void solve(
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta2 */
-            if (e2 < 0.0 && !apart2) continue; /* both signs give the same */
+            if (e2 < 0.0 && (!apart2 || (near6 && !(shortest2_clear < N2 && N2 < longest2_clear))))
+                continue; /* both signs give the same */
             const double s2 = w2 * e2 * k17;
             const double q2 = atan2(s2, c2);
 

@@ -16,7 +16,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -47,7 +47,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -105,6 +106,8 @@ longest2_reach = 0.302500000000176  # the longest, with what rounding adds [m^2]
 shortest2_reach = 0.0024999999999839994  # the shortest, with what rounding adds [m^2]
 longest2_apart = 0.30249999999998245  # the longest, where branches merge [m^2]
 shortest2_apart = 0.002500000000001599  # the shortest, where branches merge [m^2]
+longest2_clear = 0.30249999998240007  # the longest, where blurred branches do [m^2]
+shortest2_clear = 0.002500000001599999  # the shortest, where blurred branches do [m^2]
 free_limit_squared2 = 2.5599999999999994e-24  # square of a length that fixes no angle [m^2]
 k1 = 0.5  # 1 / 2
 k2 = 0.8660254037844386  # sqrt3 * 1 / 2
@@ -634,7 +637,10 @@ def _solve(pose, seed, q, status):
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
             # theta2
-            if e2 < 0.0 and not apart2:
+            if (
+                e2 < 0.0 and (not apart2 or (near6 and not (shortest2_clear < N2 and N2 <
+                longest2_clear)))
+            ):
                 continue  # both signs give the same
             s2 = w2 * e2 * k17
             q2 = _atan2(s2, c2)
@@ -852,6 +858,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -892,7 +903,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
@@ -1002,6 +1014,18 @@ def ik_batch(T, *, cores=None):
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((8, 6)), np.empty(8, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(6))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

@@ -85,8 +85,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -111,8 +110,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -452,9 +450,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = T12 * T12 + T22 * T22;
-    const wide v2 = sqrt_wide(v1) * (1.0 / v1);
-    const wide v3 = T22 * v2;
+    const wide v1 = T12 * T12 + T22 * T22, v2 = sqrt_wide(v1) * (1.0 / v1), v3 = T22 * v2;
     const wide s1 = T12 * v2;
 
     /* theta2m3m4 */
@@ -472,27 +468,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle2 = atan2_wide(w3, N3 - k1);
 
     /* theta2 */
-    const wide v7 = w3 * (m2 * Z2_3);
-    const wide v8 = w3 * (m2 * -Z2_3);
-    const wide v9 = m2 * (Z1_3 * N3);
-    const wide S2_p = v9 - v7;
-    const wide S2_m = v9 - v8;
+    const wide v7 = w3 * (m2 * Z2_3), v8 = w3 * (m2 * -Z2_3), v9 = m2 * (Z1_3 * N3);
+    const wide S2_p = v9 - v7, S2_m = v9 - v8;
     const wide v10 = m2 * (Z2_3 * N3);
     const wide factor2 = 1.0 / N3;
     const wide angle3 = atan2_wide(S2_p, -(v10 + w3 * (m2 * Z1_3)));
     const wide angle4 = atan2_wide(S2_m, -(v10 + w3 * (m2 * -Z1_3)));
 
     /* is the pose one that the arm can take? */
-    const wide v11 = -Z2_3 - v6;
-    const wide v12 = d1 + v5;
+    const wide v11 = -Z2_3 - v6, v12 = d1 + v5;
     const double v13 = sqrt(-1.0);
     const wide v14 = pick_wide(maximum_wide(abs_wide(T11 - factor2m3m4 * (v3 * T33)),
         maximum_wide(abs_wide(T13 + factor2m3m4 * (v3 * T31)), maximum_wide(abs_wide(T12 - s1),
         maximum_wide(abs_wide(T23 - factor2m3m4 * (s1 * T31)), maximum_wide(abs_wide(T21 +
         factor2m3m4 * (s1 * T33)), maximum_wide(abs_wide(T22 - v3), maximum_wide(abs_wide(T33 *
         factor2m3m4 - T33), maximum_wide(abs_wide(T32), abs_wide(T31 - T31 * factor2m3m4))))))))) <=
-        pose_slack, all_wide(0.0), all_wide(v13));
-    const wide v15 = abs_wide(T14 - v3 * v11);
+        pose_slack, all_wide(0.0), all_wide(v13)), v15 = abs_wide(T14 - v3 * v11);
     const wide v16 = abs_wide(T24 + s1 * v11);
     const wide v17 = pick_wide(maximum_wide(v16, maximum_wide(v15, abs_wide(T34 - (v12 + factor2 *
         (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
@@ -500,18 +491,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
 
     /* joint values */
-    const wide v19 = angle3 - offset2;
-    const wide v20 = angle4 - offset2;
-    const wide v21 = angle3 - angle2 - angle1;
+    const wide v19 = angle3 - offset2, v20 = angle4 - offset2, v21 = angle3 - angle2 - angle1;
     const wide v22 = angle2 + angle4 - angle1;
     const wide angle5 = atan2_wide(T12, -T22);
     const wide v23 = v14 + (angle5 + (w3 - w3));
-    const wide q1_p = v17 + v23;
-    const wide q1_m = v18 + v23;
+    const wide q1_p = v17 + v23, q1_m = v18 + v23;
     const wide q2_p = v17 + (v14 + (v19 + only_wide(v19 <= -half_turn, m3)));
     const wide q2_m = v18 + (v14 + (v20 + only_wide(v20 <= -half_turn, m3)));
-    const wide q3_p = v17 + (angle2 + v14);
-    const wide q3_m = v18 + (v14 - angle2);
+    const wide q3_p = v17 + (angle2 + v14), q3_m = v18 + (v14 - angle2);
     const wide q4_p = v17 + (v14 + (v21 - only_wide(half_turn < v21, m3) + only_wide(v21 <=
         -half_turn, m3)));
     const wide q4_m = v18 + (v14 + (v22 - only_wide(half_turn < v22, m3) + only_wide(v22 <=
@@ -520,15 +507,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0))));
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
-    q[3] = q4_p;
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_m;
-    q[5] = q2_m;
-    q[6] = q3_m;
-    q[7] = q4_m;
+    q[4] = q1_m; q[5] = q2_m; q[6] = q3_m; q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -545,9 +526,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = T12 * T12 + T22 * T22;
-    const double v2 = sqrt(v1) * (1.0 / v1);
-    const double v3 = T22 * v2;
+    const double v1 = T12 * T12 + T22 * T22, v2 = sqrt(v1) * (1.0 / v1), v3 = T22 * v2;
     const double s1 = T12 * v2;
 
     /* theta2m3m4 */
@@ -570,16 +549,13 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const double v10 = -Z2_3 - v6;
-    const double v11 = d1 + v5;
-    const double v12 = sqrt(-1.0);
+    const double v10 = -Z2_3 - v6, v11 = d1 + v5, v12 = sqrt(-1.0);
     const double v13 = (maximum_double(fabs(T11 - factor2m3m4 * (v3 * T33)), maximum_double(fabs(T13
         + factor2m3m4 * (v3 * T31)), maximum_double(fabs(T12 - s1), maximum_double(fabs(T23 -
         factor2m3m4 * (s1 * T31)), maximum_double(fabs(T21 + factor2m3m4 * (s1 * T33)),
         maximum_double(fabs(T22 - v3), maximum_double(fabs(T33 * factor2m3m4 - T33),
         maximum_double(fabs(T32), fabs(T31 - T31 * factor2m3m4))))))))) <= pose_slack) ? 0.0 : v12;
-    const double v14 = fabs(T14 - v3 * v10);
-    const double v15 = fabs(T24 + s1 * v10);
+    const double v14 = fabs(T14 - v3 * v10), v15 = fabs(T24 + s1 * v10);
     const four v16 = pick_four(maximum_four(all_four(v15), maximum_four(all_four(v14), abs_four(T34
         - (v11 + factor2 * (a2 * S2) + factor2 * (a3 * (v7 + v8)))))) <= pose_slack1, all_four(0.0),
         all_four(v12));
@@ -598,9 +574,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
     const four packed2 = atan2_four((four){ T12, T12, T12, T12 }, (four){ -T22, -T22, -T22, -T22 });
     const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four v17 = angle3 - offset2;
-    const four v18 = e1 * angle2;
-    const four v19 = angle3 - v18 - angle1;
+    const four v17 = angle3 - offset2, v18 = e1 * angle2, v19 = angle3 - v18 - angle1;
     const four v20 = v13 + (angle4 + (w3 - w3));
     const four q1 = v16 + v20;
     const four q2 = v16 + (v13 + (v17 + only_four(v17 <= -half_turn, m3)));

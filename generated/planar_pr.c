@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -336,25 +334,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     /* theta2, r1 */
     const wide V1_2 = k1 * T24;
     const wide V2_2 = k1 * T14;
-    const wide v1 = k2 * V1_2 + k3 * V2_2;
-    const wide v2 = k2 * V2_2 - k3 * V1_2;
+    const wide v1 = k2 * V1_2 + k3 * V2_2, v2 = k2 * V2_2 - k3 * V1_2;
     const wide D1 = k4 - v2 * v2;
     const wide w2 = sqrt_wide(D1);
     const wide_mask doubt1 = (-k5 <= D1) & ((k6 < D1) == 0);
-    const wide q1_p = k7 * (v1 + w2);
-    const wide q1_m = k7 * (v1 - w2);
-    const wide v3 = V1_2 - m1 * v1;
-    const wide v4 = V2_2 - m2 * v1;
-    const wide v5 = m1 * w2;
-    const wide v6 = m2 * w2;
-    const wide angle1 = atan2_wide(v3 - v5, v4 - v6);
-    const wide angle2 = atan2_wide(v3 + v5, v4 + v6);
+    const wide q1_p = k7 * (v1 + w2), q1_m = k7 * (v1 - w2);
+    const wide v3 = V1_2 - m1 * v1, v4 = V2_2 - m2 * v1, v5 = m1 * w2, v6 = m2 * w2;
+    const wide angle1 = atan2_wide(v3 - v5, v4 - v6), angle2 = atan2_wide(v3 + v5, v4 + v6);
 
-    q[0] = q1_p;
-    q[1] = angle1;
+    q[0] = q1_p; q[1] = angle1;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[2] = q1_m;
-    q[3] = angle2;
+    q[2] = q1_m; q[3] = angle2;
     kind[1] = kind_of(q[2] != q[2], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -372,14 +362,12 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     /* theta2, r1 */
     const double V1_2 = k1 * T24;
     const double V2_2 = k1 * T14;
-    const double v1 = k2 * V1_2 + k3 * V2_2;
-    const double v2 = k2 * V2_2 - k3 * V1_2;
+    const double v1 = k2 * V1_2 + k3 * V2_2, v2 = k2 * V2_2 - k3 * V1_2;
     const double D1 = k4 - v2 * v2;
     const double w2 = sqrt(D1);
     const int doubt1 = (-k5 <= D1) & ((k6 < D1) == 0);
     const four q1 = k7 * (v1 + e1 * w2);
-    const double v3 = V1_2 - m1 * v1;
-    const double v4 = V2_2 - m2 * v1;
+    const double v3 = V1_2 - m1 * v1, v4 = V2_2 - m2 * v1;
 
     const four packed1 = atan2_four(v3 - w2 * (m1 * e1), v4 - w2 * (m2 * e1));
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);

@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -343,23 +341,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     const wide angle1 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v1 = m2 + m1 * N2;
-    const wide v2 = T24 * v1;
-    const wide v3 = T14 * v1;
-    const wide v4 = w2 * (m1 * T14);
+    const wide v1 = m2 + m1 * N2, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m1 * T14);
     const wide v5 = w2 * (m1 * T24);
-    const wide angle2 = atan2_wide(v2 - v4, v3 + v5);
-    const wide angle3 = atan2_wide(v2 + v4, v3 - v5);
+    const wide angle2 = atan2_wide(v2 - v4, v3 + v5), angle3 = atan2_wide(v2 + v4, v3 - v5);
 
     /* joint values */
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
 
-    q[0] = angle2;
-    q[1] = angle1;
+    q[0] = angle2; q[1] = angle1;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[2] = angle3;
-    q[3] = -angle1;
+    q[2] = angle3; q[3] = -angle1;
     kind[1] = kind_of(q[2] != q[2], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -379,9 +371,7 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
 
     /* theta1 */
-    const double v1 = m2 + m1 * N2;
-    const double v2 = T24 * v1;
-    const double v3 = T14 * v1;
+    const double v1 = m2 + m1 * N2, v2 = T24 * v1, v3 = T14 * v1;
 
     /* joint values */
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <

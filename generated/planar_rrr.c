@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -427,8 +425,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta123 */
-    const wide v1 = T21 * T21 + T11 * T11;
-    const wide v2 = sqrt_wide(v1) * (1.0 / v1);
+    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1);
     const wide angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
@@ -441,22 +438,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v5 = m3 + m2 * N2;
-    const wide v6 = Z2_2 * v5;
-    const wide S1_p = v6 - w2 * (m2 * Z1_2);
-    const wide S1_m = v6 - w2 * (m2 * -Z1_2);
+    const wide v5 = m3 + m2 * N2, v6 = Z2_2 * v5;
+    const wide S1_p = v6 - w2 * (m2 * Z1_2), S1_m = v6 - w2 * (m2 * -Z1_2);
     const wide v7 = Z1_2 * v5;
-    const wide C1_p = v7 + w2 * (m2 * Z2_2);
-    const wide C1_m = v7 + w2 * (m2 * -Z2_2);
+    const wide C1_p = v7 + w2 * (m2 * Z2_2), C1_m = v7 + w2 * (m2 * -Z2_2);
     const wide factor1 = 1.0 / N2;
-    const wide angle3 = atan2_wide(S1_p, C1_p);
-    const wide angle4 = atan2_wide(S1_m, C1_m);
+    const wide angle3 = atan2_wide(S1_p, C1_p), angle4 = atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = m4 - m5 * factor1;
-    const wide v9 = Z1_2 * v8;
-    const wide v10 = Z2_2 * v8;
-    const wide v11 = T11 * v2;
+    const wide v8 = m4 - m5 * factor1, v9 = Z1_2 * v8, v10 = Z2_2 * v8, v11 = T11 * v2;
     const wide v12 = T21 * v2;
     const double v13 = sqrt(-1.0);
     const wide v14 = pick_wide(abs_wide(T34) <= pose_slack1, all_wide(0.0), all_wide(v13));
@@ -472,12 +462,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         factor1))) + (v4 + a1 * (S1_m * factor1))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
 
     /* joint values */
-    const wide v18 = angle1 - (angle2 + angle3);
-    const wide v19 = angle1 - (angle4 - angle2);
-    const wide q1_p = v16 + (v15 + (angle3 + v14));
-    const wide q1_m = v17 + (v15 + (angle4 + v14));
-    const wide q2_p = v16 + (v15 + (angle2 + v14));
-    const wide q2_m = v17 + (v15 + (v14 - angle2));
+    const wide v18 = angle1 - (angle2 + angle3), v19 = angle1 - (angle4 - angle2);
+    const wide q1_p = v16 + (v15 + (angle3 + v14)), q1_m = v17 + (v15 + (angle4 + v14));
+    const wide q2_p = v16 + (v15 + (angle2 + v14)), q2_m = v17 + (v15 + (v14 - angle2));
     const wide q3_p = v16 + (v15 + (v14 + (v18 - only_wide(half_turn < v18, m6) + only_wide(v18 <=
         -half_turn, m6))));
     const wide q3_m = v17 + (v15 + (v14 + (v19 - only_wide(half_turn < v19, m6) + only_wide(v19 <=
@@ -486,13 +473,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
         (v1 <= m1));
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_m;
-    q[4] = q2_m;
-    q[5] = q3_m;
+    q[3] = q1_m; q[4] = q2_m; q[5] = q3_m;
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -509,8 +492,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta123 */
-    const double v1 = T21 * T21 + T11 * T11;
-    const double v2 = sqrt(v1) * (1.0 / v1);
+    const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
 
     /* theta2 */
     const double v3 = v2 * (a3 * T11);
@@ -522,8 +504,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
 
     /* theta1 */
     const four v5 = e1 * Z1_2;
-    const double v6 = m3 + m2 * N2;
-    const double v7 = Z2_2 * v6;
+    const double v6 = m3 + m2 * N2, v7 = Z2_2 * v6;
     const four S1 = v7 - w2 * (m2 * v5);
     const four v8 = e1 * Z2_2;
     const double v9 = Z1_2 * v6;
@@ -531,13 +512,8 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double factor1 = 1.0 / N2;
 
     /* is the pose one that the arm can take? */
-    const double v10 = m4 - m5 * factor1;
-    const double v11 = Z1_2 * v10;
-    const double v12 = Z2_2 * v10;
-    const double v13 = T11 * v2;
-    const double v14 = T21 * v2;
-    const double v15 = sqrt(-1.0);
-    const double v16 = (fabs(T34) <= pose_slack1) ? 0.0 : v15;
+    const double v10 = m4 - m5 * factor1, v11 = Z1_2 * v10, v12 = Z2_2 * v10, v13 = T11 * v2;
+    const double v14 = T21 * v2, v15 = sqrt(-1.0), v16 = (fabs(T34) <= pose_slack1) ? 0.0 : v15;
     const double v17 = (maximum_double(fabs(v14 + T12), maximum_double(fabs(T11 - v13),
         maximum_double(fabs(T13), maximum_double(fabs(T21 - v14), maximum_double(fabs(T22 - v13),
         maximum_double(fabs(T23), maximum_double(fabs(T31), maximum_double(fabs(T33 - 1.0),
@@ -557,8 +533,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v19 = e1 * angle2;
-    const four v20 = angle1 - (angle3 + v19);
+    const four v19 = e1 * angle2, v20 = angle1 - (angle3 + v19);
     const four q1 = v18 + (v17 + (angle3 + v16));
     const four q2 = v18 + (v17 + (v16 + v19));
     const four q3 = v18 + (v17 + (v16 + (v20 - only_four(half_turn < v20, m6) + only_four(v20 <=

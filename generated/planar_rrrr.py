@@ -10,13 +10,16 @@ T[0, 3] and y = T[1, 3] counts; other entries are ignored.
 
 import math
 import os
+import sys
 from concurrent.futures import ThreadPoolExecutor
+from types import ModuleType
 
 import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
+    from numba.core.sigutils import normalize_signature
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -47,7 +50,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -174,6 +178,75 @@ def jacobian(q):
     return J
 
 
+_APART = []  # what is compiled apart: functions, and the types of their arguments
+
+
+def _address(number):
+    """Where the code of a function is that is compiled apart."""
+    function, arguments = _APART[number]
+    function.compile(arguments)
+    compiled = function.overloads[arguments]
+    return compiled.library.get_pointer_to_function(compiled.fndesc.llvm_func_name)
+
+
+# Compiled code finds this file, and no other text of it, among the modules that Python knows.
+_KEY = "planar_rrrr ba6ef20291040626"
+if _COMPILED:
+    sys.modules[_KEY] = ModuleType(_KEY)
+    sys.modules[_KEY].address = _address
+
+
+def _apart(signature):
+    """Compiles a function apart from its callers.
+
+    numba copies what a function calls into it, with all that this calls, and optimises everything
+    anew in each caller. Of these functions a caller has the address, which it asks for at its first
+    call: when it comes out of the cache it does not know it.
+    """
+    if not _COMPILED:
+        return lambda function: function
+    arguments, result = normalize_signature(signature)
+
+    def ask(context, builder, number, place):
+        api = context.get_python_api(builder)
+        lock = api.gil_ensure()
+        module = api.import_module(context.insert_const_string(builder.module, _KEY))
+        with builder.if_then(cgutils.is_not_null(builder, module)):
+            which = api.long_from_ssize_t(context.get_constant(types.intp, number))
+            answer = api.call_method(module, "address", (which,))
+            with builder.if_then(cgutils.is_not_null(builder, answer)):
+                builder.store(api.long_as_voidptr(answer), place)
+                api.decref(answer)
+            api.decref(module)
+        api.gil_release(lock)
+
+    def decorate(function):
+        number = len(_APART)
+        _APART.append((_inner(function), arguments))
+
+        def code(context, builder, called, values):
+            given = zip(cgutils.unpack_tuple(builder, values[0]), called.args[0], arguments)
+            values = [context.cast(builder, *each) for each in given]
+            place = cgutils.add_global_variable(builder.module, cgutils.voidptr_t, f"apart{number}")
+            place.initializer, place.linkage = cgutils.get_null_value(cgutils.voidptr_t), "internal"
+            with builder.if_then(cgutils.is_null(builder, builder.load(place)), likely=False):
+                ask(context, builder, number, place)
+            address = builder.load(place)
+            with builder.if_then(cgutils.is_null(builder, address), likely=False):
+                context.call_conv.return_exc(builder)
+            kind = context.call_conv.get_function_type(result, arguments).as_pointer()
+            status, value = context.call_conv.call_function(
+                builder, builder.bitcast(address, kind), result, arguments, values
+            )
+            with cgutils.if_unlikely(builder, status.is_error):
+                context.call_conv.return_status_propagate(builder, status)
+            return value
+
+        return intrinsic(lambda _, *values: (result(types.StarArgTuple(values)), code))
+
+    return decorate
+
+
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
 # lengths, and the same over the arm's size; between which values starts lie, and what is added
 # from start to start. Below, u are these joints in units.
@@ -197,6 +270,13 @@ _MOST_U = np.array([2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 
 
 
 @_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
+
+
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])")
 def _look(T, q, u, e, A):
     """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
     for j in range(4):
@@ -279,11 +359,12 @@ def _limited_step(A, e, length, wish, u, low, high, step):
                     A[i, j] = 0.0
 
 
-@_inner
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[::1], float64[::1])")
 def _pulled(T, q, u, near, low, high):
     """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
     e, A = np.empty(2), np.empty((2, 4))
     least, best, step, pull = math.inf, u.copy(), np.empty(4), 0.5
+    wish = np.empty(4)
     for k in range(1, 60 + 40 + 1):
         length = _look(T, q, u, e, A)
         if pull == 0.0:
@@ -291,15 +372,17 @@ def _pulled(T, q, u, near, low, high):
                 break
             if length < least:
                 least = length
-                best[:] = u
-        _limited_step(A, e, length, pull * (near - u), u, low, high, step)
+                _take(best, u)
+        for j in range(4):
+            wish[j] = pull * (near[j] - u[j])
+        _limited_step(A, e, length, wish, u, low, high, step)
         longest = 0.0
         for j in range(4):
             longest = max(longest, abs(step[j]))
             u[j] += step[j]
         if k >= 60 or longest < 1e-09:
             pull = 0.0
-    u[:] = best
+    _take(u, best)
     return least
 
 
@@ -333,7 +416,7 @@ def _nearest_solution(T, q, near, low, high, best):
             square += (u[j] - near[j]) * (u[j] - near[j])
         if square < least:
             least = square
-            best[:] = u
+            _take(best, u)
     return least < math.inf
 
 
@@ -438,6 +521,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (1, 4) or status.shape != (1,):
         raise ValueError("T, q and status must be (4, 4), (1, 4) and (1,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -478,7 +566,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(4), 4)) if q_seed is None else q_seed
     if seed.shape != (4,):
@@ -588,6 +677,20 @@ def ik_batch(T, *, cores=None):
     q, status = np.empty((len(T), 1, 4)), np.empty((len(T), 1), _BYTE)
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((1, 4)), np.empty(1, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(4))
+    ik_batch(T[np.newaxis])
+    for number in range(len(_APART)):
+        _address(number)
 
 
 def _share(solve, cores, *arrays):

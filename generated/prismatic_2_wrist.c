@@ -81,8 +81,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -107,8 +106,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -295,8 +293,8 @@ static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double k1 = 0.4138869064318786; /* d1 * cat2 + (a1 * sat2 + d3) [m] */
 static const double k2 = 0.08542781224187632; /* d4 * sat2 [m] */
 static const double k3 = 0.0158935464636049; /* a3 * sat2 [m] */
-static const double k4 = 0.36820625816486496; /* d1 + (cat2 * d3 - a2 * sat2) [m] */
-static const double k5 = 0.007550515923624042; /* (d4 * sat2)^2 + (a3 * sat2)^2 [m^2] */
+static const double k4 = 0.007550515923624042; /* (d4 * sat2)^2 + (a3 * sat2)^2 [m^2] */
+static const double k5 = 0.36820625816486496; /* d1 + (cat2 * d3 - a2 * sat2) [m] */
 static const double k6 = 132.4412808495909; /* 1 / ((d4 * sat2)^2 + (a3 * sat2)^2) [m^-2] */
 static const double f1 = 0.2701996003807408; /* d1 - sat2 * a2 [m] */
 static const double f2 = 0.09800665778412417; /* d3 * cat2 [m] */
@@ -305,9 +303,9 @@ static const double g2 = 0.09800665778412417; /* d3 * cat2 [m] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 1.5376e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 11.314168873492461; /* a coefficient of v9 */
-static const double m2 = 0.7750600530519154; /* a coefficient of v9 */
-static const double m3 = 2.1049616508823186; /* a coefficient of v9 */
+static const double m1 = 11.314168873492461; /* a coefficient of v10 */
+static const double m2 = 0.7750600530519154; /* a coefficient of v10 */
+static const double m3 = 2.1049616508823186; /* a coefficient of v10 */
 static const double m4 = 4.165947785154044; /* a coefficient of s3 */
 static const double m5 = 1e-06; /* doubt_limit^2 */
 static const double h1 = 1.0; /* 2 * m6 */
@@ -500,81 +498,50 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v1 = sat2 * wy;
     const wide wx = T14 - d6 * T13;
     const wide v2 = sat2 * wx;
+    const wide N1 = v1 * v1 + v2 * v2;
+    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide wz = T34 - d6 * T33;
     const wide Z1 = cat2 * wz - k1;
-    const wide N1 = v1 * v1 + v2 * v2;
     const wide D1 = N1 - Z1 * Z1;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
-    const wide v3 = 2.0 * abs_wide(Z1);
+    const wide v3 = abs_wide(Z1) * 2.0;
     const wide w1 = sqrt_wide(D1);
     const wide v4 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v5 = v1 * Z1;
-    const wide v6 = v2 * Z1;
-    const wide v7 = inverse1 * v6;
-    const wide v8 = w1 * (v1 * inverse1);
+    const wide v5 = v1 * Z1, v6 = v2 * Z1, v7 = inverse1 * v6, v8 = w1 * (v1 * inverse1);
     const wide c1_p = v8 - v7;
-    const wide v9 = v7 + v8;
-    const wide v10 = inverse1 * v5;
-    const wide v11 = w1 * (v2 * inverse1);
-    const wide v12 = v10 + v11;
+    const wide v9 = v7 + v8, v10 = inverse1 * v5, v11 = w1 * (v2 * inverse1), v12 = v10 + v11;
     const wide v13 = v10 - v11;
 
     /* theta3 */
-    const wide Z3 = wz - k4;
-    const wide D3 = k5 - Z3 * Z3;
+    const wide Z3 = wz - k5;
+    const wide D3 = k4 - Z3 * Z3;
     const wide v14 = 2.0 * abs_wide(Z3);
     const wide w3 = sqrt_wide(D3);
-    const wide v15 = w3 - w3;
-    const wide v16 = m3 * wz - m2;
-    const wide v17 = m1 * w3;
-    const wide v18 = v16 + v17;
-    const wide v19 = v16 - v17;
-    const wide v20 = m1 * wz - m4;
-    const wide v21 = m3 * w3;
-    const wide s3_p = v20 - v21;
-    const wide s3_m = v20 + v21;
+    const wide v15 = w3 - w3, v16 = m3 * wz - m2, v17 = m1 * w3, v18 = v16 + v17, v19 = v16 - v17;
+    const wide v20 = m1 * wz - m4, v21 = m3 * w3;
+    const wide s3_p = v20 - v21, s3_m = v20 + v21;
 
     /* r2 */
-    const wide v22 = a3 * s3_p - d4 * v18;
-    const wide v23 = a3 * s3_m - d4 * v19;
-    const wide v24 = c1_p * -wy - wx * v12;
+    const wide v22 = a3 * s3_p - d4 * v18, v23 = a3 * s3_m - d4 * v19, v24 = c1_p * -wy - wx * v12;
     const wide v25 = v9 * -wy + wx * v13;
 
     /* theta4 */
-    const wide v26 = cat2 * T13;
-    const wide v27 = cat2 * T23;
-    const wide v28 = v1 * v26 - v2 * v27;
+    const wide v26 = cat2 * T13, v27 = cat2 * T23, v28 = v1 * v26 - v2 * v27;
     const wide v29 = sat2 * T33 + inverse1 * (v5 * v27 + v6 * v26);
-    const wide v30 = w1 * (inverse1 * v28) - v29;
-    const wide v31 = w1 * (inverse1 * -v28) - v29;
-    const wide v32 = T13 * v12 + T23 * c1_p;
-    const wide v33 = T13 * v13 - T23 * v9;
-    const wide X4_pp = v18 * v30 - s3_p * v32;
-    const wide X4_pm = v19 * v30 - s3_m * v32;
-    const wide X4_mp = v18 * v31 - s3_p * v33;
-    const wide X4_mm = v19 * v31 - s3_m * v33;
-    const wide v34 = sat2 * T13;
-    const wide v35 = sat2 * T23;
-    const wide v36 = v1 * v34 - v2 * v35;
+    const wide v30 = w1 * (inverse1 * v28) - v29, v31 = w1 * (inverse1 * -v28) - v29;
+    const wide v32 = T13 * v12 + T23 * c1_p, v33 = T13 * v13 - T23 * v9;
+    const wide X4_pp = v18 * v30 - s3_p * v32, X4_pm = v19 * v30 - s3_m * v32;
+    const wide X4_mp = v18 * v31 - s3_p * v33, X4_mm = v19 * v31 - s3_m * v33;
+    const wide v34 = sat2 * T13, v35 = sat2 * T23, v36 = v1 * v34 - v2 * v35;
     const wide v37 = cat2 * T33 - inverse1 * (v5 * v35 + v6 * v34);
-    const wide v38 = v37 + w1 * (inverse1 * v36);
-    const wide v39 = v37 + w1 * (inverse1 * -v36);
-    const wide v40 = v38 * v38;
-    const wide v41 = v39 * v39;
-    const wide v42 = v40 + X4_pp * X4_pp;
-    const wide v43 = v40 + X4_pm * X4_pm;
-    const wide v44 = v41 + X4_mp * X4_mp;
-    const wide v45 = v41 + X4_mm * X4_mm;
-    const wide angle1 = atan2_wide(-v38, -X4_pp);
-    const wide angle2 = atan2_wide(-v38, -X4_pm);
-    const wide angle3 = atan2_wide(-v39, -X4_mp);
-    const wide angle4 = atan2_wide(-v39, -X4_mm);
+    const wide v38 = v37 + w1 * (inverse1 * v36), v39 = v37 + w1 * (inverse1 * -v36);
+    const wide v40 = v38 * v38, v41 = v39 * v39, v42 = v40 + X4_pp * X4_pp;
+    const wide v43 = v40 + X4_pm * X4_pm, v44 = v41 + X4_mp * X4_mp, v45 = v41 + X4_mm * X4_mm;
+    const wide angle1 = atan2_wide(-v38, -X4_pp), angle2 = atan2_wide(-v38, -X4_pm);
+    const wide angle3 = atan2_wide(-v39, -X4_mp), angle4 = atan2_wide(-v39, -X4_mm);
     const wide v46 = copysign_wide(all_wide(half_turn), -v38) * h1;
     const wide v47 = copysign_wide(all_wide(half_turn), -v39) * h1;
-    const wide q4_ppm = angle1 - v46;
-    const wide q4_pmm = angle2 - v46;
-    const wide q4_mpm = angle3 - v47;
+    const wide q4_ppm = angle1 - v46, q4_pmm = angle2 - v46, q4_mpm = angle3 - v47;
     const wide q4_mmm = angle4 - v47;
 
     /* theta5 */
@@ -584,34 +551,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle8 = atan2_wide(-sqrt_wide(v45), -(v19 * v33 + s3_m * v31));
 
     /* theta6 */
-    const wide v48 = sat2 * T12;
-    const wide v49 = sat2 * T22;
-    const wide v50 = v1 * v48 - v2 * v49;
+    const wide v48 = sat2 * T12, v49 = sat2 * T22, v50 = v1 * v48 - v2 * v49;
     const wide v51 = cat2 * T32 - inverse1 * (v5 * v49 + v6 * v48);
-    const wide v52 = v51 + w1 * (inverse1 * v50);
-    const wide v53 = v51 + w1 * (inverse1 * -v50);
-    const wide v54 = cat2 * T12;
-    const wide v55 = cat2 * T22;
-    const wide v56 = v1 * v54 - v2 * v55;
+    const wide v52 = v51 + w1 * (inverse1 * v50), v53 = v51 + w1 * (inverse1 * -v50);
+    const wide v54 = cat2 * T12, v55 = cat2 * T22, v56 = v1 * v54 - v2 * v55;
     const wide v57 = sat2 * T32 + inverse1 * (v5 * v55 + v6 * v54);
-    const wide v58 = w1 * (inverse1 * v56) - v57;
-    const wide v59 = w1 * (inverse1 * -v56) - v57;
-    const wide v60 = c1_p * T22 + v12 * T12;
-    const wide v61 = v13 * T12 - v9 * T22;
-    const wide v62 = sat2 * T11;
-    const wide v63 = sat2 * T21;
-    const wide v64 = v1 * v62 - v2 * v63;
+    const wide v58 = w1 * (inverse1 * v56) - v57, v59 = w1 * (inverse1 * -v56) - v57;
+    const wide v60 = c1_p * T22 + v12 * T12, v61 = v13 * T12 - v9 * T22, v62 = sat2 * T11;
+    const wide v63 = sat2 * T21, v64 = v1 * v62 - v2 * v63;
     const wide v65 = cat2 * T31 - inverse1 * (v5 * v63 + v6 * v62);
-    const wide v66 = v65 + w1 * (inverse1 * v64);
-    const wide v67 = v65 + w1 * (inverse1 * -v64);
-    const wide v68 = cat2 * T11;
-    const wide v69 = cat2 * T21;
-    const wide v70 = v1 * v68 - v2 * v69;
+    const wide v66 = v65 + w1 * (inverse1 * v64), v67 = v65 + w1 * (inverse1 * -v64);
+    const wide v68 = cat2 * T11, v69 = cat2 * T21, v70 = v1 * v68 - v2 * v69;
     const wide v71 = sat2 * T31 + inverse1 * (v5 * v69 + v6 * v68);
-    const wide v72 = w1 * (inverse1 * v70) - v71;
-    const wide v73 = w1 * (inverse1 * -v70) - v71;
-    const wide v74 = c1_p * T21 + v12 * T11;
-    const wide v75 = v13 * T11 - v9 * T21;
+    const wide v72 = w1 * (inverse1 * v70) - v71, v73 = w1 * (inverse1 * -v70) - v71;
+    const wide v74 = c1_p * T21 + v12 * T11, v75 = v13 * T11 - v9 * T21;
     const wide v76 = v38 * (s3_p * v74 - v18 * v72) - -X4_pp * v66;
     const wide v77 = v38 * (s3_m * v74 - v19 * v72) - -X4_pm * v66;
     const wide v78 = v39 * (s3_p * v75 - v18 * v73) - -X4_mp * v67;
@@ -634,68 +587,30 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q3_ppp = v4 + angle15;
     const wide angle16 = atan2_wide(s3_m, -v19);
     const wide q3_pmp = v4 + angle16;
-    const wide q2_mpp = v25 - v22;
-    const wide q2_mmp = v25 - v23;
+    const wide q2_mpp = v25 - v22, q2_mmp = v25 - v23;
     const wide_mask doubt1 = ((-(reach_slack1 * (reach_slack1 + v3)) <= D1) & (free1 |
         ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))) | (free1 | (((-(reach_slack1 *
         (reach_slack1 + v14)) <= D3) & ((merge_slack1 * (merge_slack1 + v14) < D3) == 0)) | ((v45 <=
         m5) | ((v44 <= m5) | ((v42 <= m5) | (v43 <= m5))))));
 
-    q[0] = q1_ppp;
-    q[1] = -(v22 + v24);
-    q[2] = q3_ppp;
-    q[3] = angle1;
-    q[4] = angle5;
-    q[5] = angle9;
+    q[0] = q1_ppp; q[1] = -(v22 + v24); q[2] = q3_ppp; q[3] = angle1; q[4] = angle5; q[5] = angle9;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = -(v22 + v24);
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = -angle5;
+    q[6] = q1_ppp; q[7] = -(v22 + v24); q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle5;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
-    q[13] = -(v23 + v24);
-    q[14] = q3_pmp;
-    q[15] = angle2;
-    q[16] = angle6;
+    q[12] = q1_ppp; q[13] = -(v23 + v24); q[14] = q3_pmp; q[15] = angle2; q[16] = angle6;
     q[17] = angle10;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
-    q[19] = -(v23 + v24);
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = -angle6;
+    q[18] = q1_ppp; q[19] = -(v23 + v24); q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle6;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_ppp;
-    q[27] = angle3;
-    q[28] = angle7;
-    q[29] = angle11;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = angle7; q[29] = angle11;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_ppp;
-    q[33] = q4_mpm;
-    q[34] = -angle7;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle7; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_pmp;
-    q[39] = angle4;
-    q[40] = angle8;
-    q[41] = angle12;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4; q[40] = angle8; q[41] = angle12;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_pmp;
-    q[45] = q4_mmm;
-    q[46] = -angle8;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle8; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -717,78 +632,57 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = sat2 * wy;
     const double wx = T14 - d6 * T13;
     const double v2 = sat2 * wx;
+    const double N1 = v1 * v1 + v2 * v2;
+    const int free1 = N1 <= doubt_limit_squared2;
     const double wz = T34 - d6 * T33;
     const double Z1 = cat2 * wz - k1;
-    const double N1 = v1 * v1 + v2 * v2;
     const double D1 = N1 - Z1 * Z1;
-    const int free1 = N1 <= doubt_limit_squared2;
-    const double v3 = 2.0 * fabs(Z1);
+    const double v3 = fabs(Z1) * 2.0;
     const double w1 = sqrt(D1);
     const double v4 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v5 = v1 * Z1;
-    const double v6 = v2 * Z1;
-    const double v7 = inverse1 * v6;
+    const double v5 = v1 * Z1, v6 = v2 * Z1, v7 = inverse1 * v6;
     const four c1 = w1 * (inverse1 * (e1 * v1)) - v7;
     const double v8 = inverse1 * v5;
     const four v9 = v8 + w1 * (inverse1 * (e1 * v2));
 
     /* theta3 */
-    const double Z3 = wz - k4;
-    const double D3 = k5 - Z3 * Z3;
+    const double Z3 = wz - k5;
+    const double D3 = k4 - Z3 * Z3;
     const double v10 = 2.0 * fabs(Z3);
     const double w3 = sqrt(D3);
-    const double v11 = w3 - w3;
-    const double v12 = m3 * wz - m2;
+    const double v11 = w3 - w3, v12 = m3 * wz - m2;
     const four v13 = v12 + w3 * (m1 * e2);
     const double v14 = m1 * wz - m4;
     const four s3 = v14 - w3 * (m3 * e2);
 
     /* r2 */
-    const four v15 = a3 * s3 - d4 * v13;
-    const four v16 = c1 * -wy - wx * v9;
+    const four v15 = a3 * s3 - d4 * v13, v16 = c1 * -wy - wx * v9;
 
     /* theta4 */
-    const double v17 = cat2 * T13;
-    const double v18 = cat2 * T23;
-    const double v19 = v1 * v17 - v2 * v18;
+    const double v17 = cat2 * T13, v18 = cat2 * T23, v19 = v1 * v17 - v2 * v18;
     const double v20 = sat2 * T33 + inverse1 * (v5 * v18 + v6 * v17);
-    const four v21 = w1 * (inverse1 * (e1 * v19)) - v20;
-    const four v22 = T13 * v9 + T23 * c1;
+    const four v21 = w1 * (inverse1 * (e1 * v19)) - v20, v22 = T13 * v9 + T23 * c1;
     const four X4 = v13 * v21 - s3 * v22;
-    const double v23 = sat2 * T13;
-    const double v24 = sat2 * T23;
-    const double v25 = v1 * v23 - v2 * v24;
+    const double v23 = sat2 * T13, v24 = sat2 * T23, v25 = v1 * v23 - v2 * v24;
     const double v26 = cat2 * T33 - inverse1 * (v5 * v24 + v6 * v23);
-    const four v27 = v26 + w1 * (inverse1 * (e1 * v25));
-    const four v28 = v27 * v27;
-    const four v29 = v28 + X4 * X4;
+    const four v27 = v26 + w1 * (inverse1 * (e1 * v25)), v28 = v27 * v27, v29 = v28 + X4 * X4;
     const four_mask doubt2 = v29 <= m5;
     const four v30 = copysign_four(all_four(half_turn), -v27) * h1;
 
     /* theta6 */
-    const double v31 = sat2 * T12;
-    const double v32 = sat2 * T22;
-    const double v33 = v1 * v31 - v2 * v32;
+    const double v31 = sat2 * T12, v32 = sat2 * T22, v33 = v1 * v31 - v2 * v32;
     const double v34 = cat2 * T32 - inverse1 * (v5 * v32 + v6 * v31);
     const four v35 = v34 + w1 * (inverse1 * (e1 * v33));
-    const double v36 = cat2 * T12;
-    const double v37 = cat2 * T22;
-    const double v38 = v1 * v36 - v2 * v37;
+    const double v36 = cat2 * T12, v37 = cat2 * T22, v38 = v1 * v36 - v2 * v37;
     const double v39 = sat2 * T32 + inverse1 * (v5 * v37 + v6 * v36);
-    const four v40 = w1 * (inverse1 * (e1 * v38)) - v39;
-    const four v41 = c1 * T22 + v9 * T12;
-    const double v42 = sat2 * T11;
-    const double v43 = sat2 * T21;
-    const double v44 = v1 * v42 - v2 * v43;
+    const four v40 = w1 * (inverse1 * (e1 * v38)) - v39, v41 = c1 * T22 + v9 * T12;
+    const double v42 = sat2 * T11, v43 = sat2 * T21, v44 = v1 * v42 - v2 * v43;
     const double v45 = cat2 * T31 - inverse1 * (v5 * v43 + v6 * v42);
     const four v46 = v45 + w1 * (inverse1 * (e1 * v44));
-    const double v47 = cat2 * T11;
-    const double v48 = cat2 * T21;
-    const double v49 = v1 * v47 - v2 * v48;
+    const double v47 = cat2 * T11, v48 = cat2 * T21, v49 = v1 * v47 - v2 * v48;
     const double v50 = sat2 * T31 + inverse1 * (v5 * v48 + v6 * v47);
-    const four v51 = w1 * (inverse1 * (e1 * v49)) - v50;
-    const four v52 = c1 * T21 + v9 * T11;
+    const four v51 = w1 * (inverse1 * (e1 * v49)) - v50, v52 = c1 * T21 + v9 * T11;
     const four v53 = v27 * (s3 * v52 - v13 * v51) - -X4 * v46;
 
     /* joint values */
@@ -887,101 +781,102 @@ static void solve(
     const double v1 = wy * sat2;
     const double wx = T14 - d6 * T13;
     const double v2 = sat2 * wx;
+    const double N1 = v1 * v1 + v2 * v2;
+    const int free1 = N1 <= free_limit_squared2;
     const double wz = T34 - d6 * T33;
     const double Z1 = wz * cat2 - k1;
-    const double N1 = v1 * v1 + v2 * v2;
     const double D1 = N1 - Z1 * Z1;
-    const int free1 = N1 <= free_limit_squared2;
-    const double v3 = 2.0 * fabs(Z1);
-    const int apart1 = merge_slack1 * (v3 + merge_slack1) < D1;
-    if (!(-(reach_slack1 * (v3 + reach_slack1)) <= D1)) return; /* out of reach */
+    const double v3 = fabs(Z1);
+    const double v4 = 2.0 * v3;
+    const int apart1 = merge_slack1 * (v4 + merge_slack1) < D1;
+    if (!(-(reach_slack1 * (v4 + reach_slack1)) <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
-    const double v4 = v1 * Z1;
-    const double v5 = v2 * Z1;
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v3 * sqrt(N1)));
+    const double v5 = v1 * Z1;
+    const double v6 = v2 * Z1;
 
     /* theta3, type 2: U0 A6^-1 [3, 4] */
-    const double Z3 = wz - k4;
-    const double D3 = k5 - Z3 * Z3;
-    const double v6 = 2.0 * fabs(Z3);
-    const int apart3 = merge_slack1 * (merge_slack1 + v6) < D3;
-    if (!(-(reach_slack1 * (reach_slack1 + v6)) <= D3)) return; /* out of reach */
+    const double Z3 = wz - k5;
+    const double D3 = k4 - Z3 * Z3;
+    const double v7 = 2.0 * fabs(Z3);
+    const int apart3 = merge_slack1 * (merge_slack1 + v7) < D3;
+    if (!(-(reach_slack1 * (reach_slack1 + v7)) <= D3)) return; /* out of reach */
     const double w3 = sqrt(apart3 ? D3 : 0.0);
-    const double v7 = k2 * Z3;
-    const double v8 = k3 * Z3;
+    const double v8 = k2 * Z3;
+    const double v9 = k3 * Z3;
 
     /* theta4, type 2: U4[3, 3] */
-    const double v12 = T13 * cat2;
-    const double v13 = T23 * cat2;
-    const double v14 = sat2 * T33;
-    const double v17 = sat2 * T13;
-    const double v18 = T23 * sat2;
-    const double v19 = T33 * cat2;
+    const double v13 = T13 * cat2;
+    const double v14 = T23 * cat2;
+    const double v15 = sat2 * T33;
+    const double v18 = sat2 * T13;
+    const double v19 = T23 * sat2;
+    const double v20 = T33 * cat2;
 
     /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-    const double v22 = sat2 * T12;
-    const double v23 = T22 * sat2;
-    const double v24 = T32 * cat2;
-    const double v26 = T12 * cat2;
-    const double v27 = T22 * cat2;
-    const double v28 = sat2 * T32;
-    const double v32 = sat2 * T11;
-    const double v33 = T21 * sat2;
-    const double v34 = T31 * cat2;
-    const double v36 = T11 * cat2;
-    const double v37 = T21 * cat2;
-    const double v38 = sat2 * T31;
+    const double v23 = sat2 * T12;
+    const double v24 = T22 * sat2;
+    const double v25 = T32 * cat2;
+    const double v27 = T12 * cat2;
+    const double v28 = T22 * cat2;
+    const double v29 = sat2 * T32;
+    const double v33 = sat2 * T11;
+    const double v34 = T21 * sat2;
+    const double v35 = T31 * cat2;
+    const double v37 = T11 * cat2;
+    const double v38 = T21 * cat2;
+    const double v39 = sat2 * T31;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v1 * root1 - v5);
-        const double s1 = free1 ? sin(seed[0]) : -(inverse1 * (v4 + v2 * root1));
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v1 * root1 - v6);
+        const double s1 = free1 ? sin(seed[0]) : -(inverse1 * (v5 + v2 * root1));
         const double q1 = atan2(s1, c1);
 
         /* r2, type 1: U1 A6^-1 [3, 4] */
-        const double v11 = c1 * -wy + wx * s1;
+        const double v12 = c1 * -wy + wx * s1;
 
         /* theta4 */
-        const double v15 = c1 * v12 + s1 * v13 - v14;
-        const double v16 = T13 * s1 - T23 * c1;
-        const double v20 = c1 * v17 + s1 * v18 + v19;
-        const double v21 = v20 * v20;
+        const double v16 = c1 * v13 + s1 * v14 - v15;
+        const double v17 = T13 * s1 - T23 * c1;
+        const double v21 = c1 * v18 + s1 * v19 + v20;
+        const double v22 = v21 * v21;
 
         /* theta6 */
-        const double v25 = c1 * v22 + s1 * v23 + v24;
-        const double v29 = c1 * v26 + s1 * v27 - v28;
-        const double v30 = T22 * c1 - T12 * s1;
-        const double v35 = c1 * v32 + s1 * v33 + v34;
-        const double v39 = c1 * v36 + s1 * v37 - v38;
-        const double v40 = T21 * c1 - T11 * s1;
+        const double v26 = c1 * v23 + s1 * v24 + v25;
+        const double v30 = c1 * v27 + s1 * v28 - v29;
+        const double v31 = T22 * c1 - T12 * s1;
+        const double v36 = c1 * v33 + s1 * v34 + v35;
+        const double v40 = c1 * v37 + s1 * v38 - v39;
+        const double v41 = T21 * c1 - T11 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip3, flip3 */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double v9 = k6 * (v8 + k2 * root3);
-            const double s3 = k6 * (v7 - k3 * root3);
-            const double q3 = atan2(s3, -v9);
+            const double v10 = k6 * (v9 + k2 * root3);
+            const double s3 = k6 * (v8 - k3 * root3);
+            const double q3 = atan2(s3, -v10);
 
             /* r2 */
-            const double v10 = a3 * s3 - d4 * v9;
+            const double v11 = a3 * s3 - d4 * v10;
 
             /* theta4 */
-            const double X4 = v9 * v15 - s3 * -v16;
-            const double w4 = sqrt(X4 * X4 + v21);
+            const double X4 = v10 * v16 - s3 * -v17;
+            const double w4 = sqrt(X4 * X4 + v22);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = v9 * v16 - s3 * v15;
+            const double c5 = v10 * v17 - s3 * v16;
 
             /* theta6 */
-            const double v31 = s3 * v30 - v9 * v29;
-            const double v41 = s3 * v40 - v9 * v39;
+            const double v32 = s3 * v31 - v10 * v30;
+            const double v42 = s3 * v41 - v10 * v40;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip4, flip4 */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -989,17 +884,17 @@ static void solve(
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : -(v20 * factor4);
+                const double s4 = free4 ? sin(seed[3]) : -(v21 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
                 const double q5 = atan2(-(w4 * e3), c5);
 
                 /* theta6 */
-                const double q6 = atan2(-(c4 * v35 + s4 * v41), -(c4 * v25 + s4 * v31));
+                const double q6 = atan2(-(c4 * v36 + s4 * v42), -(c4 * v26 + s4 * v32));
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1;
-                q[row][1] = -(v10 + v11);
+                q[row][1] = -(v11 + v12);
                 q[row][2] = q3;
                 q[row][3] = q4;
                 q[row][4] = q5;

@@ -17,7 +17,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -48,7 +48,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -99,8 +100,8 @@ free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.4138869064318786  # d1 * cat2 + (a1 * sat2 + d3) [m]
 k2 = 0.08542781224187632  # d4 * sat2 [m]
 k3 = 0.0158935464636049  # a3 * sat2 [m]
-k4 = 0.36820625816486496  # d1 + (cat2 * d3 - a2 * sat2) [m]
-k5 = 0.007550515923624042  # (d4 * sat2)^2 + (a3 * sat2)^2 [m^2]
+k4 = 0.007550515923624042  # (d4 * sat2)^2 + (a3 * sat2)^2 [m^2]
+k5 = 0.36820625816486496  # d1 + (cat2 * d3 - a2 * sat2) [m]
 k6 = 132.4412808495909  # 1 / ((d4 * sat2)^2 + (a3 * sat2)^2) [m^-2]
 f1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 f2 = 0.09800665778412417  # d3 * cat2 [m]
@@ -108,9 +109,9 @@ g1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 g2 = 0.09800665778412417  # d3 * cat2 [m]
 doubt_limit_squared2 = 1.5376e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 11.314168873492461  # a coefficient of v9
-m2 = 0.7750600530519154  # a coefficient of v9
-m3 = 2.1049616508823186  # a coefficient of v9
+m1 = 11.314168873492461  # a coefficient of v10
+m2 = 0.7750600530519154  # a coefficient of v10
+m3 = 2.1049616508823186  # a coefficient of v10
 m4 = 4.165947785154044  # a coefficient of s3
 m5 = 1e-06  # doubt_limit^2
 h1 = 1.0  # 2 * m6
@@ -324,52 +325,53 @@ def _solve(pose, seed, q, status):
     v1 = wy * sat2
     wx = T14 - d6 * T13
     v2 = sat2 * wx
+    N1 = v1 * v1 + v2 * v2
+    free1 = N1 <= free_limit_squared2
     wz = T34 - d6 * T33
     Z1 = wz * cat2 - k1
-    N1 = v1 * v1 + v2 * v2
     D1 = N1 - Z1 * Z1
-    free1 = N1 <= free_limit_squared2
-    v3 = 2.0 * abs(Z1)
-    apart1 = merge_slack1 * (v3 + merge_slack1) < D1
-    if not (-(reach_slack1 * (v3 + reach_slack1)) <= D1):
+    v3 = abs(Z1)
+    v4 = 2.0 * v3
+    apart1 = merge_slack1 * (v4 + merge_slack1) < D1
+    if not (-(reach_slack1 * (v4 + reach_slack1)) <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else N1)
-    v4 = v1 * Z1
-    v5 = v2 * Z1
+    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v3 * math.sqrt(N1)))
+    v5 = v1 * Z1
+    v6 = v2 * Z1
 
     # theta3, type 2: U0 A6^-1 [3, 4]
-    Z3 = wz - k4
-    D3 = k5 - Z3 * Z3
-    v6 = 2.0 * abs(Z3)
-    apart3 = merge_slack1 * (merge_slack1 + v6) < D3
-    if not (-(reach_slack1 * (reach_slack1 + v6)) <= D3):
+    Z3 = wz - k5
+    D3 = k4 - Z3 * Z3
+    v7 = 2.0 * abs(Z3)
+    apart3 = merge_slack1 * (merge_slack1 + v7) < D3
+    if not (-(reach_slack1 * (reach_slack1 + v7)) <= D3):
         return  # out of reach
     w3 = math.sqrt(D3 if apart3 else 0.0)
-    v7 = k2 * Z3
-    v8 = k3 * Z3
+    v8 = k2 * Z3
+    v9 = k3 * Z3
 
     # theta4, type 2: U4[3, 3]
-    v12 = T13 * cat2
-    v13 = T23 * cat2
-    v14 = sat2 * T33
-    v17 = sat2 * T13
-    v18 = T23 * sat2
-    v19 = T33 * cat2
+    v13 = T13 * cat2
+    v14 = T23 * cat2
+    v15 = sat2 * T33
+    v18 = sat2 * T13
+    v19 = T23 * sat2
+    v20 = T33 * cat2
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v22 = sat2 * T12
-    v23 = T22 * sat2
-    v24 = T32 * cat2
-    v26 = T12 * cat2
-    v27 = T22 * cat2
-    v28 = sat2 * T32
-    v32 = sat2 * T11
-    v33 = T21 * sat2
-    v34 = T31 * cat2
-    v36 = T11 * cat2
-    v37 = T21 * cat2
-    v38 = sat2 * T31
+    v23 = sat2 * T12
+    v24 = T22 * sat2
+    v25 = T32 * cat2
+    v27 = T12 * cat2
+    v28 = T22 * cat2
+    v29 = sat2 * T32
+    v33 = sat2 * T11
+    v34 = T21 * sat2
+    v35 = T31 * cat2
+    v37 = T11 * cat2
+    v38 = T21 * cat2
+    v39 = sat2 * T31
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -377,26 +379,26 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and (free1 or not apart1):
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (v1 * root1 - v5)
-        s1 = math.sin(seed[0]) if free1 else -(inverse1 * (v4 + v2 * root1))
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v1 * root1 - v6)
+        s1 = math.sin(seed[0]) if free1 else -(inverse1 * (v5 + v2 * root1))
         q1 = _atan2(s1, c1)
 
         # r2, type 1: U1 A6^-1 [3, 4]
-        v11 = c1 * -wy + wx * s1
+        v12 = c1 * -wy + wx * s1
 
         # theta4
-        v15 = c1 * v12 + s1 * v13 - v14
-        v16 = T13 * s1 - T23 * c1
-        v20 = c1 * v17 + s1 * v18 + v19
-        v21 = v20 * v20
+        v16 = c1 * v13 + s1 * v14 - v15
+        v17 = T13 * s1 - T23 * c1
+        v21 = c1 * v18 + s1 * v19 + v20
+        v22 = v21 * v21
 
         # theta6
-        v25 = c1 * v22 + s1 * v23 + v24
-        v29 = c1 * v26 + s1 * v27 - v28
-        v30 = T22 * c1 - T12 * s1
-        v35 = c1 * v32 + s1 * v33 + v34
-        v39 = c1 * v36 + s1 * v37 - v38
-        v40 = T21 * c1 - T11 * s1
+        v26 = c1 * v23 + s1 * v24 + v25
+        v30 = c1 * v27 + s1 * v28 - v29
+        v31 = T22 * c1 - T12 * s1
+        v36 = c1 * v33 + s1 * v34 + v35
+        v40 = c1 * v37 + s1 * v38 - v39
+        v41 = T21 * c1 - T11 * s1
 
         for i2 in range(2):  # noflip3, flip3
             e2 = 1.0 - 2.0 * i2
@@ -404,25 +406,25 @@ def _solve(pose, seed, q, status):
             if e2 < 0.0 and not apart3:
                 continue  # both signs give the same
             root3 = w3 * e2
-            v9 = k6 * (v8 + k2 * root3)
-            s3 = k6 * (v7 - k3 * root3)
-            q3 = _atan2(s3, -v9)
+            v10 = k6 * (v9 + k2 * root3)
+            s3 = k6 * (v8 - k3 * root3)
+            q3 = _atan2(s3, -v10)
 
             # r2
-            v10 = a3 * s3 - d4 * v9
+            v11 = a3 * s3 - d4 * v10
 
             # theta4
-            X4 = v9 * v15 - s3 * -v16
-            w4 = math.sqrt(X4 * X4 + v21)
+            X4 = v10 * v16 - s3 * -v17
+            w4 = math.sqrt(X4 * X4 + v22)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = v9 * v16 - s3 * v15
+            c5 = v10 * v17 - s3 * v16
 
             # theta6
-            v31 = s3 * v30 - v9 * v29
-            v41 = s3 * v40 - v9 * v39
+            v32 = s3 * v31 - v10 * v30
+            v42 = s3 * v41 - v10 * v40
 
             for i3 in range(2):  # noflip4, flip4
                 e3 = 1.0 - 2.0 * i3
@@ -431,17 +433,17 @@ def _solve(pose, seed, q, status):
                     continue  # both signs give the same
                 factor4 = e3 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
-                s4 = math.sin(seed[3]) if free4 else -(v20 * factor4)
+                s4 = math.sin(seed[3]) if free4 else -(v21 * factor4)
                 q4 = _atan2(s4, c4)
 
                 # theta5
                 q5 = _atan2(-(w4 * e3), c5)
 
                 # theta6
-                q6 = _atan2(-(c4 * v35 + s4 * v41), -(c4 * v25 + s4 * v31))
+                q6 = _atan2(-(c4 * v36 + s4 * v42), -(c4 * v26 + s4 * v32))
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
-                q[row, 1] = -(v10 + v11)
+                q[row, 1] = -(v11 + v12)
                 q[row, 2] = q3
                 q[row, 3] = q4
                 q[row, 4] = q5
@@ -544,12 +546,12 @@ def _regular(pose, q, status):
     v1 = sat2 * wy
     wx = T14 - d6 * T13
     v2 = sat2 * wx
+    N1 = v1 * v1 + v2 * v2
+    free1 = N1 <= doubt_limit_squared2
     wz = T34 - d6 * T33
     Z1 = cat2 * wz - k1
-    N1 = v1 * v1 + v2 * v2
     D1 = N1 - Z1 * Z1
-    free1 = N1 <= doubt_limit_squared2
-    v3 = 2.0 * abs(Z1)
+    v3 = abs(Z1) * 2.0
     w1 = math.sqrt(D1)
     v4 = w1 - w1
     inverse1 = 1.0 / N1
@@ -565,8 +567,8 @@ def _regular(pose, q, status):
     v13 = v10 - v11
 
     # theta3, type 2: U0 A6^-1 [3, 4]
-    Z3 = wz - k4
-    D3 = k5 - Z3 * Z3
+    Z3 = wz - k5
+    D3 = k4 - Z3 * Z3
     v14 = 2.0 * abs(Z3)
     w3 = math.sqrt(D3)
     v15 = w3 - w3
@@ -651,9 +653,9 @@ def _regular(pose, q, status):
     q2_mpp = v25 - v22
     q2_mmp = v25 - v23
     doubt1 = (
-        -(reach_slack1 * (reach_slack1 + v3)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1
-        + v3) < D1)) or (free1 or (-(reach_slack1 * (reach_slack1 + v14)) <= D3 and not
-        (merge_slack1 * (merge_slack1 + v14) < D3) or (v45 <= m5 or (v44 <= m5 or (v42 <= m5 or v43
+        (-(reach_slack1 * (reach_slack1 + v3)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1
+        + v3) < D1))) or (free1 or ((-(reach_slack1 * (reach_slack1 + v14)) <= D3 and not
+        (merge_slack1 * (merge_slack1 + v14) < D3)) or (v45 <= m5 or (v44 <= m5 or (v42 <= m5 or v43
         <= m5)))))
     )
 
@@ -794,6 +796,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -839,7 +846,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
@@ -1003,12 +1011,12 @@ def _in_tiles(T, q, status):
             v1 = sat2 * wy
             wx = T14 - d6 * T13
             v2 = sat2 * wx
+            N1 = v1 * v1 + v2 * v2
+            free1 = N1 <= doubt_limit_squared2
             wz = T34 - d6 * T33
             Z1 = cat2 * wz - k1
-            N1 = v1 * v1 + v2 * v2
             D1 = N1 - Z1 * Z1
-            free1 = N1 <= doubt_limit_squared2
-            v3 = 2.0 * abs(Z1)
+            v3 = abs(Z1) * 2.0
             w1 = math.sqrt(D1)
             v4 = w1 - w1
             inverse1 = 1.0 / N1
@@ -1022,8 +1030,8 @@ def _in_tiles(T, q, status):
             v11 = w1 * (v2 * inverse1)
             v12 = v10 + v11
             v13 = v10 - v11
-            Z3 = wz - k4
-            D3 = k5 - Z3 * Z3
+            Z3 = wz - k5
+            D3 = k4 - Z3 * Z3
             v14 = 2.0 * abs(Z3)
             w3 = math.sqrt(D3)
             v15 = w3 - w3
@@ -1100,10 +1108,10 @@ def _in_tiles(T, q, status):
             q2_mpp = v25 - v22
             q2_mmp = v25 - v23
             doubt1 = (
-                -(reach_slack1 * (reach_slack1 + v3)) <= D1 and (free1 or not (merge_slack1 *
-                (merge_slack1 + v3) < D1)) or (free1 or (-(reach_slack1 * (reach_slack1 + v14)) <=
-                D3 and not (merge_slack1 * (merge_slack1 + v14) < D3) or (v45 <= m5 or (v44 <= m5 or
-                (v42 <= m5 or v43 <= m5)))))
+                (-(reach_slack1 * (reach_slack1 + v3)) <= D1 and (free1 or not (merge_slack1 *
+                (merge_slack1 + v3) < D1))) or (free1 or ((-(reach_slack1 * (reach_slack1 + v14)) <=
+                D3 and not (merge_slack1 * (merge_slack1 + v14) < D3)) or (v45 <= m5 or (v44 <= m5
+                or (v42 <= m5 or v43 <= m5)))))
             )
             work[544 + k] = v4
             work[576 + k] = v15
@@ -1294,6 +1302,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((8, 6)), np.empty(8, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(6))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

@@ -79,8 +79,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -105,8 +104,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -501,19 +499,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide t24 = T24 + D3 * T21 + k1 * T23;
     const wide t14 = T14 + D3 * T11 + k1 * T13;
     const wide N1 = t24 * t24 + t14 * t14;
-    const wide D1 = N1 - k2;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v2 = inverse1 * (D3 * t14);
-    const wide v3 = w1 * (t24 * inverse1);
-    const wide c1_p = v2 + v3;
-    const wide c1_m = v2 - v3;
-    const wide v4 = inverse1 * (D3 * t24);
-    const wide v5 = w1 * (t14 * inverse1);
-    const wide s1_p = v4 - v5;
-    const wide s1_m = v4 + v5;
+    const wide v2 = inverse1 * (D3 * t14), v3 = w1 * (t24 * inverse1);
+    const wide c1_p = v2 + v3, c1_m = v2 - v3;
+    const wide v4 = inverse1 * (D3 * t24), v5 = w1 * (t14 * inverse1);
+    const wide s1_p = v4 - v5, s1_m = v4 + v5;
 
     /* theta3 */
     const wide t34 = T34 + D3 * T31 + k1 * T33;
@@ -523,47 +517,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle1 = atan2_wide(w3, N3 - k5);
 
     /* theta2 */
-    const wide v7 = w3 * (m1 * t34);
-    const wide v8 = m1 * (w1 * N3);
-    const wide v9 = v7 + v8;
-    const wide v10 = v8 - v7;
-    const wide v11 = m1 * (t34 * N3);
-    const wide v12 = w3 * (m1 * w1);
-    const wide C2_pp = v11 - v12;
-    const wide C2_pm = v11 + v12;
-    const wide v13 = v9 * v9 + C2_pp * C2_pp;
-    const wide v14 = C2_pm * C2_pm;
-    const wide v15 = v10 * v10 + v14;
+    const wide v7 = w3 * (m1 * t34), v8 = m1 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7;
+    const wide v11 = m1 * (t34 * N3), v12 = w3 * (m1 * w1);
+    const wide C2_pp = v11 - v12, C2_pm = v11 + v12;
+    const wide v13 = v9 * v9 + C2_pp * C2_pp, v14 = C2_pm * C2_pm, v15 = v10 * v10 + v14;
     const wide v16 = v14 + -v10 * -v10;
-    const wide factor2_pp = sqrt_wide(v13) * (1.0 / v13);
-    const wide factor2_pm = sqrt_wide(v15) * (1.0 / v15);
+    const wide factor2_pp = sqrt_wide(v13) * (1.0 / v13), factor2_pm = sqrt_wide(v15) * (1.0 / v15);
     const wide factor2_mp = sqrt_wide(v16) * (1.0 / v16);
-    const wide angle2 = atan2_wide(-v9, C2_pp);
-    const wide angle3 = atan2_wide(-v10, C2_pm);
-    const wide angle4 = atan2_wide(v10, C2_pm);
-    const wide angle5 = atan2_wide(v9, C2_pp);
+    const wide angle2 = atan2_wide(-v9, C2_pp), angle3 = atan2_wide(-v10, C2_pm);
+    const wide angle4 = atan2_wide(v10, C2_pm), angle5 = atan2_wide(v9, C2_pp);
 
     /* theta4 */
-    const wide v17 = m3 * N3;
-    const wide v18 = m1 - v17;
-    const wide v19 = v17 - m4;
-    const wide v20 = w1 * (N3 * (v18 + v19));
-    const wide s23_pp = v7 + v20;
-    const wide s23_pm = v20 - v7;
+    const wide v17 = m3 * N3, v18 = m1 - v17, v19 = v17 - m4, v20 = w1 * (N3 * (v18 + v19));
+    const wide s23_pp = v7 + v20, s23_pm = v20 - v7;
     const wide v21 = w1 * (N3 * (-v18 + -v19));
-    const wide s23_mp = v7 + v21;
-    const wide s23_mm = v21 - v7;
-    const wide v22 = T13 * s1_p - T23 * c1_p;
-    const wide v23 = T13 * s1_m - T23 * c1_m;
-    const wide X4_pp = C2_pm * v22 - T33 * s23_pp;
-    const wide X4_pm = C2_pp * v22 - T33 * s23_pm;
-    const wide X4_mp = C2_pp * v23 - T33 * s23_mp;
-    const wide X4_mm = C2_pm * v23 - T33 * s23_mm;
-    const wide v24 = T13 * c1_p + T23 * s1_p;
-    const wide v25 = T13 * c1_m + T23 * s1_m;
-    const wide v26 = v24 * v24;
-    const wide v27 = v25 * v25;
-    const wide v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
+    const wide s23_mp = v7 + v21, s23_mm = v21 - v7;
+    const wide v22 = T13 * s1_p - T23 * c1_p, v23 = T13 * s1_m - T23 * c1_m;
+    const wide X4_pp = C2_pm * v22 - T33 * s23_pp, X4_pm = C2_pp * v22 - T33 * s23_pm;
+    const wide X4_mp = C2_pp * v23 - T33 * s23_mp, X4_mm = C2_pm * v23 - T33 * s23_mm;
+    const wide v24 = T13 * c1_p + T23 * s1_p, v25 = T13 * c1_m + T23 * s1_m, v26 = v24 * v24;
+    const wide v27 = v25 * v25, v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
     const wide v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
     const wide v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp));
     const wide v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm));
@@ -573,9 +546,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle9 = atan2_wide(-v25, factor2_pp * -X4_mm);
     const wide v32 = copysign_wide(all_wide(half_turn), -v24) * h1;
     const wide v33 = copysign_wide(all_wide(half_turn), -v25) * h1;
-    const wide q4_ppm = angle6 - v32;
-    const wide q4_pmm = angle7 - v32;
-    const wide q4_mpm = angle8 - v33;
+    const wide q4_ppm = angle6 - v32, q4_pmm = angle7 - v32, q4_mpm = angle8 - v33;
     const wide q4_mmm = angle9 - v33;
 
     /* theta5 */
@@ -587,14 +558,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle13 = atan2_wide(-sqrt_wide(v31), factor2_pp * (v34 + s23_mm * v23));
 
     /* theta6 */
-    const wide v36 = c1_p * T12 + s1_p * T22;
-    const wide v37 = c1_m * T12 + s1_m * T22;
-    const wide v38 = s1_p * T12 - c1_p * T22;
-    const wide v39 = s1_m * T12 - c1_m * T22;
-    const wide v40 = T11 * c1_p + T21 * s1_p;
-    const wide v41 = T11 * c1_m + T21 * s1_m;
-    const wide v42 = T11 * s1_p - T21 * c1_p;
-    const wide v43 = T11 * s1_m - T21 * c1_m;
+    const wide v36 = c1_p * T12 + s1_p * T22, v37 = c1_m * T12 + s1_m * T22;
+    const wide v38 = s1_p * T12 - c1_p * T22, v39 = s1_m * T12 - c1_m * T22;
+    const wide v40 = T11 * c1_p + T21 * s1_p, v41 = T11 * c1_m + T21 * s1_m;
+    const wide v42 = T11 * s1_p - T21 * c1_p, v43 = T11 * s1_m - T21 * c1_m;
     const wide v44 = v24 * (s23_pp * T32 - C2_pm * v38) - -X4_pp * v36;
     const wide v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36;
     const wide v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37;
@@ -613,67 +580,32 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q1_ppp = v6 + angle18;
     const wide angle19 = atan2_wide(s1_m, c1_m);
     const wide q1_mpp = v6 + angle19;
-    const wide q3_ppp = v1 + angle1;
-    const wide q3_pmp = v1 - angle1;
+    const wide q3_ppp = v1 + angle1, q3_pmp = v1 - angle1;
     const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v31 <= m5) |
         ((v30 <= m5) | ((v16 <= m2) | ((v29 <= m5) | ((v15 <= m2) | ((v28 <= m5) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v13 <= m2)))))))));
 
-    q[0] = q1_ppp;
-    q[1] = angle2;
-    q[2] = q3_ppp;
-    q[3] = angle6;
-    q[4] = angle10;
-    q[5] = angle14;
+    q[0] = q1_ppp; q[1] = angle2; q[2] = q3_ppp; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = angle2;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = -angle10;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle2; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle10; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
-    q[13] = angle3;
-    q[14] = q3_pmp;
-    q[15] = angle7;
-    q[16] = angle11;
+    q[12] = q1_ppp; q[13] = angle3; q[14] = q3_pmp; q[15] = angle7; q[16] = angle11;
     q[17] = angle15;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
-    q[19] = angle3;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = -angle11;
+    q[18] = q1_ppp; q[19] = angle3; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle11;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = angle4;
-    q[26] = q3_ppp;
-    q[27] = angle8;
-    q[28] = angle12;
+    q[24] = q1_mpp; q[25] = angle4; q[26] = q3_ppp; q[27] = angle8; q[28] = angle12;
     q[29] = angle16;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = angle4;
-    q[32] = q3_ppp;
-    q[33] = q4_mpm;
-    q[34] = -angle12;
+    q[30] = q1_mpp; q[31] = angle4; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle12;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = angle5;
-    q[38] = q3_pmp;
-    q[39] = angle9;
-    q[40] = angle13;
+    q[36] = q1_mpp; q[37] = angle5; q[38] = q3_pmp; q[39] = angle9; q[40] = angle13;
     q[41] = angle17;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = angle5;
-    q[44] = q3_pmp;
-    q[45] = q4_mmm;
-    q[46] = -angle13;
+    q[42] = q1_mpp; q[43] = angle5; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle13;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -695,8 +627,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double t24 = T24 + D3 * T21 + k1 * T23;
     const double t14 = T14 + D3 * T11 + k1 * T13;
     const double N1 = t24 * t24 + t14 * t14;
-    const double D1 = N1 - k2;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
@@ -712,10 +644,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v4 = w3 - w3;
 
     /* theta2 */
-    const four v5 = w3 * (m1 * (e2 * t34));
-    const four v6 = m1 * (w1 * (e1 * N3));
-    const four v7 = v5 + v6;
-    const four v8 = e1 * e2;
+    const four v5 = w3 * (m1 * (e2 * t34)), v6 = m1 * (w1 * (e1 * N3)), v7 = v5 + v6, v8 = e1 * e2;
     const double v9 = m1 * (t34 * N3);
     const four C2 = v9 - w3 * (m1 * (w1 * v8));
     const four v10 = v7 * v7 + C2 * C2;
@@ -723,33 +652,27 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta4 */
     const four c23 = v9 + w3 * (w1 * (m1 * v8));
-    const double v11 = m3 * N3;
-    const double v12 = m1 - v11;
+    const double v11 = m3 * N3, v12 = m1 - v11;
     const four v13 = e1 * v12;
     const double v14 = v11 - m4;
     const four v15 = e2 * v14;
     const four s23 = v5 + w1 * (N3 * (v13 + v8 * v15));
     const four v16 = T13 * s1 - T23 * c1;
     const four X4 = c23 * v16 - T33 * s23;
-    const four v17 = T13 * c1 + T23 * s1;
-    const four v18 = v17 * v17;
+    const four v17 = T13 * c1 + T23 * s1, v18 = v17 * v17;
     const four v19 = v18 + factor2 * (X4 * (factor2 * X4));
     const four v20 = copysign_four(all_four(half_turn), -v17) * h1;
 
     /* theta6 */
-    const four v21 = c1 * T12 + s1 * T22;
-    const four v22 = s1 * T12 - c1 * T22;
-    const four v23 = T11 * c1 + T21 * s1;
-    const four v24 = T11 * s1 - T21 * c1;
-    const four v25 = v17 * (s23 * T32 - c23 * v22) - -X4 * v21;
+    const four v21 = c1 * T12 + s1 * T22, v22 = s1 * T12 - c1 * T22, v23 = T11 * c1 + T21 * s1;
+    const four v24 = T11 * s1 - T21 * c1, v25 = v17 * (s23 * T32 - c23 * v22) - -X4 * v21;
 
     /* joint values */
     const four_mask doubt2 = (v10 <= m2) | (v19 <= m5);
     const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (((shortest3_reach <=
         N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
-    const four angle2 = atan2_four(-v7, C2);
-    const four angle3 = atan2_four(-v17, factor2 * -X4);
+    const four angle2 = atan2_four(-v7, C2), angle3 = atan2_four(-v17, factor2 * -X4);
     const four angle4 = atan2_four(-sqrt_four(v19), factor2 * (T33 * c23 + s23 * v16));
     const four angle5 = atan2_four(v25, -X4 * v23 - v17 * (T31 * s23 - c23 * v24));
     const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
@@ -839,12 +762,12 @@ static void solve(
     const double t24 = T24 + D3 * T21 + k1 * T23;
     const double t14 = T14 + D3 * T11 + k1 * T13;
     const double N1 = t24 * t24 + t14 * t14;
-    const double D1 = N1 - k2;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k2;
     const int apart1 = k4 < D1;
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : D3 * sqrt(N1)));
     const double v1 = D3 * t24;
     const double v2 = D3 * t14;
 

@@ -410,7 +410,7 @@ static inline puma560_calibrated_lane puma560_calibrated_with_sign(puma560_calib
 
 static inline puma560_calibrated_lane puma560_calibrated_sqrt(puma560_calibrated_lane x)
 {
-    puma560_calibrated_lane r;
+    puma560_calibrated_lane r = x;
     for (int k = 0; k < PUMA560_CALIBRATED_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
@@ -1298,6 +1298,83 @@ static void puma560_calibrated_close(const double T[16], puma560_calibrated_loop
     }
 }
 
+/* a rigid transform for each lane */
+typedef puma560_calibrated_lane puma560_calibrated_rigid[3][4];
+
+/* T Rz */
+static inline void puma560_calibrated_turn(puma560_calibrated_rigid T, puma560_calibrated_lane c,
+    puma560_calibrated_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const puma560_calibrated_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void puma560_calibrated_move(puma560_calibrated_rigid T, int joint,
+    puma560_calibrated_lane c, puma560_calibrated_lane s)
+{
+    (void)joint;
+    puma560_calibrated_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void puma560_calibrated_follow(puma560_calibrated_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const puma560_calibrated_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void puma560_calibrated_begin(puma560_calibrated_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = puma560_calibrated_all(K[i]);
+    }
+}
+
+static inline void puma560_calibrated_to_unit(puma560_calibrated_lane *c, puma560_calibrated_lane
+    *s)
+{
+    const puma560_calibrated_lane square = *c * *c + *s * *s, factor = 1.0 /
+        puma560_calibrated_sqrt(square + 1e-300);
+    *c = puma560_calibrated_select(square > 1e-300, *c * factor, puma560_calibrated_all(1.0));
+    *s = puma560_calibrated_select(square > 1e-300, *s * factor, puma560_calibrated_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline puma560_calibrated_lane puma560_calibrated_reflect(puma560_calibrated_lane *const
+    *row, int rows, int column, int columns)
+{
+    puma560_calibrated_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = puma560_calibrated_with_sign(puma560_calibrated_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        puma560_calibrated_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
  * and
  * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
@@ -1477,33 +1554,6 @@ static void puma560_calibrated_equations(const puma560_calibrated_formulation *f
             PUMA560_CALIBRATED_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
-static inline puma560_calibrated_lane puma560_calibrated_reflect(puma560_calibrated_lane *const
-    *row, int rows, int column, int columns)
-{
-    puma560_calibrated_lane axis[6], square = {0}, length, factor;
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        square += axis[i] * axis[i];
-    }
-    length = puma560_calibrated_with_sign(puma560_calibrated_sqrt(square), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        puma560_calibrated_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
-        }
-        sum *= factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
 }
 
 /* The determinant at hidden angles, and the upper triangular factor whose null vectors are
@@ -2031,6 +2081,74 @@ static void puma560_calibrated_find_roots(const puma560_calibrated_trigonometric
     }
 }
 
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} puma560_calibrated_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline puma560_calibrated_lane puma560_calibrated_through(const puma560_calibrated_lens *a,
+    puma560_calibrated_lane *c, puma560_calibrated_lane *s)
+{
+    const puma560_calibrated_lane u = *c + a->x, v = *s + a->y;
+    const puma560_calibrated_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const puma560_calibrated_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline puma560_calibrated_lane puma560_calibrated_weighted(puma560_calibrated_lane f,
+    puma560_calibrated_lane square)
+{
+    const puma560_calibrated_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int puma560_calibrated_spread(const double samples[24], puma560_calibrated_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * puma560_calibrated_sample_c[k];
+        y += ratio * puma560_calibrated_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void puma560_calibrated_behind(const puma560_calibrated_lens *a, int count, double *cosine,
+    double *sine)
+{
+    for (int i = 0; i < count; i += PUMA560_CALIBRATED_LANES) {
+        puma560_calibrated_lane c = PUMA560_CALIBRATED_LOAD(cosine + i), s =
+            PUMA560_CALIBRATED_LOAD(sine + i);
+        (void)puma560_calibrated_through(a, &c, &s);
+        PUMA560_CALIBRATED_STORE(cosine + i, c);
+        PUMA560_CALIBRATED_STORE(sine + i, s);
+    }
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
@@ -2040,9 +2158,6 @@ typedef struct {
     double c[PUMA560_CALIBRATED_CANDIDATES], s[PUMA560_CALIBRATED_CANDIDATES],
         n[6][PUMA560_CALIBRATED_CANDIDATES];
 } puma560_calibrated_candidates;
-
-/* a rigid transform for each lane */
-typedef puma560_calibrated_lane puma560_calibrated_rigid[3][4];
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
 static inline void puma560_calibrated_inverse_iteration(puma560_calibrated_lane U[6][6], const
@@ -2231,44 +2346,6 @@ static void puma560_calibrated_null_plane(const double *E, double c, double s,
     out->groups++;
 }
 
-/* T Rz */
-static inline void puma560_calibrated_turn(puma560_calibrated_rigid T, puma560_calibrated_lane c,
-    puma560_calibrated_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const puma560_calibrated_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void puma560_calibrated_move(puma560_calibrated_rigid T, int joint,
-    puma560_calibrated_lane c, puma560_calibrated_lane s)
-{
-    (void)joint;
-    puma560_calibrated_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void puma560_calibrated_follow(puma560_calibrated_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const puma560_calibrated_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void puma560_calibrated_begin(puma560_calibrated_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = puma560_calibrated_all(K[i]);
-    }
-}
-
 /* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
  * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
 static void puma560_calibrated_invariants(const double K[12], const double M[12], double w[5],
@@ -2308,15 +2385,6 @@ static void puma560_calibrated_invariants(const double K[12], const double M[12]
         solve[0][i] = (bb * a[i] - ab * b[i]) / det;
         solve[1][i] = (aa * b[i] - ab * a[i]) / det;
     }
-}
-
-static inline void puma560_calibrated_to_unit(puma560_calibrated_lane *c, puma560_calibrated_lane
-    *s)
-{
-    const puma560_calibrated_lane square = *c * *c + *s * *s, factor = 1.0 /
-        puma560_calibrated_sqrt(square + 1e-300);
-    *c = puma560_calibrated_select(square > 1e-300, *c * factor, puma560_calibrated_all(1.0));
-    *s = puma560_calibrated_select(square > 1e-300, *s * factor, puma560_calibrated_all(0.0));
 }
 
 /* phi_2 and phi_3 from the null vector */
@@ -2638,22 +2706,6 @@ static unsigned puma560_calibrated_offer(const puma560_calibrated_loop *loop,
     return met;
 }
 
-/* Roots that nearly meet are tried as one double root too. */
-static void puma560_calibrated_close_roots(const double *E, const puma560_calibrated_roots *roots,
-    puma560_calibrated_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                puma560_calibrated_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
-}
-
 static int puma560_calibrated_bits(unsigned set)
 {
     int count = 0;
@@ -2684,6 +2736,22 @@ static void puma560_calibrated_around(const puma560_calibrated_formulation *form
             puma560_calibrated_invert(loop->link[joint - 1], link[i]);
         } else {
             puma560_calibrated_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void puma560_calibrated_close_roots(const double *E, const puma560_calibrated_roots *roots,
+    puma560_calibrated_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                puma560_calibrated_null_plane(E, c * factor, s * factor, out);
+            }
         }
     }
 }
@@ -2733,6 +2801,20 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
     return complete && puma560_calibrated_bits(met) >= expected && puma560_calibrated_paired(found);
 }
 
+/* The determinant at the sample angles, through a lens. */
+static void puma560_calibrated_sample(const double *E, const puma560_calibrated_lens *lens, double
+    samples[24])
+{
+    for (int k = 0; k < 24; k += PUMA560_CALIBRATED_LANES) {
+        puma560_calibrated_lane factor[6][6];
+        puma560_calibrated_lane c = PUMA560_CALIBRATED_LOAD(puma560_calibrated_sample_c + k), s =
+            PUMA560_CALIBRATED_LOAD(puma560_calibrated_sample_s + k);
+        const puma560_calibrated_lane square = puma560_calibrated_through(lens, &c, &s);
+        PUMA560_CALIBRATED_STORE(samples + k, puma560_calibrated_weighted(puma560_calibrated_fold(E,
+            c, s, factor), square));
+    }
+}
+
 /* Find what a formulation finds; whether that is certainly everything. */
 static int puma560_calibrated_attempt(const puma560_calibrated_formulation *form, const
     puma560_calibrated_loop *loop,
@@ -2742,20 +2824,20 @@ static int puma560_calibrated_attempt(const puma560_calibrated_formulation *form
     puma560_calibrated_trigonometric f;
     puma560_calibrated_roots roots;
     puma560_calibrated_candidates all;
+    puma560_calibrated_lens lens = {0.0, 0.0};
     puma560_calibrated_around(form, loop, link);
     puma560_calibrated_equations(form, link, E);
-    for (int k = 0; k < 24; k += PUMA560_CALIBRATED_LANES) {
-        puma560_calibrated_lane factor[6][6];
-        PUMA560_CALIBRATED_STORE(samples + k, puma560_calibrated_fold(E,
-            PUMA560_CALIBRATED_LOAD(puma560_calibrated_sample_c + k),
-                                   PUMA560_CALIBRATED_LOAD(puma560_calibrated_sample_s + k),
-                                       factor));
+    puma560_calibrated_sample(E, &lens, samples);
+    if (puma560_calibrated_spread(samples, &lens)) {
+        puma560_calibrated_sample(E, &lens, samples);
     }
     puma560_calibrated_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }
     puma560_calibrated_find_roots(&f, &roots);
+    puma560_calibrated_behind(&lens, roots.simple, roots.c, roots.s);
+    puma560_calibrated_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     puma560_calibrated_null_vectors(E, &roots, &all);
     puma560_calibrated_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
@@ -2847,7 +2929,7 @@ static void puma560_calibrated_from_anywhere(const puma560_calibrated_loop *loop
     puma560_calibrated_found *found)
 {
     unsigned long long seed = 1;
-    for (int batch = 0; batch < 8; batch++) {
+    for (int batch = 0; batch < 16; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
@@ -2902,7 +2984,8 @@ static int puma560_calibrated_before(const double a[6], const double b[6])
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
  * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
-static int puma560_calibrated_general(const double T[16], double q[16][6], double residual[16])
+static int puma560_calibrated_general(const double T[16], double q[16][6],
+                         double residual[16])
 {
     puma560_calibrated_found found;
     puma560_calibrated_loop whole;

@@ -312,95 +312,58 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
-    const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0f / N1;
-    const wide v2 = inverse1 * (d3 * T24);
-    const wide v3 = w1 * (T14 * inverse1);
+    const wide v2 = inverse1 * (d3 * T24), v3 = w1 * (T14 * inverse1);
     const wide c1_p = v3 - v2;
-    const wide v4 = v2 + v3;
-    const wide v5 = inverse1 * (d3 * T14);
-    const wide v6 = w1 * (T24 * inverse1);
-    const wide s1_p = v5 + v6;
-    const wide s1_m = v5 - v6;
-    const wide angle1 = atan2_wide(s1_p, c1_p);
-    const wide angle2 = atan2_wide(s1_m, -v4);
+    const wide v4 = v2 + v3, v5 = inverse1 * (d3 * T14), v6 = w1 * (T24 * inverse1);
+    const wide s1_p = v5 + v6, s1_m = v5 - v6;
+    const wide angle1 = atan2_wide(s1_p, c1_p), angle2 = atan2_wide(s1_m, -v4);
 
     /* theta3 */
     const wide Z1_3 = T34 - d1;
     const wide N3 = D1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v7 = w3 - w3;
-    const wide v8 = m2 - m3 * N3;
-    const wide v9 = m1 * w3;
-    const wide s3_p = v8 + v9;
-    const wide s3_m = v8 - v9;
-    const wide v10 = m1 * N3 - m4;
-    const wide v11 = m3 * w3;
-    const wide c3_p = v10 + v11;
-    const wide c3_m = v10 - v11;
+    const wide v7 = w3 - w3, v8 = m2 - m3 * N3, v9 = m1 * w3;
+    const wide s3_p = v8 + v9, s3_m = v8 - v9;
+    const wide v10 = m1 * N3 - m4, v11 = m3 * w3;
+    const wide c3_p = v10 + v11, c3_m = v10 - v11;
     const wide angle3 = atan2_wide(w3, N3 - k6);
     const wide q3__p = angle3 - turn1;
     const wide v12 = turn1 + angle3;
 
     /* theta2 */
     const wide X1_2 = m5 * N3 - m6;
-    const wide v13 = Z1_3 * X1_2;
-    const wide v14 = w3 * (m5 * w1);
-    const wide S2_pp = v13 - v14;
-    const wide S2_pm = v13 + v14;
-    const wide v15 = w3 * (m5 * Z1_3);
-    const wide v16 = w3 * (m5 * -Z1_3);
-    const wide v17 = w1 * X1_2;
-    const wide v18 = w1 * -X1_2;
-    const wide C2_pp = v15 + v17;
-    const wide C2_pm = v16 + v17;
-    const wide C2_mp = v15 + v18;
-    const wide C2_mm = v16 + v18;
+    const wide v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1);
+    const wide S2_pp = v13 - v14, S2_pm = v13 + v14;
+    const wide v15 = w3 * (m5 * Z1_3), v16 = w3 * (m5 * -Z1_3), v17 = w1 * X1_2, v18 = w1 * -X1_2;
+    const wide C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18, C2_mm = v16 + v18;
     const wide factor2 = 1.0f / N3;
-    const wide angle4 = atan2_wide(S2_pp, C2_pp);
-    const wide angle5 = atan2_wide(S2_pm, C2_pm);
-    const wide angle6 = atan2_wide(S2_pm, C2_mp);
-    const wide angle7 = atan2_wide(S2_pp, C2_mm);
+    const wide angle4 = atan2_wide(S2_pp, C2_pp), angle5 = atan2_wide(S2_pm, C2_pm);
+    const wide angle6 = atan2_wide(S2_pm, C2_mp), angle7 = atan2_wide(S2_pp, C2_mm);
 
     /* theta4 */
-    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp;
-    const wide c23_pm = c3_m * C2_pm - s3_m * S2_pm;
-    const wide c23_mp = c3_p * C2_mp - s3_p * S2_pm;
-    const wide c23_mm = c3_m * C2_mm - s3_m * S2_pp;
-    const wide s23_pp = c3_p * S2_pp + s3_p * C2_pp;
-    const wide s23_pm = c3_m * S2_pm + s3_m * C2_pm;
-    const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp;
-    const wide s23_mm = c3_m * S2_pp + s3_m * C2_mm;
-    const wide v19 = c1_p * T13 + s1_p * T23;
-    const wide v20 = s1_m * T23 - v4 * T13;
-    const wide c4_pp = c23_pp * v19 + s23_pp * T33;
-    const wide c4_pm = c23_pm * v19 + s23_pm * T33;
-    const wide c4_mp = c23_mp * v20 + s23_mp * T33;
-    const wide c4_mm = c23_mm * v20 + s23_mm * T33;
+    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp, c23_pm = c3_m * C2_pm - s3_m * S2_pm;
+    const wide c23_mp = c3_p * C2_mp - s3_p * S2_pm, c23_mm = c3_m * C2_mm - s3_m * S2_pp;
+    const wide s23_pp = c3_p * S2_pp + s3_p * C2_pp, s23_pm = c3_m * S2_pm + s3_m * C2_pm;
+    const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp, s23_mm = c3_m * S2_pp + s3_m * C2_mm;
+    const wide v19 = c1_p * T13 + s1_p * T23, v20 = s1_m * T23 - v4 * T13;
+    const wide c4_pp = c23_pp * v19 + s23_pp * T33, c4_pm = c23_pm * v19 + s23_pm * T33;
+    const wide c4_mp = c23_mp * v20 + s23_mp * T33, c4_mm = c23_mm * v20 + s23_mm * T33;
     const wide Y4_p = c1_p * T23 - s1_p * T13;
-    const wide v21 = v4 * T23 + s1_m * T13;
-    const wide v22 = Y4_p * Y4_p;
-    const wide v23 = v21 * v21;
-    const wide v24 = factor2 * c4_pp;
-    const wide v25 = factor2 * c4_pm;
-    const wide v26 = factor2 * c4_mp;
-    const wide v27 = factor2 * c4_mm;
-    const wide v28 = v22 + factor2 * (c4_pp * v24);
-    const wide v29 = v22 + factor2 * (c4_pm * v25);
-    const wide v30 = v23 + factor2 * (c4_mp * v26);
+    const wide v21 = v4 * T23 + s1_m * T13, v22 = Y4_p * Y4_p, v23 = v21 * v21;
+    const wide v24 = factor2 * c4_pp, v25 = factor2 * c4_pm, v26 = factor2 * c4_mp;
+    const wide v27 = factor2 * c4_mm, v28 = v22 + factor2 * (c4_pp * v24);
+    const wide v29 = v22 + factor2 * (c4_pm * v25), v30 = v23 + factor2 * (c4_mp * v26);
     const wide v31 = v23 + factor2 * (c4_mm * v27);
-    const wide angle8 = atan2_wide(Y4_p, v24);
-    const wide angle9 = atan2_wide(Y4_p, v25);
-    const wide angle10 = atan2_wide(-v21, v26);
-    const wide angle11 = atan2_wide(-v21, v27);
+    const wide angle8 = atan2_wide(Y4_p, v24), angle9 = atan2_wide(Y4_p, v25);
+    const wide angle10 = atan2_wide(-v21, v26), angle11 = atan2_wide(-v21, v27);
     const wide v32 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
     const wide v33 = copysign_wide(all_wide(half_turn), -v21) * h1;
-    const wide q4_ppm = angle8 - v32;
-    const wide q4_pmm = angle9 - v32;
-    const wide q4_mpm = angle10 - v33;
+    const wide q4_ppm = angle8 - v32, q4_pmm = angle9 - v32, q4_mpm = angle10 - v33;
     const wide q4_mmm = angle11 - v33;
 
     /* theta5 */
@@ -410,14 +373,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle15 = atan2_wide(-sqrt_wide(v31), factor2 * (c23_mm * T33 - s23_mm * v20));
 
     /* theta6 */
-    const wide v34 = s1_p * T12 - c1_p * T22;
-    const wide v35 = s1_m * T12 + v4 * T22;
-    const wide v36 = c1_p * T12 + s1_p * T22;
-    const wide v37 = s1_m * T22 - v4 * T12;
-    const wide v38 = s1_p * T11 - c1_p * T21;
-    const wide v39 = s1_m * T11 + v4 * T21;
-    const wide v40 = c1_p * T11 + s1_p * T21;
-    const wide v41 = s1_m * T21 - v4 * T11;
+    const wide v34 = s1_p * T12 - c1_p * T22, v35 = s1_m * T12 + v4 * T22;
+    const wide v36 = c1_p * T12 + s1_p * T22, v37 = s1_m * T22 - v4 * T12;
+    const wide v38 = s1_p * T11 - c1_p * T21, v39 = s1_m * T11 + v4 * T21;
+    const wide v40 = c1_p * T11 + s1_p * T21, v41 = s1_m * T21 - v4 * T11;
     const wide angle16 = atan2_wide(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)), -(c4_pp *
         v34 + Y4_p * (c23_pp * v36 + s23_pp * T32)));
     const wide angle17 = atan2_wide(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)), -(c4_pm *
@@ -437,13 +396,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v44 = q3__p + only_wide(q3__p <= -half_turn, m9);
     const wide v45 = only_wide(-v12 <= -half_turn, m9) - v12;
     const wide_mask v46 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v47 = (angle2 < low1) | (high1 < angle2);
-    const wide_mask v48 = (v44 < low3) | (high3 < v44);
+    const wide_mask v47 = (angle2 < low1) | (high1 < angle2), v48 = (v44 < low3) | (high3 < v44);
     const wide_mask v49 = (v45 < low3) | (high3 < v45);
-    const wide q1_ppp = angle1 + v7;
-    const wide q1_mpp = angle2 + v7;
-    const wide q3_ppp = v1 + v44;
-    const wide q3_pmp = v1 + v45;
+    const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7;
+    const wide q3_ppp = v1 + v44, q3_pmp = v1 + v45;
     const wide_mask v50 = v48 | (v46 | ((angle4 < low2) | (high2 < angle4)));
     const wide_mask v51 = v49 | (v46 | ((angle5 < low2) | (high2 < angle5)));
     const wide_mask v52 = v48 | (v47 | ((angle6 < low2) | (high2 < angle6)));
@@ -461,60 +417,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) |
         ((v28 <= m7) | (v29 <= m7)))))));
 
-    q[0] = q1_ppp;
-    q[1] = angle4;
-    q[2] = q3_ppp;
-    q[3] = angle8;
-    q[4] = angle12;
-    q[5] = angle16;
+    q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = angle4;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = -angle12;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle12; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp;
-    q[13] = angle5;
-    q[14] = q3_pmp;
-    q[15] = angle9;
-    q[16] = angle13;
+    q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
     q[17] = angle17;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp;
-    q[19] = angle5;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = -angle13;
+    q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle13;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = angle6;
-    q[26] = q3_ppp;
-    q[27] = angle10;
-    q[28] = angle14;
+    q[24] = q1_mpp; q[25] = angle6; q[26] = q3_ppp; q[27] = angle10; q[28] = angle14;
     q[29] = angle18;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = angle6;
-    q[32] = q3_ppp;
-    q[33] = q4_mpm;
-    q[34] = -angle14;
+    q[30] = q1_mpp; q[31] = angle6; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle14;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp;
-    q[37] = angle7;
-    q[38] = q3_pmp;
-    q[39] = angle11;
-    q[40] = angle15;
+    q[36] = q1_mpp; q[37] = angle7; q[38] = q3_pmp; q[39] = angle11; q[40] = angle15;
     q[41] = angle19;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp;
-    q[43] = angle7;
-    q[44] = q3_pmp;
-    q[45] = q4_mmm;
-    q[46] = -angle15;
+    q[42] = q1_mpp; q[43] = angle7; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle15;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
@@ -544,12 +466,12 @@ static void solve(
 
     /* theta1, type 2: U1[3, 4] */
     const float N1 = T14 * T14 + T24 * T24;
-    const float D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
+    const float D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const float w1 = sqrtf(apart1 ? D1 : 0.0f);
-    const float inverse1 = 1.0f / (free1 ? 1.0f : N1);
+    const float inverse1 = 1.0f / (free1 ? 1.0f : (apart1 ? N1 : d3 * sqrtf(N1)));
     const float v1 = T14 * d3;
     const float v2 = T24 * d3;
 

@@ -79,8 +79,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -105,8 +104,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -371,14 +369,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
-    const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1;
-    const wide v2 = d3 * T14;
-    const wide v3 = d3 * T24;
-    const wide v4 = T14 * w1;
-    const wide v5 = T24 * w1;
+    const wide v1 = w1 - w1, v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta3 */
     const wide Z1_3 = T34 - d1;
@@ -391,17 +385,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* theta2 */
     const wide X1_2 = m1 * N3 - m2;
-    const wide v8 = Z1_3 * X1_2;
-    const wide v9 = w3 * (m1 * Z1_3);
-    const wide v10 = w3 * (m1 * -Z1_3);
-    const wide v11 = w1 * X1_2;
-    const wide v12 = w1 * -X1_2;
-    const wide v13 = w3 * (m1 * w1);
-    const wide v14 = v8 - v13;
+    const wide v8 = Z1_3 * X1_2, v9 = w3 * (m1 * Z1_3), v10 = w3 * (m1 * -Z1_3), v11 = w1 * X1_2;
+    const wide v12 = w1 * -X1_2, v13 = w3 * (m1 * w1), v14 = v8 - v13;
     const wide angle2 = atan2_wide(v14, v9 + v11);
     const wide v15 = v8 + v13;
-    const wide angle3 = atan2_wide(v15, v10 + v11);
-    const wide angle4 = atan2_wide(v15, v9 + v12);
+    const wide angle3 = atan2_wide(v15, v10 + v11), angle4 = atan2_wide(v15, v9 + v12);
     const wide angle5 = atan2_wide(v14, v10 + v12);
 
     /* joint values */
@@ -415,21 +403,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
         doubt_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
 
-    q[0] = q1_pp;
-    q[1] = angle2;
-    q[2] = q3_pp;
+    q[0] = q1_pp; q[1] = angle2; q[2] = q3_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_pp;
-    q[4] = angle3;
-    q[5] = q3_pm;
+    q[3] = q1_pp; q[4] = angle3; q[5] = q3_pm;
     kind[1] = kind_of(q[3] != q[3], 0);
-    q[6] = q1_mp;
-    q[7] = angle4;
-    q[8] = q3_pp;
+    q[6] = q1_mp; q[7] = angle4; q[8] = q3_pp;
     kind[2] = kind_of(q[6] != q[6], 0);
-    q[9] = q1_mp;
-    q[10] = angle5;
-    q[11] = q3_pm;
+    q[9] = q1_mp; q[10] = angle5; q[11] = q3_pm;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -448,14 +428,10 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
 
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
-    const double v1 = w1 - w1;
-    const double v2 = d3 * T14;
-    const double v3 = d3 * T24;
-    const double v4 = T14 * w1;
-    const double v5 = T24 * w1;
+    const double v1 = w1 - w1, v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta3 */
     const double Z1_3 = T34 - d1;
@@ -466,8 +442,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     /* theta2 */
     const double X1_2 = m1 * N3 - m2;
     const double v7 = Z1_3 * X1_2;
-    const four v8 = w3 * (m1 * (e2 * Z1_3));
-    const four v9 = w1 * (e1 * X1_2);
+    const four v8 = w3 * (m1 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
 
     /* joint values */
     const int doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((N3 <=
@@ -556,12 +531,12 @@ static void solve(
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
     const double v1 = T14 * d3;
     const double v2 = T24 * d3;
 

@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -433,9 +431,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide C2 = d3 * (T24 - d5 * T23);
     const wide v2 = v1 * v1 + C2 * C2;
     const wide w2 = sqrt_wide(v2);
-    const wide v3 = 1.0 / v2;
-    const wide v4 = w2 * v3;
-    const wide v5 = C2 * v4;
+    const wide v3 = 1.0 / v2, v4 = w2 * v3, v5 = C2 * v4;
     const wide s2 = v1 * v4;
 
     /* theta3 */
@@ -445,13 +441,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide w3 = sqrt_wide(v7);
     const wide v8 = 1.0 / v7;
     const wide factor3 = w3 * v8;
-    const wide v9 = X3 * factor3;
-    const wide v10 = T33 * factor3;
+    const wide v9 = X3 * factor3, v10 = T33 * factor3;
     const wide angle1 = atan2_wide(-T33, -X3);
 
     /* theta4 */
-    const wide v11 = w2 * (v3 * (T13 * v1 + T23 * C2));
-    const wide v12 = v7 + v11 * v11;
+    const wide v11 = w2 * (v3 * (T13 * v1 + T23 * C2)), v12 = v7 + v11 * v11;
     const wide v13 = sqrt_wide(v12) * (1.0 / v12);
     const wide c4 = v11 * v13;
     const wide s4 = w3 * v13;
@@ -460,20 +454,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     /* theta5 */
     const wide C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)));
     const wide S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)));
-    const wide v14 = S5 * S5 + C5 * C5;
-    const wide v15 = sqrt_wide(v14) * (1.0 / v14);
-    const wide v16 = C5 * v15;
+    const wide v14 = S5 * S5 + C5 * C5, v15 = sqrt_wide(v14) * (1.0 / v14), v16 = C5 * v15;
     const wide v17 = S5 * v15;
     const wide angle3 = atan2_wide(-S5, -C5);
 
     /* is the pose one that the arm can take? */
-    const wide v18 = v5 * v9;
-    const wide v19 = c4 * v18 + s2 * s4;
-    const wide v20 = v5 * v10;
-    const wide v21 = s2 * v9;
-    const wide v22 = c4 * v21 - v5 * s4;
-    const wide v23 = s2 * v10;
-    const wide v24 = v10 * c4;
+    const wide v18 = v5 * v9, v19 = c4 * v18 + s2 * s4, v20 = v5 * v10, v21 = s2 * v9;
+    const wide v22 = c4 * v21 - v5 * s4, v23 = s2 * v10, v24 = v10 * c4;
     const double v25 = sqrt(-1.0);
     const wide v26 = pick_wide(maximum_wide(abs_wide(T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) -
         c4 * (d5 * s2)))), maximum_wide(abs_wide(T34 + (-wz - s4 * (d5 * v10))), abs_wide(T24 - (d3
@@ -491,23 +478,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide q2_p = v27 + (v26 + angle4);
     const wide q3_p = v27 + (angle1 + v26);
     const wide q3_m = v27 + (v26 + (angle1 - copysign_wide(all_wide(half_turn), -T33) * h1));
-    const wide q4_p = v27 + (angle2 + v26);
-    const wide q4_m = v27 + (v26 - angle2);
+    const wide q4_p = v27 + (angle2 + v26), q4_m = v27 + (v26 - angle2);
     const wide q5_p = v27 + (angle3 + v26);
     const wide q5_m = v27 + (v26 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -S5)));
     const wide_mask doubt1 = (v7 <= m2) | ((v2 <= m1) | ((v14 <= m4) | (v12 <= m4)));
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
-    q[3] = q4_p;
-    q[4] = q5_p;
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p; q[4] = q5_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_p;
-    q[6] = q2_p;
-    q[7] = q3_m;
-    q[8] = q4_m;
-    q[9] = q5_m;
+    q[5] = q1_p; q[6] = q2_p; q[7] = q3_m; q[8] = q4_m; q[9] = q5_m;
     kind[1] = kind_of(q[5] != q[5], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -532,9 +510,7 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     const double C2 = d3 * (T24 - d5 * T23);
     const double v2 = v1 * v1 + C2 * C2;
     const double w2 = sqrt(v2);
-    const double v3 = 1.0 / v2;
-    const double v4 = w2 * v3;
-    const double v5 = C2 * v4;
+    const double v3 = 1.0 / v2, v4 = w2 * v3, v5 = C2 * v4;
     const double s2 = v1 * v4;
 
     /* theta3 */
@@ -544,14 +520,11 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     const double w3 = sqrt(v7);
     const double v8 = 1.0 / v7;
     const double factor3 = w3 * v8;
-    const double v9 = X3 * factor3;
-    const double v10 = T33 * factor3;
-    const double v11 = copysign(half_turn, -T33);
+    const double v9 = X3 * factor3, v10 = T33 * factor3, v11 = copysign(half_turn, -T33);
     const four v12 = m3 * (e1 - 1.0);
 
     /* theta4 */
-    const double v13 = w2 * (v3 * (T13 * v1 + T23 * C2));
-    const double v14 = v7 + v13 * v13;
+    const double v13 = w2 * (v3 * (T13 * v1 + T23 * C2)), v14 = v7 + v13 * v13;
     const double v15 = sqrt(v14) * (1.0 / v14);
     const double c4 = v13 * v15;
     const double s4 = w3 * v15;
@@ -559,21 +532,12 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     /* theta5 */
     const double C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)));
     const double S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)));
-    const double v16 = S5 * S5 + C5 * C5;
-    const double v17 = sqrt(v16) * (1.0 / v16);
-    const double v18 = C5 * v17;
-    const double v19 = S5 * v17;
-    const double v20 = copysign(half_turn, -S5);
+    const double v16 = S5 * S5 + C5 * C5, v17 = sqrt(v16) * (1.0 / v16), v18 = C5 * v17;
+    const double v19 = S5 * v17, v20 = copysign(half_turn, -S5);
 
     /* is the pose one that the arm can take? */
-    const double v21 = v5 * v9;
-    const double v22 = c4 * v21 + s2 * s4;
-    const double v23 = v5 * v10;
-    const double v24 = s2 * v9;
-    const double v25 = c4 * v24 - v5 * s4;
-    const double v26 = s2 * v10;
-    const double v27 = v10 * c4;
-    const double v28 = sqrt(-1.0);
+    const double v21 = v5 * v9, v22 = c4 * v21 + s2 * s4, v23 = v5 * v10, v24 = s2 * v9;
+    const double v25 = c4 * v24 - v5 * s4, v26 = s2 * v10, v27 = v10 * c4, v28 = sqrt(-1.0);
     const double v29 = (maximum_double(fabs(T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v21) - c4 * (d5
         * s2)))), maximum_double(fabs(T34 + (-wz - s4 * (d5 * v10))), fabs(T24 - (d3 * v5 + (c4 *
         (d5 * v5) + s4 * (d5 * v24)))))) <= pose_slack1) ? 0.0 : v28;

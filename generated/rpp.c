@@ -79,8 +79,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -105,8 +104,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -323,13 +321,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide angle1 = atan2_wide(-T14, T24);
     const wide q1_m = angle1 - copysign_wide(all_wide(half_turn), -T14) * h1;
 
-    q[0] = angle1;
-    q[1] = q2_p;
-    q[2] = q3_p;
+    q[0] = angle1; q[1] = q2_p; q[2] = q3_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_m;
-    q[4] = -q2_p;
-    q[5] = q3_p;
+    q[3] = q1_m; q[4] = -q2_p; q[5] = q3_p;
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);

@@ -79,8 +79,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -105,8 +104,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -347,8 +345,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide angle2 = atan2_wide(-(a3 * w3), -(a3 * Z3));
 
     /* r2 */
-    const wide q2_pp = w1 + w3;
-    const wide q2_pm = w1 - w3;
+    const wide q2_pp = w1 + w3, q2_pm = w1 - w3;
 
     /* joint values */
     const wide q1_pp = angle1 + v3;
@@ -356,21 +353,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide_mask doubt1 = (v1 <= m1) | ((-(reach_slack1 * (reach_slack1 + v2)) <= D3) &
         ((merge_slack1 * (merge_slack1 + v2) < D3) == 0));
 
-    q[0] = q1_pp;
-    q[1] = q2_pp;
-    q[2] = angle2;
+    q[0] = q1_pp; q[1] = q2_pp; q[2] = angle2;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_pp;
-    q[4] = q2_pm;
-    q[5] = -angle2;
+    q[3] = q1_pp; q[4] = q2_pm; q[5] = -angle2;
     kind[1] = kind_of(q[3] != q[3], 0);
-    q[6] = q1_mp;
-    q[7] = -q2_pm;
-    q[8] = angle2;
+    q[6] = q1_mp; q[7] = -q2_pm; q[8] = angle2;
     kind[2] = kind_of(q[6] != q[6], 0);
-    q[9] = q1_mp;
-    q[10] = -q2_pp;
-    q[11] = -angle2;
+    q[9] = q1_mp; q[10] = -q2_pp; q[11] = -angle2;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -401,8 +390,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double v4 = w3 - w3;
 
     /* r2 */
-    const four v5 = e1 * w1;
-    const four v6 = e2 * w3;
+    const four v5 = e1 * w1, v6 = e2 * w3;
     const four q2 = v5 + v6;
 
     /* joint values */

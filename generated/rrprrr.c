@@ -79,8 +79,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -105,8 +104,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -436,8 +434,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v2 = v1 + T34 * T34;
     const wide q3_ppp = sqrt_wide(v2);
     const wide factor2 = q3_ppp * (1.0 / v2);
-    const wide v3 = T34 * factor2;
-    const wide v4 = w1 * factor2;
+    const wide v3 = T34 * factor2, v4 = w1 * factor2;
     const wide angle2 = atan2_wide(-w1, -T34);
     const wide q2_pmp = angle2 - h1 * copysign_wide(all_wide(half_turn), -w1);
 
@@ -468,60 +465,25 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* joint values */
     const wide_mask doubt1 = (v2 <= m1) | ((v6 <= m1) | (v1 <= m1));
 
-    q[0] = angle1;
-    q[1] = angle2;
-    q[2] = q3_ppp;
-    q[3] = angle3;
-    q[4] = angle4;
-    q[5] = angle5;
+    q[0] = angle1; q[1] = angle2; q[2] = q3_ppp; q[3] = angle3; q[4] = angle4; q[5] = angle5;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = angle1;
-    q[7] = angle2;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = -angle4;
-    q[11] = q6_ppm;
+    q[6] = angle1; q[7] = angle2; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle4; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = angle1;
-    q[13] = q2_pmp;
-    q[14] = -q3_ppp;
-    q[15] = -q4_ppm;
-    q[16] = q5_pmp;
+    q[12] = angle1; q[13] = q2_pmp; q[14] = -q3_ppp; q[15] = -q4_ppm; q[16] = q5_pmp;
     q[17] = q6_ppm;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = angle1;
-    q[19] = q2_pmp;
-    q[20] = -q3_ppp;
-    q[21] = -angle3;
-    q[22] = -q5_pmp;
+    q[18] = angle1; q[19] = q2_pmp; q[20] = -q3_ppp; q[21] = -angle3; q[22] = -q5_pmp;
     q[23] = angle5;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = -angle2;
-    q[26] = q3_ppp;
-    q[27] = q4_ppm;
-    q[28] = angle4;
-    q[29] = angle5;
+    q[24] = q1_mpp; q[25] = -angle2; q[26] = q3_ppp; q[27] = q4_ppm; q[28] = angle4; q[29] = angle5;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = -angle2;
-    q[32] = q3_ppp;
-    q[33] = angle3;
-    q[34] = -angle4;
+    q[30] = q1_mpp; q[31] = -angle2; q[32] = q3_ppp; q[33] = angle3; q[34] = -angle4;
     q[35] = q6_ppm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = -q2_pmp;
-    q[38] = -q3_ppp;
-    q[39] = -angle3;
-    q[40] = q5_pmp;
+    q[36] = q1_mpp; q[37] = -q2_pmp; q[38] = -q3_ppp; q[39] = -angle3; q[40] = q5_pmp;
     q[41] = q6_ppm;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = -q2_pmp;
-    q[44] = -q3_ppp;
-    q[45] = -q4_ppm;
-    q[46] = -q5_pmp;
+    q[42] = q1_mpp; q[43] = -q2_pmp; q[44] = -q3_ppp; q[45] = -q4_ppm; q[46] = -q5_pmp;
     q[47] = angle5;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -549,9 +511,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v2 = v1 + T34 * T34;
     const double w3 = sqrt(v2);
     const double factor2 = w3 * (1.0 / v2);
-    const double v3 = T34 * factor2;
-    const double v4 = w1 * factor2;
-    const double v5 = copysign(half_turn, -w1);
+    const double v3 = T34 * factor2, v4 = w1 * factor2, v5 = copysign(half_turn, -w1);
     const four v6 = e2 - 1.0;
 
     /* theta4 */
@@ -563,16 +523,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double factor4 = w4 * (1.0 / v8);
     const double v9 = X4 * factor4;
     const double s4 = Y4 * factor4;
-    const double v10 = factor1 * s4;
-    const double v11 = copysign(half_turn, v10);
+    const double v10 = factor1 * s4, v11 = copysign(half_turn, v10);
 
     /* theta5 */
     const double v13 = copysign(half_turn, -w4);
 
     /* theta6 */
     const double v14 = v9 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21))
-        - v4 * T31);
-    const double v15 = copysign(half_turn, v14);
+        - v4 * T31), v15 = copysign(half_turn, v14);
 
     /* joint values */
     const four q3_p = e2 * w3;
@@ -593,8 +551,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q1_m = angle1 - copysign(half_turn, -T24) * h1;
     const four q2_p = angle2 + v5 * (m2 * v6);
     const four v12 = e2 * angle3;
-    const four q4_p = v12 + v11 * (m2 * (e3 - e2));
-    const four q4_m = v12 - v11 * (m2 * (e2 + e3));
+    const four q4_p = v12 + v11 * (m2 * (e3 - e2)), q4_m = v12 - v11 * (m2 * (e2 + e3));
     const four q5_ = e2 * angle4 + v13 * (m2 * -v6);
     const four q6_p = angle5 + v15 * (m2 * (e2 * e3 - 1.0));
     const four q5_p = e3 * q5_;

@@ -252,8 +252,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide t34 = T34 - L4 * T31;
 
     /* theta124 */
-    const wide v1 = T21 * T21 + T11 * T11;
-    const wide v2 = sqrt_wide(v1) * (1.0f / v1);
+    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0f / v1);
     const wide c124 = T11 * v2;
     const wide s124 = T21 * v2;
     const wide angle1 = atan2_wide(T21, T11);
@@ -266,9 +265,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v3 = m3 + m2 * N2;
-    const wide v4 = t24 * v3;
-    const wide v5 = t14 * v3;
+    const wide v3 = m3 + m2 * N2, v4 = t24 * v3, v5 = t14 * v3;
     const wide angle3 = atan2_wide(v4 - w2 * (m2 * t14), v5 + w2 * (m2 * t24));
     const wide angle4 = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
 
@@ -279,13 +276,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         1.0f), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0f), all_wide(sqrtf(-1.0f)));
 
     /* joint values */
-    const wide v7 = angle1 - (angle2 + angle3);
-    const wide v8 = angle1 - (angle4 - angle2);
+    const wide v7 = angle1 - (angle2 + angle3), v8 = angle1 - (angle4 - angle2);
     const wide_mask v9 = (t34 < low3) | (high3 < t34);
-    const wide q1_p = angle3 + v6;
-    const wide q1_m = angle4 + v6;
-    const wide q2_p = angle2 + v6;
-    const wide q2_m = v6 - angle2;
+    const wide q1_p = angle3 + v6, q1_m = angle4 + v6;
+    const wide q2_p = angle2 + v6, q2_m = v6 - angle2;
     const wide q3_p = v6 + (t34 + (w2 - w2));
     const wide q4_p = v6 + (v7 - only_wide(half_turn < v7, m4) + only_wide(v7 <= -half_turn, m4));
     const wide q4_m = v6 + (v8 - only_wide(half_turn < v8, m4) + only_wide(v8 <= -half_turn, m4));
@@ -297,15 +291,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
         (v1 <= m1));
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
-    q[3] = q4_p;
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], outside_p);
-    q[4] = q1_m;
-    q[5] = q2_m;
-    q[6] = q3_p;
-    q[7] = q4_m;
+    q[4] = q1_m; q[5] = q2_m; q[6] = q3_p; q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], outside_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);

@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -419,8 +417,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta234 */
-    const wide v1 = T21 * T21 + T11 * T11;
-    const wide v2 = sqrt_wide(v1) * (1.0 / v1);
+    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1);
     const wide c234 = T11 * v2;
     const wide s234 = T21 * v2;
     const wide angle1 = atan2_wide(T21, T11);
@@ -431,13 +428,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle2 = atan2_wide(w3, N3 - k1);
 
     /* theta2 */
-    const wide v3 = m3 + m2 * N3;
-    const wide v4 = T24 * v3;
-    const wide v5 = T14 * v3;
-    const wide v6 = w3 * (m2 * T14);
+    const wide v3 = m3 + m2 * N3, v4 = T24 * v3, v5 = T14 * v3, v6 = w3 * (m2 * T14);
     const wide v7 = w3 * (m2 * T24);
-    const wide angle3 = atan2_wide(v4 - v6, v5 + v7);
-    const wide angle4 = atan2_wide(v4 + v6, v5 - v7);
+    const wide angle3 = atan2_wide(v4 - v6, v5 + v7), angle4 = atan2_wide(v4 + v6, v5 - v7);
 
     /* is the pose one that the arm can take? */
     const wide v8 = pick_wide(maximum_wide(abs_wide(T12 - s234), maximum_wide(abs_wide(T11 - c234),
@@ -446,13 +439,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         T33), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0), all_wide(sqrt(-1.0)));
 
     /* joint values */
-    const wide v9 = angle1 - (angle2 + angle3);
-    const wide v10 = angle1 - (angle4 - angle2);
+    const wide v9 = angle1 - (angle2 + angle3), v10 = angle1 - (angle4 - angle2);
     const wide q1_p = v8 + (w3 - w3 + T34);
-    const wide q2_p = angle3 + v8;
-    const wide q2_m = angle4 + v8;
-    const wide q3_p = angle2 + v8;
-    const wide q3_m = v8 - angle2;
+    const wide q2_p = angle3 + v8, q2_m = angle4 + v8;
+    const wide q3_p = angle2 + v8, q3_m = v8 - angle2;
     const wide q4_p = v8 + (v9 - only_wide(half_turn < v9, m4) + only_wide(v9 <= -half_turn, m4));
     const wide q4_m = v8 + (v10 - only_wide(half_turn < v10, m4) + only_wide(v10 <= -half_turn,
         m4));
@@ -460,15 +450,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) |
         (v1 <= m1));
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
-    q[3] = q4_p;
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_p;
-    q[5] = q2_m;
-    q[6] = q3_m;
-    q[7] = q4_m;
+    q[4] = q1_p; q[5] = q2_m; q[6] = q3_m; q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -485,8 +469,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta234 */
-    const double v1 = T21 * T21 + T11 * T11;
-    const double v2 = sqrt(v1) * (1.0 / v1);
+    const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
     const double c234 = T11 * v2;
     const double s234 = T21 * v2;
 
@@ -495,9 +478,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const double v3 = m3 + m2 * N3;
-    const double v4 = T24 * v3;
-    const double v5 = T14 * v3;
+    const double v3 = m3 + m2 * N3, v4 = T24 * v3, v5 = T14 * v3;
 
     /* is the pose one that the arm can take? */
     const double v6 = (maximum_double(fabs(T12 - s234), maximum_double(fabs(T11 - c234),
@@ -517,8 +498,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v7 = e1 * angle2;
-    const four v8 = angle1 - (angle3 + v7);
+    const four v7 = e1 * angle2, v8 = angle1 - (angle3 + v7);
     const four q2 = angle3 + v6;
     const four q3 = v6 + v7;
     const four q4 = v6 + (v8 - only_four(half_turn < v8, m4) + only_four(v8 <= -half_turn, m4));

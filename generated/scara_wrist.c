@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -471,16 +469,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide angle1 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v2 = m2 + m1 * N2;
-    const wide v3 = wy * v2;
-    const wide v4 = wx * v2;
+    const wide v2 = m2 + m1 * N2, v3 = wy * v2, v4 = wx * v2;
     const wide angle2 = atan2_wide(v3 - w2 * (m1 * wx), v4 + w2 * (m1 * wy));
     const wide angle3 = atan2_wide(v3 - w2 * (m1 * -wx), v4 + w2 * (m1 * -wy));
 
     /* theta12m4 */
-    const wide v5 = T13 * T13 + T23 * T23;
-    const wide v6 = angle1 + angle2;
-    const wide v7 = angle3 - angle1;
+    const wide v5 = T13 * T13 + T23 * T23, v6 = angle1 + angle2, v7 = angle3 - angle1;
 
     /* theta5 */
     const wide angle4 = atan2_wide(sqrt_wide(v5), -T33);
@@ -491,50 +485,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
 
     /* joint values */
     const wide angle6 = atan2_wide(-T23, -T13);
-    const wide v8 = angle6 - h1 * copysign_wide(all_wide(half_turn), -T23);
-    const wide v9 = v6 - angle6;
-    const wide v10 = v6 - v8;
-    const wide v11 = v7 - angle6;
-    const wide v12 = v7 - v8;
+    const wide v8 = angle6 - h1 * copysign_wide(all_wide(half_turn), -T23), v9 = v6 - angle6;
+    const wide v10 = v6 - v8, v11 = v7 - angle6, v12 = v7 - v8;
     const wide q4_pp = v9 - only_wide(half_turn < v9, m5) + only_wide(v9 <= -half_turn, m5);
     const wide q4_pm = v10 - only_wide(half_turn < v10, m5) + only_wide(v10 <= -half_turn, m5);
     const wide q4_mp = v11 - only_wide(half_turn < v11, m5) + only_wide(v11 <= -half_turn, m5);
     const wide q4_mm = v12 - only_wide(half_turn < v12, m5) + only_wide(v12 <= -half_turn, m5);
     const wide q3_pp = v1 + (T34 - d6 * T33 - d1);
-    const wide q5_pp = v1 + angle4;
-    const wide q5_pm = v1 - angle4;
+    const wide q5_pp = v1 + angle4, q5_pm = v1 - angle4;
     const wide q6_pp = v1 + angle5;
     const wide q6_pm = v1 + (angle5 - copysign_wide(all_wide(half_turn), s6) * h1);
     const wide_mask doubt1 = (N2 <= doubt_limit_squared2) | ((v5 <= m3) | (((shortest2_reach <= N2)
         & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)));
 
-    q[0] = angle2;
-    q[1] = angle1;
-    q[2] = q3_pp;
-    q[3] = q4_pp;
-    q[4] = q5_pp;
-    q[5] = q6_pp;
+    q[0] = angle2; q[1] = angle1; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp; q[5] = q6_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = angle2;
-    q[7] = angle1;
-    q[8] = q3_pp;
-    q[9] = q4_pm;
-    q[10] = q5_pm;
-    q[11] = q6_pm;
+    q[6] = angle2; q[7] = angle1; q[8] = q3_pp; q[9] = q4_pm; q[10] = q5_pm; q[11] = q6_pm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = angle3;
-    q[13] = -angle1;
-    q[14] = q3_pp;
-    q[15] = q4_mp;
-    q[16] = q5_pp;
-    q[17] = q6_pp;
+    q[12] = angle3; q[13] = -angle1; q[14] = q3_pp; q[15] = q4_mp; q[16] = q5_pp; q[17] = q6_pp;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = angle3;
-    q[19] = -angle1;
-    q[20] = q3_pp;
-    q[21] = q4_mm;
-    q[22] = q5_pm;
-    q[23] = q6_pm;
+    q[18] = angle3; q[19] = -angle1; q[20] = q3_pp; q[21] = q4_mm; q[22] = q5_pm; q[23] = q6_pm;
     kind[3] = kind_of(q[18] != q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -560,9 +530,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double v1 = w2 - w2;
 
     /* theta1 */
-    const double v2 = m2 + m1 * N2;
-    const double v3 = wy * v2;
-    const double v4 = wx * v2;
+    const double v2 = m2 + m1 * N2, v3 = wy * v2, v4 = wx * v2;
 
     /* theta12m4 */
     const double v5 = T13 * T13 + T23 * T23;
@@ -590,9 +558,7 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
     const four angle5 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four q2 = e1 * angle1;
-    const four v6 = angle2 + q2;
-    const four v10 = angle5 + v8 * v9;
-    const four v11 = v6 - v10;
+    const four v6 = angle2 + q2, v10 = angle5 + v8 * v9, v11 = v6 - v10;
     const four q4 = v11 - only_four(half_turn < v11, m5) + only_four(v11 <= -half_turn, m5);
     const four q5 = v1 + e2 * angle3;
     const four q6 = v1 + (angle4 + v7 * v8);

@@ -87,8 +87,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -113,8 +112,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -268,6 +266,7 @@ static const double a1 = 0.016; /* link length 1 [m] */
 static const double a2 = 0.221; /* link length 2 [m] */
 static const double a3 = 0.221; /* link length 3 [m] */
 static const double d5 = 0.145; /* joint offset 5 [m] */
+static const double second_weight = 0.952; /* lengths count in arm sizes [m] */
 static const double free_limit1 = 9.52e-13; /* a length that fixes no angle [m] */
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
 static const double offset4 = 1.5707963267948966; /* offset of joint 4 [rad] */
@@ -429,179 +428,114 @@ HELPER wide_mask solve_wide(
     const wide T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = T14 * T14 + T24 * T24;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide factor1 = w1 * v2;
-    const wide v3 = T14 * factor1;
-    const wide v4 = T24 * factor1;
-    const wide angle1 = atan2_wide(-T24, -T14);
+    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23);
+    const wide v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
+    const wide w1 = sqrt_wide(v4);
+    const wide v5 = 1.0 / v4;
+    const wide factor1 = w1 * v5;
+    const wide v6 = v2 * factor1, v7 = v3 * factor1;
+    const wide angle1 = atan2_wide(-v3, -v2);
 
     /* theta234 */
-    const wide v5 = w1 * (v2 * (T14 * T13 + T24 * T23));
-    const wide v6 = T33 * T33 + v5 * v5;
-    const wide w234 = sqrt_wide(v6);
-    const wide v7 = 1.0 / v6;
-    const wide v8 = w234 * v7;
-    const wide angle2 = atan2_wide(-v5, T33);
+    const wide v8 = w1 * (v5 * (T13 * v2 + T23 * v3)), v9 = T33 * T33 + v8 * v8;
+    const wide w234 = sqrt_wide(v9);
+    const wide v10 = 1.0 / v9, v11 = w234 * v10;
+    const wide angle2 = atan2_wide(-v8, T33);
 
     /* theta3 */
-    const wide v9 = d5 * T33;
-    const wide v10 = T34 - d1;
-    const wide v11 = v8 * v9;
-    const wide Z1_3 = v10 - v11;
-    const wide v12 = d5 * v5;
-    const wide v13 = a1 + w1;
-    const wide v14 = a1 - w1;
-    const wide v15 = v8 * v12;
-    const wide v16 = v13 - v15;
-    const wide v17 = w234 * (v7 * v12);
-    const wide v18 = v13 - v17;
-    const wide v19 = v14 + v17;
-    const wide v20 = Z1_3 * Z1_3;
-    const wide N3_p = v20 + v18 * v18;
-    const wide N3_m = v20 + v19 * v19;
-    const wide K3_p = N3_p - k1;
-    const wide K3_m = N3_m - k1;
+    const wide v12 = d5 * T33, v13 = T34 - d1, v14 = v11 * v12;
+    const wide Z1_3 = v13 - v14;
+    const wide v15 = d5 * v8, v16 = T14 * v6 + T24 * v7, v17 = a1 + v16, v18 = a1 - v16;
+    const wide v19 = v11 * v15, v20 = v19 - v17, v21 = w234 * (v10 * v15);
+    const wide Z2_3_p = v21 - v17;
+    const wide v22 = v18 + v21, v23 = Z1_3 * Z1_3;
+    const wide N3_p = v23 + Z2_3_p * Z2_3_p, N3_m = v23 + v22 * v22;
+    const wide K3_p = N3_p - k1, K3_m = N3_m - k1;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v21 = w3_p - w3_p;
-    const wide v22 = w3_m - w3_m;
-    const wide s3_p = k2 * w3_p;
-    const wide s3_m = k2 * w3_m;
-    const wide c3_p = k2 * K3_p;
-    const wide c3_m = k2 * K3_m;
-    const wide angle3 = atan2_wide(w3_p, K3_p);
-    const wide angle4 = atan2_wide(w3_m, K3_m);
+    const wide v24 = w3_p - w3_p, v25 = w3_m - w3_m;
+    const wide s3_p = k2 * w3_p, s3_m = k2 * w3_m;
+    const wide c3_p = k2 * K3_p, c3_m = k2 * K3_m;
+    const wide angle3 = atan2_wide(w3_p, K3_p), angle4 = atan2_wide(w3_m, K3_m);
 
     /* theta2 */
-    const wide v23 = v9 * v10;
-    const wide v24 = v7 * (v9 * v9 + v12 * v12);
-    const wide v25 = v10 * v10;
-    const wide Y1_2_p = m5 * (v24 + (v25 + v13 * v13)) - w234 * (m4 * (v7 * (v23 + v12 * v13)));
-    const wide Y1_2_m = m5 * (v24 + (v25 + v14 * v14)) - w234 * (m4 * (v7 * (v23 + v12 * -v14)));
-    const wide v26 = Z1_3 * Y1_2_p;
-    const wide v27 = Z1_3 * Y1_2_m;
-    const wide S2_pp = w3_p * (m5 * v16) - v26;
-    const wide S2_pm = w3_p * (m5 * -v16) - v26;
-    const wide v28 = w3_m * (m5 * (v14 + v15));
-    const wide S2_mp = v28 - v27;
-    const wide v29 = v27 + v28;
-    const wide v30 = v18 * Y1_2_p;
-    const wide v31 = v19 * Y1_2_m;
-    const wide v32 = m5 * Z1_3;
-    const wide v33 = m5 * -Z1_3;
-    const wide v34 = v30 + w3_p * v32;
-    const wide v35 = v30 + w3_p * v33;
-    const wide v36 = v31 + w3_m * v32;
-    const wide v37 = v31 + w3_m * v33;
-    const wide v38 = S2_pp * S2_pp + v34 * v34;
-    const wide v39 = S2_pm * S2_pm + v35 * v35;
-    const wide v40 = S2_mp * S2_mp + v36 * v36;
-    const wide v41 = v29 * v29 + v37 * v37;
-    const wide w2_pp = sqrt_wide(v38);
-    const wide w2_pm = sqrt_wide(v39);
-    const wide w2_mp = sqrt_wide(v40);
-    const wide w2_mm = sqrt_wide(v41);
-    const wide v42 = 1.0 / v38;
-    const wide v43 = 1.0 / v39;
-    const wide v44 = 1.0 / v40;
-    const wide v45 = 1.0 / v41;
-    const wide factor2_pp = w2_pp * v42;
-    const wide factor2_pm = w2_pm * v43;
-    const wide factor2_mp = w2_mp * v44;
-    const wide factor2_mm = w2_mm * v45;
-    const wide angle5 = atan2_wide(S2_pp, -v34);
-    const wide angle6 = atan2_wide(S2_pm, -v35);
-    const wide angle7 = atan2_wide(S2_mp, -v36);
-    const wide angle8 = atan2_wide(-v29, -v37);
+    const wide v26 = v12 * v13, v27 = v10 * (v12 * v12 + v15 * v15), v28 = v13 * v13;
+    const wide Y1_2_p = m5 * (v27 + (v28 + v17 * v17)) - w234 * (m4 * (v10 * (v26 + v15 * v17)));
+    const wide Y1_2_m = m5 * (v27 + (v28 + v18 * v18)) - w234 * (m4 * (v10 * (v26 - v15 * v18)));
+    const wide v29 = Z1_3 * Y1_2_p, v30 = Z1_3 * Y1_2_m, v31 = v29 + w3_p * (m5 * v20);
+    const wide v32 = v29 + w3_p * (m5 * -v20), v33 = w3_m * (m5 * (v18 + v19)), v34 = v30 - v33;
+    const wide v35 = v30 + v33, v36 = Z2_3_p * Y1_2_p, v37 = v22 * Y1_2_m, v38 = m5 * Z1_3;
+    const wide v39 = m5 * -Z1_3;
+    const wide C2_pp = v36 - w3_p * v38, C2_pm = v36 - w3_p * v39;
+    const wide v40 = v37 + w3_m * v38, v41 = v37 + w3_m * v39, v42 = v31 * v31 + C2_pp * C2_pp;
+    const wide v43 = v32 * v32 + C2_pm * C2_pm, v44 = v34 * v34 + v40 * v40;
+    const wide v45 = v35 * v35 + v41 * v41;
+    const wide w2_pp = sqrt_wide(v42), w2_pm = sqrt_wide(v43), w2_mp = sqrt_wide(v44);
+    const wide w2_mm = sqrt_wide(v45);
+    const wide v46 = 1.0 / v42, v47 = 1.0 / v43, v48 = 1.0 / v44, v49 = 1.0 / v45;
+    const wide factor2_pp = w2_pp * v46, factor2_pm = w2_pm * v47, factor2_mp = w2_mp * v48;
+    const wide factor2_mm = w2_mm * v49;
+    const wide angle5 = atan2_wide(-v31, C2_pp), angle6 = atan2_wide(-v32, C2_pm);
+    const wide angle7 = atan2_wide(-v34, -v40), angle8 = atan2_wide(-v35, -v41);
 
     /* is the pose one that the arm can take? */
-    const wide v46 = a1 - v15;
-    const wide v47 = a1 + v15;
-    const wide v48 = v46 - w2_pp * (v42 * (a3 * (c3_p * v34 + s3_p * S2_pp) + a2 * v34));
-    const wide v49 = v46 - w2_pm * (v43 * (a3 * (c3_p * v35 - s3_p * S2_pm) + a2 * v35));
-    const wide v50 = v47 - w2_mp * (v44 * (a3 * (c3_m * v36 + s3_m * S2_mp) + a2 * v36));
-    const wide v51 = v47 - w2_mm * (v45 * (a3 * (c3_m * v37 + s3_m * v29) + a2 * v37));
-    const wide v52 = d1 + v11;
-    const double v53 = sqrt(-1.0);
-    const wide v54 = pick_wide(maximum_wide(abs_wide(T23 - v8 * (v4 * v5)),
-        maximum_wide(abs_wide(T33 - T33 * v8), abs_wide(T13 - v8 * (v3 * v5)))) <= pose_slack,
-        all_wide(0.0), all_wide(v53));
-    const wide v55 = pick_wide(maximum_wide(abs_wide(T24 + v4 * v48), maximum_wide(abs_wide(T34 +
-        (factor2_pp * (a2 * S2_pp) - v52 + factor2_pp * (a3 * (c3_p * S2_pp - s3_p * v34)))),
-        abs_wide(T14 + v3 * v48))) <= pose_slack1, all_wide(0.0), all_wide(v53));
-    const wide v56 = pick_wide(maximum_wide(abs_wide(T24 + v4 * v49), maximum_wide(abs_wide(T34 +
-        (factor2_pm * (a2 * S2_pm) - v52 + factor2_pm * (a3 * (c3_p * S2_pm + s3_p * v35)))),
-        abs_wide(T14 + v3 * v49))) <= pose_slack1, all_wide(0.0), all_wide(v53));
-    const wide v57 = pick_wide(maximum_wide(abs_wide(T24 - v4 * v50), maximum_wide(abs_wide(T34 +
-        (factor2_mp * (a2 * S2_mp) - v52 + factor2_mp * (a3 * (c3_m * S2_mp - s3_m * v36)))),
-        abs_wide(T14 - v3 * v50))) <= pose_slack1, all_wide(0.0), all_wide(v53));
-    const wide v58 = pick_wide(maximum_wide(abs_wide(T24 - v4 * v51), maximum_wide(abs_wide(T34 +
-        (factor2_mm * (a3 * (s3_m * v37 - c3_m * v29)) - (v52 + factor2_mm * (a2 * v29)))),
-        abs_wide(T14 - v3 * v51))) <= pose_slack1, all_wide(0.0), all_wide(v53));
+    const wide v50 = a1 - v19, v51 = a1 + v19;
+    const wide v52 = v50 + w2_pp * (v46 * (a3 * (c3_p * C2_pp + s3_p * v31) + a2 * C2_pp));
+    const wide v53 = v50 + w2_pm * (v47 * (a3 * (c3_p * C2_pm - s3_p * v32) + a2 * C2_pm));
+    const wide v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40));
+    const wide v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41));
+    const wide v56 = d1 + v14;
+    const double v57 = sqrt(-1.0);
+    const wide v58 = pick_wide(maximum_wide(abs_wide(T23 - v11 * (v7 * v8)),
+        maximum_wide(abs_wide(T33 - T33 * v11), abs_wide(T13 - v11 * (v6 * v8)))) <= pose_slack,
+        all_wide(0.0), all_wide(v57));
+    const wide v59 = pick_wide(maximum_wide(abs_wide(T24 + v7 * v52), maximum_wide(abs_wide(T34 +
+        (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp * (a2 * v31)))),
+        abs_wide(T14 + v6 * v52))) <= pose_slack1, all_wide(0.0), all_wide(v57));
+    const wide v60 = pick_wide(maximum_wide(abs_wide(T24 + v7 * v53), maximum_wide(abs_wide(T34 -
+        (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm * (a2 * v32)))),
+        abs_wide(T14 + v6 * v53))) <= pose_slack1, all_wide(0.0), all_wide(v57));
+    const wide v61 = pick_wide(maximum_wide(abs_wide(T24 - v7 * v54), maximum_wide(abs_wide(T34 -
+        (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2 * v34)))),
+        abs_wide(T14 - v6 * v54))) <= pose_slack1, all_wide(0.0), all_wide(v57));
+    const wide v62 = pick_wide(maximum_wide(abs_wide(T24 - v7 * v55), maximum_wide(abs_wide(T34 +
+        (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2 * v35)))),
+        abs_wide(T14 - v6 * v55))) <= pose_slack1, all_wide(0.0), all_wide(v57));
 
     /* joint values */
-    const wide v59 = angle2 - (angle3 + angle5) - offset4;
-    const wide v60 = angle2 - (angle6 - angle3) - offset4;
-    const wide v61 = offset4 + (angle2 + (angle4 + angle7));
-    const wide v62 = offset4 + (angle2 + (angle8 - angle4));
-    const wide v63 = v59 - only_wide(half_turn < v59, m7) + only_wide(v59 <= -half_turn, m7);
-    const wide v64 = v60 - only_wide(half_turn < v60, m7) + only_wide(v60 <= -half_turn, m7);
-    const wide v65 = only_wide(-v61 <= -half_turn, m7) - (v61 + only_wide(half_turn < -v61, m7));
-    const wide v66 = only_wide(-v62 <= -half_turn, m7) - (v62 + only_wide(half_turn < -v62, m7));
-    const wide v67 = v54 + (angle1 + v21);
-    const wide v68 = v54 + (v22 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1));
-    const wide q1_pp = v55 + v67;
-    const wide q1_pm = v56 + v67;
-    const wide q1_mp = v57 + v68;
-    const wide q1_mm = v58 + v68;
-    const wide q2_pp = v55 + (angle5 + v54);
-    const wide q2_pm = v56 + (angle6 + v54);
-    const wide q2_mp = v57 + (angle7 + v54);
-    const wide q2_mm = v58 + (angle8 + v54);
-    const wide q3_pp = v55 + (angle3 + v54);
-    const wide q3_pm = v56 + (v54 - angle3);
-    const wide q3_mp = v57 + (angle4 + v54);
-    const wide q3_mm = v58 + (v54 - angle4);
-    const wide q4_pp = v55 + (v54 + (v63 + only_wide(v63 <= -half_turn, m7)));
-    const wide q4_pm = v56 + (v54 + (v64 + only_wide(v64 <= -half_turn, m7)));
-    const wide q4_mp = v57 + (v54 + (v65 + only_wide(v65 <= -half_turn, m7)));
-    const wide q4_mm = v58 + (v54 + (v66 + only_wide(v66 <= -half_turn, m7)));
-    const wide v69 = v54 + (v21 + free_joints[0]);
-    const wide v70 = v54 + (v22 + free_joints[0]);
-    const wide q5_pp = v55 + v69;
-    const wide q5_pm = v56 + v69;
-    const wide q5_mp = v57 + v70;
-    const wide q5_mm = v58 + v70;
-    const wide_mask doubt1 = (v6 <= m3) | ((v1 <= m1) | ((v41 <= m6) | ((v40 <= m6) | ((v39 <= m6) |
-        ((v38 <= m6) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart
+    const wide v63 = angle2 - (angle3 + angle5) - offset4;
+    const wide v64 = angle2 - (angle6 - angle3) - offset4;
+    const wide v65 = offset4 + (angle2 + (angle4 + angle7));
+    const wide v66 = offset4 + (angle2 + (angle8 - angle4));
+    const wide v67 = v63 - only_wide(half_turn < v63, m7) + only_wide(v63 <= -half_turn, m7);
+    const wide v68 = v64 - only_wide(half_turn < v64, m7) + only_wide(v64 <= -half_turn, m7);
+    const wide v69 = only_wide(-v65 <= -half_turn, m7) - (v65 + only_wide(half_turn < -v65, m7));
+    const wide v70 = only_wide(-v66 <= -half_turn, m7) - (v66 + only_wide(half_turn < -v66, m7));
+    const wide v71 = v58 + (angle1 + v24);
+    const wide v72 = v58 + (v25 + (angle1 - copysign_wide(all_wide(half_turn), -v3) * h1));
+    const wide q1_pp = v59 + v71, q1_pm = v60 + v71, q1_mp = v61 + v72, q1_mm = v62 + v72;
+    const wide q2_pp = v59 + (angle5 + v58), q2_pm = v60 + (angle6 + v58);
+    const wide q2_mp = v61 + (angle7 + v58), q2_mm = v62 + (angle8 + v58);
+    const wide q3_pp = v59 + (angle3 + v58), q3_pm = v60 + (v58 - angle3);
+    const wide q3_mp = v61 + (angle4 + v58), q3_mm = v62 + (v58 - angle4);
+    const wide q4_pp = v59 + (v58 + (v67 + only_wide(v67 <= -half_turn, m7)));
+    const wide q4_pm = v60 + (v58 + (v68 + only_wide(v68 <= -half_turn, m7)));
+    const wide q4_mp = v61 + (v58 + (v69 + only_wide(v69 <= -half_turn, m7)));
+    const wide q4_mm = v62 + (v58 + (v70 + only_wide(v70 <= -half_turn, m7)));
+    const wide v73 = v58 + (v24 + free_joints[0]), v74 = v58 + (v25 + free_joints[0]);
+    const wide q5_pp = v59 + v73, q5_pm = v60 + v73, q5_mp = v61 + v74, q5_mm = v62 + v74;
+    const wide_mask doubt1 = (v9 <= m3) | ((v4 <= m1) | ((v45 <= m6) | ((v44 <= m6) | ((v43 <= m6) |
+        ((v42 <= m6) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart
         < N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) & (N3_m <=
         longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0))))))));
 
-    q[0] = q1_pp;
-    q[1] = q2_pp;
-    q[2] = q3_pp;
-    q[3] = q4_pp;
-    q[4] = q5_pp;
+    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_pm;
-    q[6] = q2_pm;
-    q[7] = q3_pm;
-    q[8] = q4_pm;
-    q[9] = q5_pm;
+    q[5] = q1_pm; q[6] = q2_pm; q[7] = q3_pm; q[8] = q4_pm; q[9] = q5_pm;
     kind[1] = kind_of(q[5] != q[5], 0);
-    q[10] = q1_mp;
-    q[11] = q2_mp;
-    q[12] = q3_mp;
-    q[13] = q4_mp;
-    q[14] = q5_mp;
+    q[10] = q1_mp; q[11] = q2_mp; q[12] = q3_mp; q[13] = q4_mp; q[14] = q5_mp;
     kind[2] = kind_of(q[10] != q[10], 0);
-    q[15] = q1_mm;
-    q[16] = q2_mm;
-    q[17] = q3_mm;
-    q[18] = q4_mm;
-    q[19] = q5_mm;
+    q[15] = q1_mm; q[16] = q2_mm; q[17] = q3_mm; q[18] = q4_mm; q[19] = q5_mm;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -621,92 +555,79 @@ HELPER int solve_regular(
     const double T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = T14 * T14 + T24 * T24;
-    const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1;
-    const double factor1 = w1 * v2;
-    const double v3 = T14 * factor1;
-    const double v4 = T24 * factor1;
-    const double v5 = copysign(half_turn, -T24);
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1;
+    const double v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
+    const double w1 = sqrt(v4);
+    const double v5 = 1.0 / v4;
+    const double factor1 = w1 * v5;
+    const double v6 = v2 * factor1, v7 = v3 * factor1, v8 = copysign(half_turn, -v3);
 
     /* theta234 */
-    const double v6 = w1 * (v2 * (T14 * T13 + T24 * T23));
-    const double v7 = T33 * T33 + v6 * v6;
-    const double w234 = sqrt(v7);
-    const double v8 = 1.0 / v7;
-    const double v9 = w234 * v8;
+    const double v9 = w1 * (v5 * (T13 * v2 + T23 * v3)), v10 = T33 * T33 + v9 * v9;
+    const double w234 = sqrt(v10);
+    const double v11 = 1.0 / v10, v12 = w234 * v11;
 
     /* theta3 */
-    const double v10 = d5 * T33;
-    const double v11 = T34 - d1;
-    const double v12 = v9 * v10;
-    const double Z1_3 = v11 - v12;
-    const double v13 = d5 * v6;
-    const four v14 = a1 + e1 * w1;
-    const double v15 = v9 * v13;
-    const four v16 = e1 * v15;
-    const four v17 = v14 - v16;
-    const four v18 = v14 - w234 * (v8 * (e1 * v13));
-    const double v19 = Z1_3 * Z1_3;
-    const four N3 = v19 + v18 * v18;
+    const double v13 = d5 * T33, v14 = T34 - d1, v15 = v12 * v13;
+    const double Z1_3 = v14 - v15;
+    const double v16 = d5 * v9, v17 = T14 * v6 + T24 * v7;
+    const four v18 = a1 + e1 * v17;
+    const double v19 = v12 * v16;
+    const four v20 = e1 * v19, v21 = v20 - v18, v22 = e1 * v16;
+    const four Z2_3 = w234 * (v11 * v22) - v18;
+    const double v23 = Z1_3 * Z1_3;
+    const four N3 = v23 + Z2_3 * Z2_3;
     const four K3 = N3 - k1;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v20 = w3 - w3;
+    const four v24 = w3 - w3;
     const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart
         < N3) & (N3 < longest3_apart)) == 0);
     const four s3 = k2 * w3;
     const four c3 = k2 * K3;
 
     /* theta2 */
-    const double v21 = v10 * v11;
-    const double v22 = v8 * (v10 * v10 + v13 * v13);
-    const double v23 = v11 * v11;
-    const four Y1_2 = m5 * (v22 + (v23 + v14 * v14)) - w234 * (m4 * (v8 * (v21 + v13 * (e1 *
-        v14))));
-    const four v24 = Z1_3 * Y1_2;
-    const four S2 = w3 * (m5 * (e2 * v17)) - v24;
-    const four v25 = v18 * Y1_2;
-    const four v26 = m5 * (e2 * Z1_3);
-    const four v27 = v25 + w3 * v26;
-    const four v28 = S2 * S2 + v27 * v27;
-    const four w2 = sqrt_four(v28);
-    const four_mask doubt3 = v28 <= m6;
-    const four v29 = 1.0 / v28;
-    const four factor2 = w2 * v29;
+    const double v25 = v13 * v14, v26 = v11 * (v13 * v13 + v16 * v16), v27 = v14 * v14;
+    const four Y1_2 = m5 * (v26 + (v27 + v18 * v18)) - w234 * (m4 * (v11 * (v25 + v18 * v22)));
+    const four v28 = Z1_3 * Y1_2, v29 = v28 + w3 * (m5 * (e2 * v21)), v30 = Z2_3 * Y1_2;
+    const four v31 = m5 * (e2 * Z1_3);
+    const four C2 = v30 - w3 * v31;
+    const four v32 = v29 * v29 + C2 * C2;
+    const four w2 = sqrt_four(v32);
+    const four_mask doubt3 = v32 <= m6;
+    const four v33 = 1.0 / v32;
+    const four factor2 = w2 * v33;
 
     /* is the pose one that the arm can take? */
-    const four v30 = a1 - v16;
-    const four v31 = v30 - w2 * (v29 * (a3 * (c3 * v27 + e2 * (s3 * S2)) + a2 * v27));
-    const double v32 = d1 + v12;
-    const double v33 = sqrt(-1.0);
-    const double v34 = (maximum_double(fabs(T23 - v9 * (v4 * v6)), maximum_double(fabs(T33 - T33 *
-        v9), fabs(T13 - v9 * (v3 * v6)))) <= pose_slack) ? 0.0 : v33;
-    const four v35 = pick_four(maximum_four(abs_four(T24 + e1 * (v4 * v31)),
-        maximum_four(abs_four(T34 + (factor2 * (a2 * S2) - v32 + factor2 * (a3 * (c3 * S2 - e2 * (s3
-        * v27))))), abs_four(T14 + e1 * (v3 * v31)))) <= pose_slack1, all_four(0.0), all_four(v33));
+    const four v34 = a1 - v20;
+    const four v35 = v34 + w2 * (v33 * (a3 * (c3 * C2 + e2 * (s3 * v29)) + a2 * C2));
+    const double v36 = d1 + v15, v37 = sqrt(-1.0);
+    const double v38 = (maximum_double(fabs(T23 - v12 * (v7 * v9)), maximum_double(fabs(T33 - T33 *
+        v12), fabs(T13 - v12 * (v6 * v9)))) <= pose_slack) ? 0.0 : v37;
+    const four v39 = pick_four(maximum_four(abs_four(T24 + e1 * (v7 * v35)),
+        maximum_four(abs_four(T34 + (factor2 * (a3 * (e2 * (s3 * C2) - c3 * v29)) - (v36 + factor2 *
+        (a2 * v29)))), abs_four(T14 + e1 * (v6 * v35)))) <= pose_slack1, all_four(0.0),
+        all_four(v37));
 
     /* joint values */
-    const four v41 = v34 + (v20 + free_joints[0]);
-    const four q5 = v35 + v41;
-    const int doubt1 = (v1 <= m1) | (v7 <= m3);
+    const four v45 = v38 + (v24 + free_joints[0]);
+    const four q5 = v39 + v45;
+    const int doubt1 = (v4 <= m1) | (v10 <= m3);
 
-    const four angle4 = atan2_four(S2, -v27);
+    const four angle4 = atan2_four(-v29, C2);
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
-        all_four(-T24), 0, 5, 2, 3), all_four(-v6), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(K3, all_four(-T14), 0, 5, 2, 3),
+        all_four(-v3), 0, 5, 2, 3), all_four(-v9), 0, 1, 2, 7),
+        __builtin_shufflevector(__builtin_shufflevector(K3, all_four(-v2), 0, 5, 2, 3),
         all_four(T33), 0, 1, 2, 7));
     const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v36 = e2 * angle3;
-    const four v37 = e1 * angle2;
-    const four v38 = v37 - (angle4 + v36) - offset4;
-    const four v39 = v38 - only_four(half_turn < v38, m7) + only_four(v38 <= -half_turn, m7);
-    const four v40 = v34 + (v20 + (angle1 + v5 * (m2 * (e1 - 1.0))));
-    const four q1 = v35 + v40;
-    const four q2 = v35 + (angle4 + v34);
-    const four q3 = v35 + (v34 + v36);
-    const four q4 = v35 + (v34 + (v39 + only_four(v39 <= -half_turn, m7)));
+    const four v40 = e2 * angle3, v41 = e1 * angle2, v42 = v41 - (angle4 + v40) - offset4;
+    const four v43 = v42 - only_four(half_turn < v42, m7) + only_four(v42 <= -half_turn, m7);
+    const four v44 = v38 + (v24 + (angle1 + v8 * (m2 * (e1 - 1.0))));
+    const four q1 = v39 + v44;
+    const four q2 = v39 + (angle4 + v38);
+    const four q3 = v39 + (v38 + v40);
+    const four q4 = v39 + (v38 + (v43 + only_four(v43 <= -half_turn, m7)));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
@@ -792,42 +713,45 @@ static void solve(
     const double T23 = T[6], T24 = T[7];
     const double T33 = T[10], T34 = T[11];
 
-    /* theta1, type 2: U1[3, 4] */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    /* theta1, type 2: U1[3, 4] and U1[3, 3] */
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23);
+    const double v2 = T14 + T13 * v1;
+    const double v3 = T24 + T23 * v1;
+    const double w1 = sqrt(v2 * v2 + v3 * v3);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v1 = T33 * T33;
-    const double v3 = seed[1] + seed[2] + (seed[3] + offset4);
+    const double v4 = T33 * T33;
+    const double v6 = seed[1] + seed[2] + (seed[3] + offset4);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v5 = T34 - d1;
+    const double v8 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(T14 * factor1);
-        const double s1 = free1 ? sin(seed[0]) : -(T24 * factor1);
+        const double c1 = free1 ? cos(seed[0]) : -(v2 * factor1);
+        const double s1 = free1 ? sin(seed[0]) : -(v3 * factor1);
         const double q1 = atan2(s1, c1);
 
         /* theta234 */
-        const double Z2_234 = c1 * T13 + s1 * T23;
-        const double w234 = sqrt(Z2_234 * Z2_234 + v1);
+        const double Z2_234 = T13 * c1 + T23 * s1;
+        const double w234 = sqrt(Z2_234 * Z2_234 + v4);
         const int free234 = w234 <= free_limit_squared;
-        const double v2 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v3) : T33 * v2;
-        const double s234 = free234 ? sin(v3) : Z2_234 * v2;
+        const double v5 = 1.0 / (free234 ? 1.0 : w234);
+        const double c234 = free234 ? cos(v6) : T33 * v5;
+        const double s234 = free234 ? sin(v6) : Z2_234 * v5;
         const double theta234 = atan2(s234, c234);
 
         /* theta3 */
-        const double v4 = c234 * d5;
-        const double Z1_3 = v5 - v4;
-        const double v6 = s234 * d5;
-        const double v7 = v6 + (w1 * e1 + a1);
-        const double N3 = Z1_3 * Z1_3 + v7 * v7;
+        const double v7 = c234 * d5;
+        const double Z1_3 = v8 - v7;
+        const double v9 = s234 * d5;
+        const double Z2_3 = T14 * c1 + T24 * s1 - a1 - v9;
+        const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
@@ -855,12 +779,12 @@ static void solve(
 
         /* theta2, type 3: U1[1, 4] and U1[2, 4] */
         const double Y1_2 = a2 + a3 * c3;
-        const double v9 = Z1_3 * Y1_2;
-        const double v10 = v7 * Y1_2;
+        const double v11 = Z1_3 * Y1_2;
+        const double v13 = Z2_3 * Y1_2;
 
         /* is the pose one that the arm can take? */
-        const double v12 = a1 + v6;
-        const double v14 = d1 + v4;
+        const double v14 = a1 + v9;
+        const double v16 = d1 + v7;
         if (!(fabs(T33 - c234) <= pose_slack && (fabs(T13 - c1 * s234) <= pose_slack && fabs(T23 -
             s1 * s234) <= pose_slack)))
             continue; /* the arm can't take this pose */
@@ -873,22 +797,22 @@ static void solve(
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
-            const double v8 = a3 * s3;
-            const double S2 = v7 * v8 - v9;
-            const double v11 = Z1_3 * v8 + v10;
-            const double w2 = sqrt(S2 * S2 + v11 * v11);
+            const double v10 = a3 * s3;
+            const double v12 = Z2_3 * v10 + v11;
+            const double C2 = v13 - Z1_3 * v10;
+            const double w2 = sqrt(v12 * v12 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : -(v11 * factor2);
-            const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
+            const double s2 = free2 ? sin(seed[1]) : -(v12 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2;
             const double s23 = c3 * s2 + s3 * c2;
-            const double v13 = a3 * c23 + (a2 * c2 + v12);
-            if (!(fabs(T34 + (a3 * s23 + (a2 * s2 - v14))) <= pose_slack1 && (fabs(T14 - c1 * v13)
-                <= pose_slack1 && fabs(T24 - s1 * v13) <= pose_slack1)))
+            const double v15 = a3 * c23 + (a2 * c2 + v14);
+            if (!(fabs(T34 + (a3 * s23 + (a2 * s2 - v16))) <= pose_slack1 && (fabs(T14 - c1 * v15)
+                <= pose_slack1 && fabs(T24 - s1 * v15) <= pose_slack1)))
                 continue; /* the arm can't take this pose */
 
             /* joint values */

@@ -17,7 +17,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -48,7 +48,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -86,6 +87,7 @@ a1 = 0.016  # link length 1 [m]
 a2 = 0.221  # link length 2 [m]
 a3 = 0.221  # link length 3 [m]
 d5 = 0.145  # joint offset 5 [m]
+second_weight = 0.952  # lengths count in arm sizes [m]
 free_limit1 = 9.52e-13  # a length that fixes no angle [m]
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 offset4 = 1.5707963267948966  # offset of joint 4 [rad]
@@ -304,17 +306,20 @@ def _solve(pose, q_free, seed, q, status):
     """
     _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
 
-    # theta1, type 2: U1[3, 4]
-    w1 = math.sqrt(T14 * T14 + T24 * T24)
+    # theta1, type 2: U1[3, 4] and U1[3, 3]
+    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    v2 = T14 + T13 * v1
+    v3 = T24 + T23 * v1
+    w1 = math.sqrt(v2 * v2 + v3 * v3)
     free1 = w1 <= free_limit1
     divisor1 = 1.0 if free1 else w1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v1 = T33 * T33
-    v3 = seed[1] + seed[2] + (seed[3] + offset4)
+    v4 = T33 * T33
+    v6 = seed[1] + seed[2] + (seed[3] + offset4)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v5 = T34 - d1
+    v8 = T34 - d1
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -322,25 +327,25 @@ def _solve(pose, q_free, seed, q, status):
         if e1 < 0.0 and free1:
             continue  # both signs give the same
         factor1 = e1 / divisor1
-        c1 = math.cos(seed[0]) if free1 else -(T14 * factor1)
-        s1 = math.sin(seed[0]) if free1 else -(T24 * factor1)
+        c1 = math.cos(seed[0]) if free1 else -(v2 * factor1)
+        s1 = math.sin(seed[0]) if free1 else -(v3 * factor1)
         q1 = _atan2(s1, c1)
 
         # theta234
-        Z2_234 = c1 * T13 + s1 * T23
-        w234 = math.sqrt(Z2_234 * Z2_234 + v1)
+        Z2_234 = T13 * c1 + T23 * s1
+        w234 = math.sqrt(Z2_234 * Z2_234 + v4)
         free234 = w234 <= free_limit_squared
-        v2 = 1.0 / (1.0 if free234 else w234)
-        c234 = math.cos(v3) if free234 else T33 * v2
-        s234 = math.sin(v3) if free234 else Z2_234 * v2
+        v5 = 1.0 / (1.0 if free234 else w234)
+        c234 = math.cos(v6) if free234 else T33 * v5
+        s234 = math.sin(v6) if free234 else Z2_234 * v5
         theta234 = _atan2(s234, c234)
 
         # theta3
-        v4 = c234 * d5
-        Z1_3 = v5 - v4
-        v6 = s234 * d5
-        v7 = v6 + (w1 * e1 + a1)
-        N3 = Z1_3 * Z1_3 + v7 * v7
+        v7 = c234 * d5
+        Z1_3 = v8 - v7
+        v9 = s234 * d5
+        Z2_3 = T14 * c1 + T24 * s1 - a1 - v9
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
@@ -363,12 +368,12 @@ def _solve(pose, q_free, seed, q, status):
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + a3 * c3
-        v9 = Z1_3 * Y1_2
-        v10 = v7 * Y1_2
+        v11 = Z1_3 * Y1_2
+        v13 = Z2_3 * Y1_2
 
         # is the pose one that the arm can take?
-        v12 = a1 + v6
-        v14 = d1 + v4
+        v14 = a1 + v9
+        v16 = d1 + v7
         if (
             not (abs(T33 - c234) <= pose_slack and (abs(T13 - c1 * s234) <= pose_slack and abs(T23 -
             s1 * s234) <= pose_slack))
@@ -384,23 +389,23 @@ def _solve(pose, q_free, seed, q, status):
             q3 = _atan2(s3, c3)
 
             # theta2
-            v8 = a3 * s3
-            S2 = v7 * v8 - v9
-            v11 = Z1_3 * v8 + v10
-            w2 = math.sqrt(S2 * S2 + v11 * v11)
+            v10 = a3 * s3
+            v12 = Z2_3 * v10 + v11
+            C2 = v13 - Z1_3 * v10
+            w2 = math.sqrt(v12 * v12 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else -(v11 * factor2)
-            s2 = math.sin(seed[1]) if free2 else S2 * factor2
+            c2 = math.cos(seed[1]) if free2 else C2 * factor2
+            s2 = math.sin(seed[1]) if free2 else -(v12 * factor2)
             q2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v13 = a3 * c23 + (a2 * c2 + v12)
+            v15 = a3 * c23 + (a2 * c2 + v14)
             if (
-                not (abs(T34 + (a3 * s23 + (a2 * s2 - v14))) <= pose_slack1 and (abs(T14 - c1 * v13)
-                <= pose_slack1 and abs(T24 - s1 * v13) <= pose_slack1))
+                not (abs(T34 + (a3 * s23 + (a2 * s2 - v16))) <= pose_slack1 and (abs(T14 - c1 * v15)
+                <= pose_slack1 and abs(T24 - s1 * v15) <= pose_slack1))
             ):
                 continue  # the arm can't take this pose
 
@@ -583,147 +588,151 @@ def _regular(pose, q_free, q, status):
     _, _, T13, T14, _, _, T23, T24, _, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
-    # theta1, type 2: U1[3, 4]
-    v1 = T14 * T14 + T24 * T24
-    w1 = math.sqrt(v1)
-    v2 = 1.0 / v1
-    factor1 = w1 * v2
-    v3 = T14 * factor1
-    v4 = T24 * factor1
+    # theta1, type 2: U1[3, 4] and U1[3, 3]
+    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    v2 = T14 + T13 * v1
+    v3 = T24 + T23 * v1
+    v4 = v2 * v2 + v3 * v3
+    w1 = math.sqrt(v4)
+    v5 = 1.0 / v4
+    factor1 = w1 * v5
+    v6 = v2 * factor1
+    v7 = v3 * factor1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v5 = w1 * (v2 * (T14 * T13 + T24 * T23))
-    v6 = T33 * T33 + v5 * v5
-    w234 = math.sqrt(v6)
-    v7 = 1.0 / v6
-    v8 = w234 * v7
+    v8 = w1 * (v5 * (T13 * v2 + T23 * v3))
+    v9 = T33 * T33 + v8 * v8
+    w234 = math.sqrt(v9)
+    v10 = 1.0 / v9
+    v11 = w234 * v10
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v9 = d5 * T33
-    v10 = T34 - d1
-    v11 = v8 * v9
-    Z1_3 = v10 - v11
-    v12 = d5 * v5
-    v13 = a1 + w1
-    v14 = a1 - w1
-    v15 = v8 * v12
-    v16 = v13 - v15
-    v17 = w234 * (v7 * v12)
-    v18 = v13 - v17
-    v19 = v14 + v17
-    v20 = Z1_3 * Z1_3
-    N3_p = v20 + v18 * v18
-    N3_m = v20 + v19 * v19
+    v12 = d5 * T33
+    v13 = T34 - d1
+    v14 = v11 * v12
+    Z1_3 = v13 - v14
+    v15 = d5 * v8
+    v16 = T14 * v6 + T24 * v7
+    v17 = a1 + v16
+    v18 = a1 - v16
+    v19 = v11 * v15
+    v20 = v19 - v17
+    v21 = w234 * (v10 * v15)
+    Z2_3_p = v21 - v17
+    v22 = v18 + v21
+    v23 = Z1_3 * Z1_3
+    N3_p = v23 + Z2_3_p * Z2_3_p
+    N3_m = v23 + v22 * v22
     K3_p = N3_p - k1
     K3_m = N3_m - k1
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v21 = w3_p - w3_p
-    v22 = w3_m - w3_m
+    v24 = w3_p - w3_p
+    v25 = w3_m - w3_m
     s3_p = k2 * w3_p
     s3_m = k2 * w3_m
     c3_p = k2 * K3_p
     c3_m = k2 * K3_m
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v23 = v9 * v10
-    v24 = v7 * (v9 * v9 + v12 * v12)
-    v25 = v10 * v10
-    Y1_2_p = m5 * (v24 + (v25 + v13 * v13)) - w234 * (m4 * (v7 * (v23 + v12 * v13)))
-    Y1_2_m = m5 * (v24 + (v25 + v14 * v14)) - w234 * (m4 * (v7 * (v23 + v12 * -v14)))
-    v26 = Z1_3 * Y1_2_p
-    v27 = Z1_3 * Y1_2_m
-    S2_pp = w3_p * (m5 * v16) - v26
-    S2_pm = w3_p * (m5 * -v16) - v26
-    v28 = w3_m * (m5 * (v14 + v15))
-    S2_mp = v28 - v27
-    v29 = v27 + v28
-    v30 = v18 * Y1_2_p
-    v31 = v19 * Y1_2_m
-    v32 = m5 * Z1_3
-    v33 = m5 * -Z1_3
-    v34 = v30 + w3_p * v32
-    v35 = v30 + w3_p * v33
-    v36 = v31 + w3_m * v32
-    v37 = v31 + w3_m * v33
-    v38 = S2_pp * S2_pp + v34 * v34
-    v39 = S2_pm * S2_pm + v35 * v35
-    v40 = S2_mp * S2_mp + v36 * v36
-    v41 = v29 * v29 + v37 * v37
-    w2_pp = math.sqrt(v38)
-    w2_pm = math.sqrt(v39)
-    w2_mp = math.sqrt(v40)
-    w2_mm = math.sqrt(v41)
-    v42 = 1.0 / v38
-    v43 = 1.0 / v39
-    v44 = 1.0 / v40
-    v45 = 1.0 / v41
-    factor2_pp = w2_pp * v42
-    factor2_pm = w2_pm * v43
-    factor2_mp = w2_mp * v44
-    factor2_mm = w2_mm * v45
+    v26 = v12 * v13
+    v27 = v10 * (v12 * v12 + v15 * v15)
+    v28 = v13 * v13
+    Y1_2_p = m5 * (v27 + (v28 + v17 * v17)) - w234 * (m4 * (v10 * (v26 + v15 * v17)))
+    Y1_2_m = m5 * (v27 + (v28 + v18 * v18)) - w234 * (m4 * (v10 * (v26 - v15 * v18)))
+    v29 = Z1_3 * Y1_2_p
+    v30 = Z1_3 * Y1_2_m
+    v31 = v29 + w3_p * (m5 * v20)
+    v32 = v29 + w3_p * (m5 * -v20)
+    v33 = w3_m * (m5 * (v18 + v19))
+    v34 = v30 - v33
+    v35 = v30 + v33
+    v36 = Z2_3_p * Y1_2_p
+    v37 = v22 * Y1_2_m
+    v38 = m5 * Z1_3
+    v39 = m5 * -Z1_3
+    C2_pp = v36 - w3_p * v38
+    C2_pm = v36 - w3_p * v39
+    v40 = v37 + w3_m * v38
+    v41 = v37 + w3_m * v39
+    v42 = v31 * v31 + C2_pp * C2_pp
+    v43 = v32 * v32 + C2_pm * C2_pm
+    v44 = v34 * v34 + v40 * v40
+    v45 = v35 * v35 + v41 * v41
+    w2_pp = math.sqrt(v42)
+    w2_pm = math.sqrt(v43)
+    w2_mp = math.sqrt(v44)
+    w2_mm = math.sqrt(v45)
+    v46 = 1.0 / v42
+    v47 = 1.0 / v43
+    v48 = 1.0 / v44
+    v49 = 1.0 / v45
+    factor2_pp = w2_pp * v46
+    factor2_pm = w2_pm * v47
+    factor2_mp = w2_mp * v48
+    factor2_mm = w2_mm * v49
 
     # is the pose one that the arm can take?
-    v46 = a1 - v15
-    v47 = a1 + v15
-    v48 = v46 - w2_pp * (v42 * (a3 * (c3_p * v34 + s3_p * S2_pp) + a2 * v34))
-    v49 = v46 - w2_pm * (v43 * (a3 * (c3_p * v35 - s3_p * S2_pm) + a2 * v35))
-    v50 = v47 - w2_mp * (v44 * (a3 * (c3_m * v36 + s3_m * S2_mp) + a2 * v36))
-    v51 = v47 - w2_mm * (v45 * (a3 * (c3_m * v37 + s3_m * v29) + a2 * v37))
-    v52 = d1 + v11
-    v53 = math.sqrt(-1.0)
-    v54 = (
-        0.0 if max(abs(T23 - v8 * (v4 * v5)), max(abs(T33 - T33 * v8), abs(T13 - v8 * (v3 * v5))))
-        <= pose_slack else v53
-    )
-    v55 = (
-        0.0 if max(abs(T24 + v4 * v48), max(abs(T34 + (factor2_pp * (a2 * S2_pp) - v52 + factor2_pp
-        * (a3 * (c3_p * S2_pp - s3_p * v34)))), abs(T14 + v3 * v48))) <= pose_slack1 else v53
-    )
-    v56 = (
-        0.0 if max(abs(T24 + v4 * v49), max(abs(T34 + (factor2_pm * (a2 * S2_pm) - v52 + factor2_pm
-        * (a3 * (c3_p * S2_pm + s3_p * v35)))), abs(T14 + v3 * v49))) <= pose_slack1 else v53
-    )
-    v57 = (
-        0.0 if max(abs(T24 - v4 * v50), max(abs(T34 + (factor2_mp * (a2 * S2_mp) - v52 + factor2_mp
-        * (a3 * (c3_m * S2_mp - s3_m * v36)))), abs(T14 - v3 * v50))) <= pose_slack1 else v53
-    )
+    v50 = a1 - v19
+    v51 = a1 + v19
+    v52 = v50 + w2_pp * (v46 * (a3 * (c3_p * C2_pp + s3_p * v31) + a2 * C2_pp))
+    v53 = v50 + w2_pm * (v47 * (a3 * (c3_p * C2_pm - s3_p * v32) + a2 * C2_pm))
+    v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40))
+    v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41))
+    v56 = d1 + v14
+    v57 = math.sqrt(-1.0)
     v58 = (
-        0.0 if max(abs(T24 - v4 * v51), max(abs(T34 + (factor2_mm * (a3 * (s3_m * v37 - c3_m * v29))
-        - (v52 + factor2_mm * (a2 * v29)))), abs(T14 - v3 * v51))) <= pose_slack1 else v53
+        0.0 if max(abs(T23 - v11 * (v7 * v8)), max(abs(T33 - T33 * v11), abs(T13 - v11 * (v6 *
+        v8)))) <= pose_slack else v57
+    )
+    v59 = (
+        0.0 if max(abs(T24 + v7 * v52), max(abs(T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p *
+        v31)) - (v56 + factor2_pp * (a2 * v31)))), abs(T14 + v6 * v52))) <= pose_slack1 else v57
+    )
+    v60 = (
+        0.0 if max(abs(T24 + v7 * v53), max(abs(T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p *
+        v32)) + (v56 + factor2_pm * (a2 * v32)))), abs(T14 + v6 * v53))) <= pose_slack1 else v57
+    )
+    v61 = (
+        0.0 if max(abs(T24 - v7 * v54), max(abs(T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34))
+        + (v56 + factor2_mp * (a2 * v34)))), abs(T14 - v6 * v54))) <= pose_slack1 else v57
+    )
+    v62 = (
+        0.0 if max(abs(T24 - v7 * v55), max(abs(T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35))
+        - (v56 + factor2_mm * (a2 * v35)))), abs(T14 - v6 * v55))) <= pose_slack1 else v57
     )
 
     # joint values
-    v69 = v54 + (v21 + q_free[0])
-    v70 = v54 + (v22 + q_free[0])
-    q5_pp = v55 + v69
-    q5_pm = v56 + v69
-    q5_mp = v57 + v70
-    q5_mm = v58 + v70
+    v73 = v58 + (v24 + q_free[0])
+    v74 = v58 + (v25 + q_free[0])
+    q5_pp = v59 + v73
+    q5_pm = v60 + v73
+    q5_mp = v61 + v74
+    q5_mm = v62 + v74
     doubt1 = (
-        v6 <= m3 or (v1 <= m1 or (v41 <= m6 or (v40 <= m6 or (v39 <= m6 or (v38 <= m6 or
-        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
-        < longest3_apart) or shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)))))))
+        v9 <= m3 or (v4 <= m1 or (v45 <= m6 or (v44 <= m6 or (v43 <= m6 or (v42 <= m6 or
+        ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
+        N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart))))))))
     )
 
     # angles, side by side
-    room[0] = -T24
-    room[1] = -v5
+    room[0] = -v3
+    room[1] = -v8
     room[2] = w3_p
     room[3] = w3_m
-    room[4] = S2_pp
-    room[5] = S2_pm
-    room[6] = S2_mp
-    room[7] = -v29
-    room[8] = -T14
+    room[4] = -v31
+    room[5] = -v32
+    room[6] = -v34
+    room[7] = -v35
+    room[8] = -v2
     room[9] = T33
     room[10] = K3_p
     room[11] = K3_m
-    room[12] = -v34
-    room[13] = -v35
-    room[14] = -v36
-    room[15] = -v37
+    room[12] = C2_pp
+    room[13] = C2_pm
+    room[14] = -v40
+    room[15] = -v41
     for k in range(8):
         room[k] = _atan2(room[k], room[k + 8])
     angle1 = room[0]
@@ -736,32 +745,32 @@ def _regular(pose, q_free, q, status):
     angle8 = room[7]
 
     # joint values
-    v59 = angle2 - (angle3 + angle5) - offset4
-    v60 = angle2 - (angle6 - angle3) - offset4
-    v61 = offset4 + (angle2 + (angle4 + angle7))
-    v62 = offset4 + (angle2 + (angle8 - angle4))
-    v63 = v59 - (m7 if half_turn < v59 else 0.0) + (m7 if v59 <= -half_turn else 0.0)
-    v64 = v60 - (m7 if half_turn < v60 else 0.0) + (m7 if v60 <= -half_turn else 0.0)
-    v65 = (m7 if -v61 <= -half_turn else 0.0) - (v61 + (m7 if half_turn < -v61 else 0.0))
-    v66 = (m7 if -v62 <= -half_turn else 0.0) - (v62 + (m7 if half_turn < -v62 else 0.0))
-    v67 = v54 + (angle1 + v21)
-    v68 = v54 + (v22 + (angle1 - math.copysign(half_turn, -T24) * h1))
-    q1_pp = v55 + v67
-    q1_pm = v56 + v67
-    q1_mp = v57 + v68
-    q1_mm = v58 + v68
-    q2_pp = v55 + (angle5 + v54)
-    q2_pm = v56 + (angle6 + v54)
-    q2_mp = v57 + (angle7 + v54)
-    q2_mm = v58 + (angle8 + v54)
-    q3_pp = v55 + (angle3 + v54)
-    q3_pm = v56 + (v54 - angle3)
-    q3_mp = v57 + (angle4 + v54)
-    q3_mm = v58 + (v54 - angle4)
-    q4_pp = v55 + (v54 + (v63 + (m7 if v63 <= -half_turn else 0.0)))
-    q4_pm = v56 + (v54 + (v64 + (m7 if v64 <= -half_turn else 0.0)))
-    q4_mp = v57 + (v54 + (v65 + (m7 if v65 <= -half_turn else 0.0)))
-    q4_mm = v58 + (v54 + (v66 + (m7 if v66 <= -half_turn else 0.0)))
+    v63 = angle2 - (angle3 + angle5) - offset4
+    v64 = angle2 - (angle6 - angle3) - offset4
+    v65 = offset4 + (angle2 + (angle4 + angle7))
+    v66 = offset4 + (angle2 + (angle8 - angle4))
+    v67 = v63 - (m7 if half_turn < v63 else 0.0) + (m7 if v63 <= -half_turn else 0.0)
+    v68 = v64 - (m7 if half_turn < v64 else 0.0) + (m7 if v64 <= -half_turn else 0.0)
+    v69 = (m7 if -v65 <= -half_turn else 0.0) - (v65 + (m7 if half_turn < -v65 else 0.0))
+    v70 = (m7 if -v66 <= -half_turn else 0.0) - (v66 + (m7 if half_turn < -v66 else 0.0))
+    v71 = v58 + (angle1 + v24)
+    v72 = v58 + (v25 + (angle1 - math.copysign(half_turn, -v3) * h1))
+    q1_pp = v59 + v71
+    q1_pm = v60 + v71
+    q1_mp = v61 + v72
+    q1_mm = v62 + v72
+    q2_pp = v59 + (angle5 + v58)
+    q2_pm = v60 + (angle6 + v58)
+    q2_mp = v61 + (angle7 + v58)
+    q2_mm = v62 + (angle8 + v58)
+    q3_pp = v59 + (angle3 + v58)
+    q3_pm = v60 + (v58 - angle3)
+    q3_mp = v61 + (angle4 + v58)
+    q3_mm = v62 + (v58 - angle4)
+    q4_pp = v59 + (v58 + (v67 + (m7 if v67 <= -half_turn else 0.0)))
+    q4_pm = v60 + (v58 + (v68 + (m7 if v68 <= -half_turn else 0.0)))
+    q4_mp = v61 + (v58 + (v69 + (m7 if v69 <= -half_turn else 0.0)))
+    q4_mm = v62 + (v58 + (v70 + (m7 if v70 <= -half_turn else 0.0)))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -800,6 +809,11 @@ def _into(T, q_free, seed, q, status):
         raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
     if q_free.shape != (1,):
         raise ValueError("q_free must be (1,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T, q_free)
     if not valid:
         status[:] = INVALID_POSE
@@ -846,7 +860,8 @@ def ik_into(T, q_free, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(5), 5)) if q_seed is None else q_seed
     if seed.shape != (5,):
@@ -952,12 +967,12 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1472, 1504, 1536, 1568, 1600],
-    [1632, 1664, 1696, 1728, 1760],
-    [1792, 1824, 1856, 1888, 1920],
-    [1952, 1984, 2016, 2048, 2080],
+    [1504, 1536, 1568, 1600, 1632],
+    [1664, 1696, 1728, 1760, 1792],
+    [1824, 1856, 1888, 1920, 1952],
+    [1984, 2016, 2048, 2080, 2112],
 ])
-_KINDS = np.array([2112, 2144, 2176, 2208])
+_KINDS = np.array([2144, 2176, 2208, 2240])
 _LEFT_OVER = 255
 
 
@@ -968,7 +983,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2240)
+    work = np.empty(2272)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -995,244 +1010,249 @@ def _in_tiles(T, q_free, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             given1 = work[512 + k]
-            v1 = T14 * T14 + T24 * T24
-            w1 = math.sqrt(v1)
-            v2 = 1.0 / v1
-            factor1 = w1 * v2
-            v3 = T14 * factor1
-            v4 = T24 * factor1
-            v5 = w1 * (v2 * (T14 * T13 + T24 * T23))
-            v6 = T33 * T33 + v5 * v5
-            w234 = math.sqrt(v6)
-            v7 = 1.0 / v6
-            v8 = w234 * v7
-            v9 = d5 * T33
-            v10 = T34 - d1
-            v11 = v8 * v9
-            Z1_3 = v10 - v11
-            v12 = d5 * v5
-            v13 = a1 + w1
-            v14 = a1 - w1
-            v15 = v8 * v12
-            v16 = v13 - v15
-            v17 = w234 * (v7 * v12)
-            v18 = v13 - v17
-            v19 = v14 + v17
-            v20 = Z1_3 * Z1_3
-            N3_p = v20 + v18 * v18
-            N3_m = v20 + v19 * v19
+            v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+            v2 = T14 + T13 * v1
+            v3 = T24 + T23 * v1
+            v4 = v2 * v2 + v3 * v3
+            w1 = math.sqrt(v4)
+            v5 = 1.0 / v4
+            factor1 = w1 * v5
+            v6 = v2 * factor1
+            v7 = v3 * factor1
+            v8 = w1 * (v5 * (T13 * v2 + T23 * v3))
+            v9 = T33 * T33 + v8 * v8
+            w234 = math.sqrt(v9)
+            v10 = 1.0 / v9
+            v11 = w234 * v10
+            v12 = d5 * T33
+            v13 = T34 - d1
+            v14 = v11 * v12
+            Z1_3 = v13 - v14
+            v15 = d5 * v8
+            v16 = T14 * v6 + T24 * v7
+            v17 = a1 + v16
+            v18 = a1 - v16
+            v19 = v11 * v15
+            v20 = v19 - v17
+            v21 = w234 * (v10 * v15)
+            Z2_3_p = v21 - v17
+            v22 = v18 + v21
+            v23 = Z1_3 * Z1_3
+            N3_p = v23 + Z2_3_p * Z2_3_p
+            N3_m = v23 + v22 * v22
             K3_p = N3_p - k1
             K3_m = N3_m - k1
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v21 = w3_p - w3_p
-            v22 = w3_m - w3_m
+            v24 = w3_p - w3_p
+            v25 = w3_m - w3_m
             s3_p = k2 * w3_p
             s3_m = k2 * w3_m
             c3_p = k2 * K3_p
             c3_m = k2 * K3_m
-            v23 = v9 * v10
-            v24 = v7 * (v9 * v9 + v12 * v12)
-            v25 = v10 * v10
-            Y1_2_p = m5 * (v24 + (v25 + v13 * v13)) - w234 * (m4 * (v7 * (v23 + v12 * v13)))
-            Y1_2_m = m5 * (v24 + (v25 + v14 * v14)) - w234 * (m4 * (v7 * (v23 + v12 * -v14)))
-            v26 = Z1_3 * Y1_2_p
-            v27 = Z1_3 * Y1_2_m
-            S2_pp = w3_p * (m5 * v16) - v26
-            S2_pm = w3_p * (m5 * -v16) - v26
-            v28 = w3_m * (m5 * (v14 + v15))
-            S2_mp = v28 - v27
-            v29 = v27 + v28
-            v30 = v18 * Y1_2_p
-            v31 = v19 * Y1_2_m
-            v32 = m5 * Z1_3
-            v33 = m5 * -Z1_3
-            v34 = v30 + w3_p * v32
-            v35 = v30 + w3_p * v33
-            v36 = v31 + w3_m * v32
-            v37 = v31 + w3_m * v33
-            v38 = S2_pp * S2_pp + v34 * v34
-            v39 = S2_pm * S2_pm + v35 * v35
-            v40 = S2_mp * S2_mp + v36 * v36
-            v41 = v29 * v29 + v37 * v37
-            w2_pp = math.sqrt(v38)
-            w2_pm = math.sqrt(v39)
-            w2_mp = math.sqrt(v40)
-            w2_mm = math.sqrt(v41)
-            v42 = 1.0 / v38
-            v43 = 1.0 / v39
-            v44 = 1.0 / v40
-            v45 = 1.0 / v41
-            factor2_pp = w2_pp * v42
-            factor2_pm = w2_pm * v43
-            factor2_mp = w2_mp * v44
-            factor2_mm = w2_mm * v45
-            v46 = a1 - v15
-            v47 = a1 + v15
-            v48 = v46 - w2_pp * (v42 * (a3 * (c3_p * v34 + s3_p * S2_pp) + a2 * v34))
-            v49 = v46 - w2_pm * (v43 * (a3 * (c3_p * v35 - s3_p * S2_pm) + a2 * v35))
-            v50 = v47 - w2_mp * (v44 * (a3 * (c3_m * v36 + s3_m * S2_mp) + a2 * v36))
-            v51 = v47 - w2_mm * (v45 * (a3 * (c3_m * v37 + s3_m * v29) + a2 * v37))
-            v52 = d1 + v11
-            v53 = math.sqrt(-1.0)
-            v54 = (
-                0.0 if max(abs(T23 - v8 * (v4 * v5)), max(abs(T33 - T33 * v8), abs(T13 - v8 * (v3 *
-                v5)))) <= pose_slack else v53
-            )
-            v55 = (
-                0.0 if max(abs(T24 + v4 * v48), max(abs(T34 + (factor2_pp * (a2 * S2_pp) - v52 +
-                factor2_pp * (a3 * (c3_p * S2_pp - s3_p * v34)))), abs(T14 + v3 * v48))) <=
-                pose_slack1 else v53
-            )
-            v56 = (
-                0.0 if max(abs(T24 + v4 * v49), max(abs(T34 + (factor2_pm * (a2 * S2_pm) - v52 +
-                factor2_pm * (a3 * (c3_p * S2_pm + s3_p * v35)))), abs(T14 + v3 * v49))) <=
-                pose_slack1 else v53
-            )
-            v57 = (
-                0.0 if max(abs(T24 - v4 * v50), max(abs(T34 + (factor2_mp * (a2 * S2_mp) - v52 +
-                factor2_mp * (a3 * (c3_m * S2_mp - s3_m * v36)))), abs(T14 - v3 * v50))) <=
-                pose_slack1 else v53
-            )
+            v26 = v12 * v13
+            v27 = v10 * (v12 * v12 + v15 * v15)
+            v28 = v13 * v13
+            Y1_2_p = m5 * (v27 + (v28 + v17 * v17)) - w234 * (m4 * (v10 * (v26 + v15 * v17)))
+            Y1_2_m = m5 * (v27 + (v28 + v18 * v18)) - w234 * (m4 * (v10 * (v26 - v15 * v18)))
+            v29 = Z1_3 * Y1_2_p
+            v30 = Z1_3 * Y1_2_m
+            v31 = v29 + w3_p * (m5 * v20)
+            v32 = v29 + w3_p * (m5 * -v20)
+            v33 = w3_m * (m5 * (v18 + v19))
+            v34 = v30 - v33
+            v35 = v30 + v33
+            v36 = Z2_3_p * Y1_2_p
+            v37 = v22 * Y1_2_m
+            v38 = m5 * Z1_3
+            v39 = m5 * -Z1_3
+            C2_pp = v36 - w3_p * v38
+            C2_pm = v36 - w3_p * v39
+            v40 = v37 + w3_m * v38
+            v41 = v37 + w3_m * v39
+            v42 = v31 * v31 + C2_pp * C2_pp
+            v43 = v32 * v32 + C2_pm * C2_pm
+            v44 = v34 * v34 + v40 * v40
+            v45 = v35 * v35 + v41 * v41
+            w2_pp = math.sqrt(v42)
+            w2_pm = math.sqrt(v43)
+            w2_mp = math.sqrt(v44)
+            w2_mm = math.sqrt(v45)
+            v46 = 1.0 / v42
+            v47 = 1.0 / v43
+            v48 = 1.0 / v44
+            v49 = 1.0 / v45
+            factor2_pp = w2_pp * v46
+            factor2_pm = w2_pm * v47
+            factor2_mp = w2_mp * v48
+            factor2_mm = w2_mm * v49
+            v50 = a1 - v19
+            v51 = a1 + v19
+            v52 = v50 + w2_pp * (v46 * (a3 * (c3_p * C2_pp + s3_p * v31) + a2 * C2_pp))
+            v53 = v50 + w2_pm * (v47 * (a3 * (c3_p * C2_pm - s3_p * v32) + a2 * C2_pm))
+            v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40))
+            v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41))
+            v56 = d1 + v14
+            v57 = math.sqrt(-1.0)
             v58 = (
-                0.0 if max(abs(T24 - v4 * v51), max(abs(T34 + (factor2_mm * (a3 * (s3_m * v37 - c3_m
-                * v29)) - (v52 + factor2_mm * (a2 * v29)))), abs(T14 - v3 * v51))) <= pose_slack1
-                else v53
+                0.0 if max(abs(T23 - v11 * (v7 * v8)), max(abs(T33 - T33 * v11), abs(T13 - v11 * (v6
+                * v8)))) <= pose_slack else v57
             )
-            v69 = v54 + (v21 + given1)
-            v70 = v54 + (v22 + given1)
-            q5_pp = v55 + v69
-            q5_pm = v56 + v69
-            q5_mp = v57 + v70
-            q5_mm = v58 + v70
+            v59 = (
+                0.0 if max(abs(T24 + v7 * v52), max(abs(T34 + (factor2_pp * (a3 * (s3_p * C2_pp -
+                c3_p * v31)) - (v56 + factor2_pp * (a2 * v31)))), abs(T14 + v6 * v52))) <=
+                pose_slack1 else v57
+            )
+            v60 = (
+                0.0 if max(abs(T24 + v7 * v53), max(abs(T34 - (factor2_pm * (a3 * (s3_p * C2_pm +
+                c3_p * v32)) + (v56 + factor2_pm * (a2 * v32)))), abs(T14 + v6 * v53))) <=
+                pose_slack1 else v57
+            )
+            v61 = (
+                0.0 if max(abs(T24 - v7 * v54), max(abs(T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m
+                * v34)) + (v56 + factor2_mp * (a2 * v34)))), abs(T14 - v6 * v54))) <= pose_slack1
+                else v57
+            )
+            v62 = (
+                0.0 if max(abs(T24 - v7 * v55), max(abs(T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m
+                * v35)) - (v56 + factor2_mm * (a2 * v35)))), abs(T14 - v6 * v55))) <= pose_slack1
+                else v57
+            )
+            v73 = v58 + (v24 + given1)
+            v74 = v58 + (v25 + given1)
+            q5_pp = v59 + v73
+            q5_pm = v60 + v73
+            q5_mp = v61 + v74
+            q5_mm = v62 + v74
             doubt1 = (
-                v6 <= m3 or (v1 <= m1 or (v41 <= m6 or (v40 <= m6 or (v39 <= m6 or (v38 <= m6 or
-                (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p
-                and N3_p < longest3_apart) or shortest3_reach <= N3_m and N3_m <= longest3_reach and
-                not (shortest3_apart < N3_m and N3_m < longest3_apart)))))))
+                v9 <= m3 or (v4 <= m1 or (v45 <= m6 or (v44 <= m6 or (v43 <= m6 or (v42 <= m6 or
+                ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p
+                and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart))))))))
             )
-            work[576 + k] = v21
-            work[608 + k] = v22
-            work[640 + k] = v54
-            work[672 + k] = v55
-            work[704 + k] = v56
-            work[736 + k] = v57
-            work[768 + k] = v58
-            work[800 + k] = q5_pp
-            work[832 + k] = q5_pm
-            work[864 + k] = q5_mp
-            work[896 + k] = q5_mm
-            work[928 + k] = doubt1
-            work[960 + k] = -T24
-            work[992 + k] = -v5
-            work[1024 + k] = w3_p
-            work[1056 + k] = w3_m
-            work[1088 + k] = S2_pp
-            work[1120 + k] = S2_pm
-            work[1152 + k] = S2_mp
-            work[1184 + k] = -v29
-            work[1216 + k] = -T14
-            work[1248 + k] = T33
-            work[1280 + k] = K3_p
-            work[1312 + k] = K3_m
-            work[1344 + k] = -v34
-            work[1376 + k] = -v35
-            work[1408 + k] = -v36
-            work[1440 + k] = -v37
-        for k in range(960, 1216):
+            work[576 + k] = v3
+            work[608 + k] = v24
+            work[640 + k] = v25
+            work[672 + k] = v58
+            work[704 + k] = v59
+            work[736 + k] = v60
+            work[768 + k] = v61
+            work[800 + k] = v62
+            work[832 + k] = q5_pp
+            work[864 + k] = q5_pm
+            work[896 + k] = q5_mp
+            work[928 + k] = q5_mm
+            work[960 + k] = doubt1
+            work[992 + k] = -v3
+            work[1024 + k] = -v8
+            work[1056 + k] = w3_p
+            work[1088 + k] = w3_m
+            work[1120 + k] = -v31
+            work[1152 + k] = -v32
+            work[1184 + k] = -v34
+            work[1216 + k] = -v35
+            work[1248 + k] = -v2
+            work[1280 + k] = T33
+            work[1312 + k] = K3_p
+            work[1344 + k] = K3_m
+            work[1376 + k] = C2_pp
+            work[1408 + k] = C2_pm
+            work[1440 + k] = -v40
+            work[1472 + k] = -v41
+        for k in range(992, 1248):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
-            T24 = work[224 + k]
-            v21 = work[576 + k]
-            v22 = work[608 + k]
-            v54 = work[640 + k]
-            v55 = work[672 + k]
-            v56 = work[704 + k]
-            v57 = work[736 + k]
-            v58 = work[768 + k]
-            q5_pp = work[800 + k]
-            q5_pm = work[832 + k]
-            q5_mp = work[864 + k]
-            q5_mm = work[896 + k]
-            doubt1 = work[928 + k] != 0.0
-            angle1 = work[960 + k]
-            angle2 = work[992 + k]
-            angle3 = work[1024 + k]
-            angle4 = work[1056 + k]
-            angle5 = work[1088 + k]
-            angle6 = work[1120 + k]
-            angle7 = work[1152 + k]
-            angle8 = work[1184 + k]
-            v59 = angle2 - (angle3 + angle5) - offset4
-            v60 = angle2 - (angle6 - angle3) - offset4
-            v61 = offset4 + (angle2 + (angle4 + angle7))
-            v62 = offset4 + (angle2 + (angle8 - angle4))
-            v63 = v59 - (m7 if half_turn < v59 else 0.0) + (m7 if v59 <= -half_turn else 0.0)
-            v64 = v60 - (m7 if half_turn < v60 else 0.0) + (m7 if v60 <= -half_turn else 0.0)
-            v65 = (m7 if -v61 <= -half_turn else 0.0) - (v61 + (m7 if half_turn < -v61 else 0.0))
-            v66 = (m7 if -v62 <= -half_turn else 0.0) - (v62 + (m7 if half_turn < -v62 else 0.0))
-            v67 = v54 + (angle1 + v21)
-            v68 = v54 + (v22 + (angle1 - math.copysign(half_turn, -T24) * h1))
-            q1_pp = v55 + v67
-            q1_pm = v56 + v67
-            q1_mp = v57 + v68
-            q1_mm = v58 + v68
-            q2_pp = v55 + (angle5 + v54)
-            q2_pm = v56 + (angle6 + v54)
-            q2_mp = v57 + (angle7 + v54)
-            q2_mm = v58 + (angle8 + v54)
-            q3_pp = v55 + (angle3 + v54)
-            q3_pm = v56 + (v54 - angle3)
-            q3_mp = v57 + (angle4 + v54)
-            q3_mm = v58 + (v54 - angle4)
-            q4_pp = v55 + (v54 + (v63 + (m7 if v63 <= -half_turn else 0.0)))
-            q4_pm = v56 + (v54 + (v64 + (m7 if v64 <= -half_turn else 0.0)))
-            q4_mp = v57 + (v54 + (v65 + (m7 if v65 <= -half_turn else 0.0)))
-            q4_mm = v58 + (v54 + (v66 + (m7 if v66 <= -half_turn else 0.0)))
-            _1472 = q1_pp
-            work[1472 + k] = _1472
-            _1504 = q2_pp
+            v3 = work[576 + k]
+            v24 = work[608 + k]
+            v25 = work[640 + k]
+            v58 = work[672 + k]
+            v59 = work[704 + k]
+            v60 = work[736 + k]
+            v61 = work[768 + k]
+            v62 = work[800 + k]
+            q5_pp = work[832 + k]
+            q5_pm = work[864 + k]
+            q5_mp = work[896 + k]
+            q5_mm = work[928 + k]
+            doubt1 = work[960 + k] != 0.0
+            angle1 = work[992 + k]
+            angle2 = work[1024 + k]
+            angle3 = work[1056 + k]
+            angle4 = work[1088 + k]
+            angle5 = work[1120 + k]
+            angle6 = work[1152 + k]
+            angle7 = work[1184 + k]
+            angle8 = work[1216 + k]
+            v63 = angle2 - (angle3 + angle5) - offset4
+            v64 = angle2 - (angle6 - angle3) - offset4
+            v65 = offset4 + (angle2 + (angle4 + angle7))
+            v66 = offset4 + (angle2 + (angle8 - angle4))
+            v67 = v63 - (m7 if half_turn < v63 else 0.0) + (m7 if v63 <= -half_turn else 0.0)
+            v68 = v64 - (m7 if half_turn < v64 else 0.0) + (m7 if v64 <= -half_turn else 0.0)
+            v69 = (m7 if -v65 <= -half_turn else 0.0) - (v65 + (m7 if half_turn < -v65 else 0.0))
+            v70 = (m7 if -v66 <= -half_turn else 0.0) - (v66 + (m7 if half_turn < -v66 else 0.0))
+            v71 = v58 + (angle1 + v24)
+            v72 = v58 + (v25 + (angle1 - math.copysign(half_turn, -v3) * h1))
+            q1_pp = v59 + v71
+            q1_pm = v60 + v71
+            q1_mp = v61 + v72
+            q1_mm = v62 + v72
+            q2_pp = v59 + (angle5 + v58)
+            q2_pm = v60 + (angle6 + v58)
+            q2_mp = v61 + (angle7 + v58)
+            q2_mm = v62 + (angle8 + v58)
+            q3_pp = v59 + (angle3 + v58)
+            q3_pm = v60 + (v58 - angle3)
+            q3_mp = v61 + (angle4 + v58)
+            q3_mm = v62 + (v58 - angle4)
+            q4_pp = v59 + (v58 + (v67 + (m7 if v67 <= -half_turn else 0.0)))
+            q4_pm = v60 + (v58 + (v68 + (m7 if v68 <= -half_turn else 0.0)))
+            q4_mp = v61 + (v58 + (v69 + (m7 if v69 <= -half_turn else 0.0)))
+            q4_mm = v62 + (v58 + (v70 + (m7 if v70 <= -half_turn else 0.0)))
+            _1504 = q1_pp
             work[1504 + k] = _1504
-            _1536 = q3_pp
+            _1536 = q2_pp
             work[1536 + k] = _1536
-            _1568 = q4_pp
+            _1568 = q3_pp
             work[1568 + k] = _1568
-            _1600 = q5_pp
+            _1600 = q4_pp
             work[1600 + k] = _1600
-            _1632 = q1_pm
+            _1632 = q5_pp
             work[1632 + k] = _1632
-            _1664 = q2_pm
+            _1664 = q1_pm
             work[1664 + k] = _1664
-            _1696 = q3_pm
+            _1696 = q2_pm
             work[1696 + k] = _1696
-            _1728 = q4_pm
+            _1728 = q3_pm
             work[1728 + k] = _1728
-            _1760 = q5_pm
+            _1760 = q4_pm
             work[1760 + k] = _1760
-            _1792 = q1_mp
+            _1792 = q5_pm
             work[1792 + k] = _1792
-            _1824 = q2_mp
+            _1824 = q1_mp
             work[1824 + k] = _1824
-            _1856 = q3_mp
+            _1856 = q2_mp
             work[1856 + k] = _1856
-            _1888 = q4_mp
+            _1888 = q3_mp
             work[1888 + k] = _1888
-            _1920 = q5_mp
+            _1920 = q4_mp
             work[1920 + k] = _1920
-            _1952 = q1_mm
+            _1952 = q5_mp
             work[1952 + k] = _1952
-            _1984 = q2_mm
+            _1984 = q1_mm
             work[1984 + k] = _1984
-            _2016 = q3_mm
+            _2016 = q2_mm
             work[2016 + k] = _2016
-            _2048 = q4_mm
+            _2048 = q3_mm
             work[2048 + k] = _2048
-            _2080 = q5_mm
+            _2080 = q4_mm
             work[2080 + k] = _2080
-            work[2112 + k] = UNREACHABLE if _1472 != _1472 else OK
-            work[2144 + k] = UNREACHABLE if _1632 != _1632 else OK
-            work[2176 + k] = UNREACHABLE if _1792 != _1792 else OK
-            work[2208 + k] = UNREACHABLE if _1952 != _1952 else OK
+            _2112 = q5_mm
+            work[2112 + k] = _2112
+            work[2144 + k] = UNREACHABLE if _1504 != _1504 else OK
+            work[2176 + k] = UNREACHABLE if _1664 != _1664 else OK
+            work[2208 + k] = UNREACHABLE if _1824 != _1824 else OK
+            work[2240 + k] = UNREACHABLE if _1984 != _1984 else OK
             work[544 + k] = 1.0 if doubt1 else work[544 + k]
         for k in range(count):
             if work[544 + k] != 0.0:
@@ -1260,6 +1280,20 @@ def ik_batch(T, q_free, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((4, 5)), np.empty(4, _BYTE)
+    T = fk(_ZEROS)
+    q_free = np.zeros(1)
+    jacobian(_ZEROS)
+    ik_into(T, q_free, q, status)
+    ik_into(T, q_free, q, status, _ZEROS)
+    _unseeded(T, q_free, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(5))
+    q_free = q_free[np.newaxis]
+    ik_batch(T[np.newaxis], q_free)
 
 
 def _share(solve, cores, *arrays):

@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -341,21 +339,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     /* joint values */
     const wide_mask doubt1 = (v1 <= m1) | (v2 <= m1);
 
-    q[0] = angle1;
-    q[1] = angle2;
-    q[2] = q3_pp;
+    q[0] = angle1; q[1] = angle2; q[2] = q3_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = angle1;
-    q[4] = q2_pm;
-    q[5] = -q3_pp;
+    q[3] = angle1; q[4] = q2_pm; q[5] = -q3_pp;
     kind[1] = kind_of(q[3] != q[3], 0);
-    q[6] = q1_mp;
-    q[7] = -angle2;
-    q[8] = q3_pp;
+    q[6] = q1_mp; q[7] = -angle2; q[8] = q3_pp;
     kind[2] = kind_of(q[6] != q[6], 0);
-    q[9] = q1_mp;
-    q[10] = -q2_pm;
-    q[11] = -q3_pp;
+    q[9] = q1_mp; q[10] = -q2_pm; q[11] = -q3_pp;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -374,8 +364,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double T34 = T[11];
 
     /* theta1 */
-    const double v1 = T14 * T14 + T24 * T24;
-    const double v2 = copysign(half_turn, T24);
+    const double v1 = T14 * T14 + T24 * T24, v2 = copysign(half_turn, T24);
 
     /* theta2, r3 */
     const double Y2_2 = T34 - d1;
@@ -392,8 +381,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
     const four q1 = angle1 + v2 * (m2 * (e1 - 1.0));
-    const four q2_ = angle2 + v4 * (m2 * (e2 - 1.0));
-    const four q2 = e1 * q2_;
+    const four q2_ = angle2 + v4 * (m2 * (e2 - 1.0)), q2 = e1 * q2_;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;

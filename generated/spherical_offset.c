@@ -81,8 +81,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -107,8 +106,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -340,16 +338,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
-    const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1;
-    const wide v2 = d2 * T14;
-    const wide v3 = d2 * T24;
-    const wide v4 = T14 * w1;
-    const wide v5 = T24 * w1;
-    const wide angle1 = atan2_wide(-(v2 + v5), v3 - v4);
-    const wide angle2 = atan2_wide(v5 - v2, v3 + v4);
+    const wide v1 = w1 - w1, v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
+    const wide angle1 = atan2_wide(-(v2 + v5), v3 - v4), angle2 = atan2_wide(v5 - v2, v3 + v4);
 
     /* theta2, r3 */
     const wide v6 = D1 + T34 * T34;
@@ -358,25 +351,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide q2_pm = angle3 - copysign_wide(all_wide(half_turn), -w1) * h1;
 
     /* joint values */
-    const wide q3_pp = v1 + w3;
-    const wide q3_pm = v1 - w3;
+    const wide q3_pp = v1 + w3, q3_pm = v1 - w3;
     const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | (v6 <= m1));
 
-    q[0] = angle1;
-    q[1] = angle3;
-    q[2] = q3_pp;
+    q[0] = angle1; q[1] = angle3; q[2] = q3_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = angle1;
-    q[4] = q2_pm;
-    q[5] = q3_pm;
+    q[3] = angle1; q[4] = q2_pm; q[5] = q3_pm;
     kind[1] = kind_of(q[3] != q[3], 0);
-    q[6] = angle2;
-    q[7] = -angle3;
-    q[8] = q3_pp;
+    q[6] = angle2; q[7] = -angle3; q[8] = q3_pp;
     kind[2] = kind_of(q[6] != q[6], 0);
-    q[9] = angle2;
-    q[10] = -q2_pm;
-    q[11] = q3_pm;
+    q[9] = angle2; q[10] = -q2_pm; q[11] = q3_pm;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -396,14 +380,10 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
 
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
-    const double v1 = w1 - w1;
-    const double v2 = d2 * T14;
-    const double v3 = d2 * T24;
-    const double v4 = T14 * w1;
-    const double v5 = T24 * w1;
+    const double v1 = w1 - w1, v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta2, r3 */
     const double v6 = D1 + T34 * T34;
@@ -418,8 +398,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
         3), __builtin_shufflevector(v3 - e1 * v4, all_four(T34), 0, 5, 2, 3));
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four q2_ = angle2 + v7 * (m2 * (e2 - 1.0));
-    const four q2 = e1 * q2_;
+    const four q2_ = angle2 + v7 * (m2 * (e2 - 1.0)), q2 = e1 * q2_;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -494,12 +473,12 @@ static void solve(
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d2 * sqrt(N1)));
     const double v1 = T14 * d2;
     const double v2 = T24 * d2;
 

@@ -17,7 +17,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -48,7 +48,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -204,13 +205,13 @@ def _solve(pose, seed, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    D1 = N1 - k1
     free1 = N1 <= free_limit_squared2
+    D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else N1)
+    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d2 * math.sqrt(N1)))
     v1 = T14 * d2
     v2 = T24 * d2
 
@@ -309,8 +310,8 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    D1 = N1 - k1
     free1 = N1 <= doubt_limit_squared2
+    D1 = N1 - k1
     w1 = math.sqrt(D1)
     v1 = w1 - w1
     v2 = d2 * T14
@@ -325,7 +326,7 @@ def _regular(pose, q, status):
     # joint values
     q3_pp = v1 + w3
     q3_pm = v1 - w3
-    doubt1 = -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or v6 <= m1)
+    doubt1 = (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or v6 <= m1)
 
     # angles, side by side
     room[0] = -(v2 + v5)
@@ -372,6 +373,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (4, 3) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 3) and (4,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -417,7 +423,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(3), 3)) if q_seed is None else q_seed
     if seed.shape != (3,):
@@ -554,8 +561,8 @@ def _in_tiles(T, q, status):
             T24 = work[224 + k]
             T34 = work[352 + k]
             N1 = T14 * T14 + T24 * T24
-            D1 = N1 - k1
             free1 = N1 <= doubt_limit_squared2
+            D1 = N1 - k1
             w1 = math.sqrt(D1)
             v1 = w1 - w1
             v2 = d2 * T14
@@ -566,7 +573,7 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(v6)
             q3_pp = v1 + w3
             q3_pm = v1 - w3
-            doubt1 = -k2 <= D1 and (free1 or not (k3 < D1)) or (free1 or v6 <= m1)
+            doubt1 = (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or v6 <= m1)
             work[544 + k] = w1
             work[576 + k] = q3_pp
             work[608 + k] = q3_pm
@@ -634,6 +641,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((4, 3)), np.empty(4, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(3))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

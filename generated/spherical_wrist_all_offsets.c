@@ -82,8 +82,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -108,8 +107,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -517,40 +515,30 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wx = T14 - d6 * T13;
     const wide Y1 = d6 * T23 - T24;
     const wide N1 = wx * wx + Y1 * Y1;
-    const wide D1 = N1 - k2;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = inverse1 * (k1 * Y1);
-    const wide v2 = v1 + w1 * (wx * inverse1);
-    const wide v3 = v1 + w1 * (inverse1 * -wx);
-    const wide v4 = inverse1 * (k1 * wx);
-    const wide s1_p = w1 * (Y1 * inverse1) - v4;
-    const wide s1_m = w1 * (inverse1 * -Y1) - v4;
+    const wide v1 = inverse1 * (k1 * Y1), v2 = v1 + w1 * (wx * inverse1);
+    const wide v3 = v1 + w1 * (inverse1 * -wx), v4 = inverse1 * (k1 * wx);
+    const wide s1_p = w1 * (Y1 * inverse1) - v4, s1_m = w1 * (inverse1 * -Y1) - v4;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v5 = a1 + w1;
-    const wide v6 = a1 - w1;
-    const wide v7 = Z1_3 * Z1_3;
-    const wide N3_p = v7 + v5 * v5;
-    const wide N3_m = v7 + v6 * v6;
+    const wide v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3;
+    const wide N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle1 = atan2_wide(w3_p, N3_p - k7);
-    const wide angle2 = atan2_wide(w3_m, N3_m - k7);
+    const wide angle1 = atan2_wide(w3_p, N3_p - k7), angle2 = atan2_wide(w3_m, N3_m - k7);
     const wide q3__pp = angle1 - turn1;
     const wide v8 = turn1 + angle1;
     const wide q3__mp = angle2 - turn1;
     const wide v9 = turn1 + angle2;
 
     /* theta2 */
-    const wide v10 = Z1_3 * (m2 + m1 * N3_p);
-    const wide v11 = Z1_3 * (m2 + m1 * N3_m);
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
-    const wide v12 = v5 * (m1 + m2 * factor2_p);
-    const wide v13 = v6 * (m1 + m2 * factor2_m);
+    const wide v10 = Z1_3 * (m2 + m1 * N3_p), v11 = Z1_3 * (m2 + m1 * N3_m);
+    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+    const wide v12 = v5 * (m1 + m2 * factor2_p), v13 = v6 * (m1 + m2 * factor2_m);
     const wide v14 = w3_p * (m1 * v5);
     const wide angle3 = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m1 * (Z1_3 *
         factor2_p))));
@@ -562,51 +550,27 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (-Z1_3 * factor2_m))));
 
     /* theta4 */
-    const wide v15 = m3 * Z1_3;
-    const wide v16 = m4 - m5 * factor2_p;
-    const wide v17 = m4 - m5 * factor2_m;
-    const wide v18 = m6 * factor2_p - m3;
-    const wide v19 = m6 * factor2_m - m3;
-    const wide v20 = Z1_3 * v16 + v5 * v18;
-    const wide v21 = Z1_3 * v17 + v6 * v19;
-    const wide v22 = w3_p * (factor2_p * (v15 + m4 * v5));
-    const wide c23_pp = v20 + v22;
-    const wide c23_pm = v20 - v22;
+    const wide v15 = m3 * Z1_3, v16 = m4 - m5 * factor2_p, v17 = m4 - m5 * factor2_m;
+    const wide v18 = m6 * factor2_p - m3, v19 = m6 * factor2_m - m3, v20 = Z1_3 * v16 + v5 * v18;
+    const wide v21 = Z1_3 * v17 + v6 * v19, v22 = w3_p * (factor2_p * (v15 + m4 * v5));
+    const wide c23_pp = v20 + v22, c23_pm = v20 - v22;
     const wide v23 = w3_m * (factor2_m * (v15 + m4 * v6));
-    const wide c23_mp = v21 + v23;
-    const wide c23_mm = v21 - v23;
-    const wide v24 = m4 * Z1_3;
-    const wide v25 = v24 - m3 * v5;
-    const wide v26 = v24 - m3 * v6;
-    const wide v27 = Z1_3 * v18 + v5 * -v16;
-    const wide v28 = Z1_3 * v19 + v6 * -v17;
-    const wide s23_pp = v27 + w3_p * (factor2_p * v25);
-    const wide s23_pm = v27 + w3_p * (factor2_p * -v25);
-    const wide s23_mp = v28 + w3_m * (factor2_m * v26);
-    const wide s23_mm = v28 + w3_m * (factor2_m * -v26);
-    const wide v29 = T23 * s1_p - T13 * v2;
-    const wide v30 = T23 * s1_m - T13 * v3;
-    const wide X4_pp = c23_pp * v29 - T33 * s23_pp;
-    const wide X4_pm = c23_pm * v29 - T33 * s23_pm;
-    const wide X4_mp = c23_mp * v30 - T33 * s23_mp;
-    const wide X4_mm = c23_mm * v30 - T33 * s23_mm;
-    const wide Y4_p = T13 * s1_p + T23 * v2;
-    const wide Y4_m = T13 * s1_m + T23 * v3;
-    const wide v31 = Y4_p * Y4_p;
-    const wide v32 = Y4_m * Y4_m;
-    const wide v33 = v31 + X4_pp * X4_pp;
-    const wide v34 = v31 + X4_pm * X4_pm;
-    const wide v35 = v32 + X4_mp * X4_mp;
-    const wide v36 = v32 + X4_mm * X4_mm;
-    const wide angle7 = atan2_wide(Y4_p, -X4_pp);
-    const wide angle8 = atan2_wide(Y4_p, -X4_pm);
-    const wide angle9 = atan2_wide(Y4_m, -X4_mp);
-    const wide angle10 = atan2_wide(Y4_m, -X4_mm);
+    const wide c23_mp = v21 + v23, c23_mm = v21 - v23;
+    const wide v24 = m4 * Z1_3, v25 = v24 - m3 * v5, v26 = v24 - m3 * v6;
+    const wide v27 = Z1_3 * v18 + v5 * -v16, v28 = Z1_3 * v19 + v6 * -v17;
+    const wide s23_pp = v27 + w3_p * (factor2_p * v25), s23_pm = v27 + w3_p * (factor2_p * -v25);
+    const wide s23_mp = v28 + w3_m * (factor2_m * v26), s23_mm = v28 + w3_m * (factor2_m * -v26);
+    const wide v29 = T23 * s1_p - T13 * v2, v30 = T23 * s1_m - T13 * v3;
+    const wide X4_pp = c23_pp * v29 - T33 * s23_pp, X4_pm = c23_pm * v29 - T33 * s23_pm;
+    const wide X4_mp = c23_mp * v30 - T33 * s23_mp, X4_mm = c23_mm * v30 - T33 * s23_mm;
+    const wide Y4_p = T13 * s1_p + T23 * v2, Y4_m = T13 * s1_m + T23 * v3;
+    const wide v31 = Y4_p * Y4_p, v32 = Y4_m * Y4_m, v33 = v31 + X4_pp * X4_pp;
+    const wide v34 = v31 + X4_pm * X4_pm, v35 = v32 + X4_mp * X4_mp, v36 = v32 + X4_mm * X4_mm;
+    const wide angle7 = atan2_wide(Y4_p, -X4_pp), angle8 = atan2_wide(Y4_p, -X4_pm);
+    const wide angle9 = atan2_wide(Y4_m, -X4_mp), angle10 = atan2_wide(Y4_m, -X4_mm);
     const wide v37 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
     const wide v38 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
-    const wide q4_ppm = angle7 - v37;
-    const wide q4_pmm = angle8 - v37;
-    const wide q4_mpm = angle9 - v38;
+    const wide q4_ppm = angle7 - v37, q4_pmm = angle8 - v37, q4_mpm = angle9 - v38;
     const wide q4_mmm = angle10 - v38;
 
     /* theta5 */
@@ -616,14 +580,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle14 = atan2_wide(-sqrt_wide(v36), T33 * c23_mm + s23_mm * v30);
 
     /* theta6 */
-    const wide v39 = s1_p * T12 + v2 * T22;
-    const wide v40 = s1_m * T12 + v3 * T22;
-    const wide v41 = s1_p * T22 - v2 * T12;
-    const wide v42 = s1_m * T22 - v3 * T12;
-    const wide v43 = s1_p * T11 + v2 * T21;
-    const wide v44 = s1_m * T11 + v3 * T21;
-    const wide v45 = s1_p * T21 - v2 * T11;
-    const wide v46 = s1_m * T21 - v3 * T11;
+    const wide v39 = s1_p * T12 + v2 * T22, v40 = s1_m * T12 + v3 * T22;
+    const wide v41 = s1_p * T22 - v2 * T12, v42 = s1_m * T22 - v3 * T12;
+    const wide v43 = s1_p * T11 + v2 * T21, v44 = s1_m * T11 + v3 * T21;
+    const wide v45 = s1_p * T21 - v2 * T11, v46 = s1_m * T21 - v3 * T11;
     const wide angle15 = atan2_wide(-(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)), -(-X4_pp
         * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32)));
     const wide angle16 = atan2_wide(-(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)), -(-X4_pm
@@ -654,61 +614,27 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((-k3 <= D1) & (free1 | ((k4
         < D1) == 0))) | (free1 | ((v36 <= m7) | ((v35 <= m7) | ((v33 <= m7) | (v34 <= m7)))))))));
 
-    q[0] = q1_ppp;
-    q[1] = angle3;
-    q[2] = q3_ppp;
-    q[3] = angle7;
-    q[4] = angle11;
-    q[5] = angle15;
+    q[0] = q1_ppp; q[1] = angle3; q[2] = q3_ppp; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = angle3;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = -angle11;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle3; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle11; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
-    q[13] = angle4;
-    q[14] = -(v8 + only_wide(half_turn < -v8, m9));
-    q[15] = angle8;
-    q[16] = angle12;
-    q[17] = angle16;
+    q[12] = q1_ppp; q[13] = angle4; q[14] = -(v8 + only_wide(half_turn < -v8, m9)); q[15] = angle8;
+    q[16] = angle12; q[17] = angle16;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
-    q[19] = angle4;
-    q[20] = -(v8 + only_wide(half_turn < -v8, m9));
-    q[21] = q4_pmm;
-    q[22] = -angle12;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = angle4; q[20] = -(v8 + only_wide(half_turn < -v8, m9)); q[21] = q4_pmm;
+    q[22] = -angle12; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = angle5;
-    q[26] = q3_mpp;
-    q[27] = angle9;
-    q[28] = angle13;
+    q[24] = q1_mpp; q[25] = angle5; q[26] = q3_mpp; q[27] = angle9; q[28] = angle13;
     q[29] = angle17;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = angle5;
-    q[32] = q3_mpp;
-    q[33] = q4_mpm;
-    q[34] = -angle13;
+    q[30] = q1_mpp; q[31] = angle5; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = -angle13;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = angle6;
-    q[38] = -(v9 + only_wide(half_turn < -v9, m9));
-    q[39] = angle10;
-    q[40] = angle14;
-    q[41] = angle18;
+    q[36] = q1_mpp; q[37] = angle6; q[38] = -(v9 + only_wide(half_turn < -v9, m9)); q[39] = angle10;
+    q[40] = angle14; q[41] = angle18;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = angle6;
-    q[44] = -(v9 + only_wide(half_turn < -v9, m9));
-    q[45] = q4_mmm;
-    q[46] = -angle14;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = angle6; q[44] = -(v9 + only_wide(half_turn < -v9, m9)); q[45] = q4_mmm;
+    q[46] = -angle14; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -729,8 +655,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double wx = T14 - d6 * T13;
     const double Y1 = d6 * T23 - T24;
     const double N1 = wx * wx + Y1 * Y1;
-    const double D1 = N1 - k2;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = inverse1 * (k1 * Y1);
@@ -746,34 +672,27 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const four v6 = Z1_3 * (m2 + m1 * N3);
-    const four v7 = e2 * Z1_3;
+    const four v6 = Z1_3 * (m2 + m1 * N3), v7 = e2 * Z1_3;
     const four factor2 = 1.0 / N3;
     const four v8 = v4 * (m1 + m2 * factor2);
 
     /* theta4 */
     const double v9 = m3 * Z1_3;
-    const four v10 = v9 + m4 * v4;
-    const four v11 = m4 - m5 * factor2;
-    const four v12 = m6 * factor2 - m3;
+    const four v10 = v9 + m4 * v4, v11 = m4 - m5 * factor2, v12 = m6 * factor2 - m3;
     const four v13 = Z1_3 * v11 + v4 * v12;
     const four c23 = v13 + w3 * (factor2 * (e2 * v10));
     const double v14 = m4 * Z1_3;
-    const four v15 = v14 - m3 * v4;
-    const four v16 = Z1_3 * v12 + v4 * -v11;
+    const four v15 = v14 - m3 * v4, v16 = Z1_3 * v12 + v4 * -v11;
     const four s23 = v16 + w3 * (factor2 * (e2 * v15));
     const four v17 = T23 * s1 - T13 * v2;
     const four X4 = c23 * v17 - T33 * s23;
     const four Y4 = T13 * s1 + T23 * v2;
-    const four v18 = Y4 * Y4;
-    const four v19 = v18 + X4 * X4;
+    const four v18 = Y4 * Y4, v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m7;
     const four v20 = copysign_four(all_four(half_turn), Y4) * h1;
 
     /* theta6 */
-    const four v21 = s1 * T12 + v2 * T22;
-    const four v22 = s1 * T22 - v2 * T12;
-    const four v23 = s1 * T11 + v2 * T21;
+    const four v21 = s1 * T12 + v2 * T22, v22 = s1 * T22 - v2 * T12, v23 = s1 * T11 + v2 * T21;
     const four v24 = s1 * T21 - v2 * T11;
 
     /* joint values */
@@ -782,8 +701,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle2 = atan2_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7
-        * factor2))));
-    const four angle3 = atan2_four(Y4, -X4);
+        * factor2)))), angle3 = atan2_four(Y4, -X4);
     const four angle4 = atan2_four(-sqrt_four(v19), T33 * c23 + s23 * v17);
     const four angle5 = atan2_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4 *
         (c23 * v22 - s23 * T32)));
@@ -876,12 +794,12 @@ static void solve(
     const double wx = T14 - T13 * d6;
     const double Y1 = d6 * T23 - T24;
     const double N1 = wx * wx + Y1 * Y1;
-    const double D1 = N1 - k2;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k2;
     const int apart1 = k4 < D1;
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k1 * sqrt(N1)));
     const double v1 = wx * k1;
     const double v2 = Y1 * k1;
 

@@ -79,8 +79,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -105,8 +104,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -459,23 +457,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
-    const wide D1 = N1 - k2;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v2 = k1 * T14;
-    const wide v3 = k1 * T24;
-    const wide v4 = inverse1 * v3;
-    const wide v5 = w1 * (T14 * inverse1);
-    const wide c1_p = v4 - v5;
-    const wide c1_m = v4 + v5;
-    const wide v6 = inverse1 * v2;
-    const wide v7 = w1 * (T24 * inverse1);
-    const wide v8 = v6 + v7;
-    const wide v9 = v6 - v7;
-    const wide angle1 = atan2_wide(-v8, c1_p);
-    const wide angle2 = atan2_wide(-v9, c1_m);
+    const wide v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3, v5 = w1 * (T14 * inverse1);
+    const wide c1_p = v4 - v5, c1_m = v4 + v5;
+    const wide v6 = inverse1 * v2, v7 = w1 * (T24 * inverse1), v8 = v6 + v7, v9 = v6 - v7;
+    const wide angle1 = atan2_wide(-v8, c1_p), angle2 = atan2_wide(-v9, c1_m);
 
     /* theta2, r3 */
     const wide Y2_2 = T34 - d1;
@@ -486,18 +476,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q2_pmp = angle3 - copysign_wide(all_wide(half_turn), -w1) * h1;
 
     /* theta4 */
-    const wide c4_p = v8 * T13 + c1_p * T23;
-    const wide c4_m = v9 * T13 + c1_m * T23;
+    const wide c4_p = v8 * T13 + c1_p * T23, c4_m = v9 * T13 + c1_m * T23;
     const wide v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33;
     const wide v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13));
-    const wide Y4_p = v12 + w1 * v11;
-    const wide Y4_m = v12 + w1 * -v11;
-    const wide v13 = factor2 * Y4_p;
-    const wide v14 = factor2 * Y4_m;
+    const wide Y4_p = v12 + w1 * v11, Y4_m = v12 + w1 * -v11;
+    const wide v13 = factor2 * Y4_p, v14 = factor2 * Y4_m;
     const wide v15 = c4_p * c4_p + factor2 * (Y4_p * v13);
     const wide v16 = c4_m * c4_m + factor2 * (Y4_m * v14);
-    const wide angle4 = atan2_wide(v13, c4_p);
-    const wide angle5 = atan2_wide(v14, c4_m);
+    const wide angle4 = atan2_wide(v13, c4_p), angle5 = atan2_wide(v14, c4_m);
     const wide q4_ppm = angle4 - h1 * copysign_wide(all_wide(half_turn), v13);
     const wide q4_mpm = angle5 - h1 * copysign_wide(all_wide(half_turn), v14);
 
@@ -522,11 +508,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide_mask v22 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v23 = (angle2 < low1) | (high1 < angle2);
-    const wide_mask v24 = (w3 < low3) | (high3 < w3);
+    const wide_mask v23 = (angle2 < low1) | (high1 < angle2), v24 = (w3 < low3) | (high3 < w3);
     const wide_mask v25 = (-w3 < low3) | (high3 < -w3);
-    const wide q3_ppp = v1 + w3;
-    const wide q3_pmp = v1 - w3;
+    const wide q3_ppp = v1 + w3, q3_pmp = v1 - w3;
     const wide_mask v26 = v24 | (v22 | ((angle3 < low2) | (high2 < angle3)));
     const wide_mask v27 = v25 | (v22 | ((q2_pmp < low2) | (high2 < q2_pmp)));
     const wide_mask v28 = v24 | (v23 | ((-angle3 < low2) | (high2 < -angle3)));
@@ -554,60 +538,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v10 <= m1) |
         ((v15 <= m3) | (v16 <= m3))));
 
-    q[0] = angle1;
-    q[1] = angle3;
-    q[2] = q3_ppp;
-    q[3] = angle4;
-    q[4] = angle6;
-    q[5] = angle8;
+    q[0] = angle1; q[1] = angle3; q[2] = q3_ppp; q[3] = angle4; q[4] = angle6; q[5] = angle8;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = angle1;
-    q[7] = angle3;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = -angle6;
-    q[11] = q6_ppm;
+    q[6] = angle1; q[7] = angle3; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle6; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = angle1;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = -angle4;
-    q[16] = q5_pmp;
-    q[17] = q6_ppm;
+    q[12] = angle1; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = -angle4; q[16] = q5_pmp; q[17] = q6_ppm;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = angle1;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
-    q[21] = -q4_ppm;
-    q[22] = -q5_pmp;
+    q[18] = angle1; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = -q4_ppm; q[22] = -q5_pmp;
     q[23] = angle8;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = angle2;
-    q[25] = -angle3;
-    q[26] = q3_ppp;
-    q[27] = angle5;
-    q[28] = angle7;
-    q[29] = angle9;
+    q[24] = angle2; q[25] = -angle3; q[26] = q3_ppp; q[27] = angle5; q[28] = angle7; q[29] = angle9;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = angle2;
-    q[31] = -angle3;
-    q[32] = q3_ppp;
-    q[33] = q4_mpm;
-    q[34] = -angle7;
+    q[30] = angle2; q[31] = -angle3; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle7;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = angle2;
-    q[37] = -q2_pmp;
-    q[38] = q3_pmp;
-    q[39] = -angle5;
-    q[40] = q5_mmp;
+    q[36] = angle2; q[37] = -q2_pmp; q[38] = q3_pmp; q[39] = -angle5; q[40] = q5_mmp;
     q[41] = q6_mpm;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = angle2;
-    q[43] = -q2_pmp;
-    q[44] = q3_pmp;
-    q[45] = -q4_mpm;
-    q[46] = -q5_mmp;
+    q[42] = angle2; q[43] = -q2_pmp; q[44] = q3_pmp; q[45] = -q4_mpm; q[46] = -q5_mmp;
     q[47] = angle9;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -628,14 +576,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k2;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v2 = k1 * T14;
-    const double v3 = k1 * T24;
-    const double v4 = inverse1 * v3;
+    const double v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3;
     const four c1 = v4 - w1 * (inverse1 * (e1 * T14));
     const double v5 = inverse1 * v2;
     const four v6 = v5 + w1 * (inverse1 * (e1 * T24));
@@ -646,22 +592,19 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double w3 = sqrt(v7);
     const double factor2 = w3 * (1.0 / v7);
     const double v8 = copysign(half_turn, -w1);
-    const four v9 = e2 - 1.0;
-    const four v10 = m2 * v9;
+    const four v9 = e2 - 1.0, v10 = m2 * v9;
 
     /* theta4 */
     const four c4 = v6 * T13 + c1 * T23;
     const double v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33;
     const double v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13));
     const four Y4 = v12 + w1 * (e1 * v11);
-    const four v13 = factor2 * Y4;
-    const four v14 = c4 * c4 + factor2 * (Y4 * v13);
+    const four v13 = factor2 * Y4, v14 = c4 * c4 + factor2 * (Y4 * v13);
     const four_mask doubt2 = v14 <= m3;
 
     /* theta5 */
     const double v15 = Y2_2 * T33;
-    const four v16 = copysign_four(all_four(half_turn), -sqrt_four(v14));
-    const four v17 = m2 * -v9;
+    const four v16 = copysign_four(all_four(half_turn), -sqrt_four(v14)), v17 = m2 * -v9;
 
     /* theta6 */
     const double v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22));
@@ -669,8 +612,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21));
     const double v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21));
     const four s6 = c4 * (v21 + w1 * (e1 * v20)) + Y4 * (c1 * T21 + v6 * T11);
-    const four v22 = copysign_four(all_four(half_turn), s6);
-    const four v23 = m2 * (e2 + 1.0);
+    const four v22 = copysign_four(all_four(half_turn), s6), v23 = m2 * (e2 + 1.0);
 
     /* joint values */
     const four v24 = e2 * w3;
@@ -692,11 +634,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q2_ = angle2 + v8 * v10;
     const four q4__m = angle3 - copysign_four(all_four(half_turn), v13) * h1;
     const four q5_p = e2 * angle4 + v16 * v17;
-    const four q6_p = angle5 + v10 * v22;
-    const four q6_m = angle5 - v22 * v23;
+    const four q6_p = angle5 + v10 * v22, q6_m = angle5 - v22 * v23;
     const four q2_p = e1 * q2_;
-    const four q4_p = e2 * angle3;
-    const four q4_m = e2 * q4__m;
+    const four q4_p = e2 * angle3, q4_m = e2 * q4__m;
     const four_mask v25 = (angle1 < low1) | (high1 < angle1);
     const four_mask v27 = v26 | (v25 | ((q2_p < low2) | (high2 < q2_p)));
     const four_mask outside_p = ((q6_p < low6) | (high6 < q6_p)) | (((q5_p < low5) | (high5 < q5_p))
@@ -783,12 +723,12 @@ static void solve(
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k2;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k2;
     const int apart1 = k4 < D1;
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k1 * sqrt(N1)));
     const double v1 = T14 * k1;
     const double v2 = T24 * k1;
 

@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -470,10 +468,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide N3 = v1 + T34 * T34;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v3 = w3 - w3;
-    const wide v4 = k1 * (N3 - k1);
-    const wide v5 = k2 * v4;
-    const wide v6 = k1 * w3;
+    const wide v3 = w3 - w3, v4 = k1 * (N3 - k1), v5 = k2 * v4, v6 = k1 * w3;
     const wide c3 = k2 * v6;
     const wide angle2 = atan2_wide(-v4, v6);
     const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle2;
@@ -481,36 +476,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta2 */
     const wide X1_2 = a2 + d4 * v5;
     const wide Y1_2 = d4 * c3;
-    const wide v7 = T34 * X1_2;
-    const wide v8 = w1 * Y1_2;
-    const wide v9 = v7 + v8;
-    const wide v10 = v7 - v8;
-    const wide v11 = m3 * (T34 * N3);
+    const wide v7 = T34 * X1_2, v8 = w1 * Y1_2, v9 = v7 + v8, v10 = v7 - v8, v11 = m3 * (T34 * N3);
     const wide v12 = w3 * (m3 * w1);
-    const wide S2_pp = v11 + v12;
-    const wide S2_pm = v11 - v12;
-    const wide v13 = w1 * X1_2;
-    const wide v14 = T34 * Y1_2;
-    const wide v15 = v14 - v13;
-    const wide v16 = v13 + v14;
-    const wide v17 = w3 * (m3 * T34);
-    const wide v18 = m3 * (w1 * N3);
-    const wide C2_pp = v17 - v18;
-    const wide C2_mp = v17 + v18;
-    const wide v19 = S2_pp * S2_pp;
-    const wide v20 = v19 + C2_pp * C2_pp;
-    const wide v21 = S2_pm * S2_pm + C2_mp * C2_mp;
+    const wide S2_pp = v11 + v12, S2_pm = v11 - v12;
+    const wide v13 = w1 * X1_2, v14 = T34 * Y1_2, v15 = v14 - v13, v16 = v13 + v14;
+    const wide v17 = w3 * (m3 * T34), v18 = m3 * (w1 * N3);
+    const wide C2_pp = v17 - v18, C2_mp = v17 + v18;
+    const wide v19 = S2_pp * S2_pp, v20 = v19 + C2_pp * C2_pp, v21 = S2_pm * S2_pm + C2_mp * C2_mp;
     const wide v22 = v19 + -C2_pp * -C2_pp;
-    const wide w2_pp = sqrt_wide(v20);
-    const wide w2_pm = sqrt_wide(v21);
-    const wide w2_mm = sqrt_wide(v22);
-    const wide v23 = 1.0 / v20;
-    const wide v24 = 1.0 / v21;
-    const wide v25 = 1.0 / v22;
-    const wide angle3 = atan2_wide(S2_pp, C2_pp);
-    const wide angle4 = atan2_wide(S2_pm, -C2_mp);
-    const wide angle5 = atan2_wide(S2_pm, C2_mp);
-    const wide angle6 = atan2_wide(S2_pp, -C2_pp);
+    const wide w2_pp = sqrt_wide(v20), w2_pm = sqrt_wide(v21), w2_mm = sqrt_wide(v22);
+    const wide v23 = 1.0 / v20, v24 = 1.0 / v21, v25 = 1.0 / v22;
+    const wide angle3 = atan2_wide(S2_pp, C2_pp), angle4 = atan2_wide(S2_pm, -C2_mp);
+    const wide angle5 = atan2_wide(S2_pm, C2_mp), angle6 = atan2_wide(S2_pp, -C2_pp);
 
     /* theta4 */
     const wide v26 = v5 * v9;
@@ -520,46 +497,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v27 = c3 * v9;
     const wide s23_pp = w2_pp * (v23 * (v27 - v5 * v15));
     const wide v28 = v5 * v16 - c3 * v10;
-    const wide s23_pm = w2_pm * (v24 * v28);
-    const wide s23_mp = w2_pm * (v24 * -v28);
-    const wide v29 = w2_mm * (v25 * (v27 + v5 * -v15));
-    const wide v30 = w1 * (v2 * (T14 * T13 + T24 * T23));
+    const wide s23_pm = w2_pm * (v24 * v28), s23_mp = w2_pm * (v24 * -v28);
+    const wide v29 = w2_mm * (v25 * (v27 + v5 * -v15)), v30 = w1 * (v2 * (T14 * T13 + T24 * T23));
     const wide X4_pp = s23_pp * T33 - c23_pp * v30;
     const wide v31 = c23_pm * v30;
-    const wide X4_pm = s23_pm * T33 - v31;
-    const wide X4_mp = v31 + s23_mp * T33;
+    const wide X4_pm = s23_pm * T33 - v31, X4_mp = v31 + s23_mp * T33;
     const wide X4_mm = c23_mm * v30 - v29 * T33;
     const wide Y4 = w1 * (v2 * (T14 * T23 - T24 * T13));
-    const wide v32 = Y4 * Y4;
-    const wide v33 = v32 + X4_pp * X4_pp;
-    const wide v34 = v32 + X4_pm * X4_pm;
-    const wide v35 = v32 + X4_mp * X4_mp;
-    const wide v36 = v32 + X4_mm * X4_mm;
-    const wide w4_pp = sqrt_wide(v33);
-    const wide w4_pm = sqrt_wide(v34);
-    const wide w4_mp = sqrt_wide(v35);
+    const wide v32 = Y4 * Y4, v33 = v32 + X4_pp * X4_pp, v34 = v32 + X4_pm * X4_pm;
+    const wide v35 = v32 + X4_mp * X4_mp, v36 = v32 + X4_mm * X4_mm;
+    const wide w4_pp = sqrt_wide(v33), w4_pm = sqrt_wide(v34), w4_mp = sqrt_wide(v35);
     const wide w4_mm = sqrt_wide(v36);
-    const wide factor4_pp = w4_pp * (1.0 / v33);
-    const wide factor4_pm = w4_pm * (1.0 / v34);
-    const wide factor4_mp = w4_mp * (1.0 / v35);
-    const wide factor4_mm = w4_mm * (1.0 / v36);
-    const wide v37 = X4_pp * factor4_pp;
-    const wide v38 = X4_pm * factor4_pm;
-    const wide v39 = X4_mp * factor4_mp;
+    const wide factor4_pp = w4_pp * (1.0 / v33), factor4_pm = w4_pm * (1.0 / v34);
+    const wide factor4_mp = w4_mp * (1.0 / v35), factor4_mm = w4_mm * (1.0 / v36);
+    const wide v37 = X4_pp * factor4_pp, v38 = X4_pm * factor4_pm, v39 = X4_mp * factor4_mp;
     const wide v40 = X4_mm * factor4_mm;
-    const wide s4_pp = Y4 * factor4_pp;
-    const wide s4_pm = Y4 * factor4_pm;
-    const wide s4_mp = Y4 * factor4_mp;
+    const wide s4_pp = Y4 * factor4_pp, s4_pm = Y4 * factor4_pm, s4_mp = Y4 * factor4_mp;
     const wide s4_mm = Y4 * factor4_mm;
-    const wide angle7 = atan2_wide(Y4, -X4_pp);
-    const wide angle8 = atan2_wide(Y4, -X4_pm);
-    const wide angle9 = atan2_wide(-Y4, -X4_mp);
-    const wide angle10 = atan2_wide(-Y4, -X4_mm);
+    const wide angle7 = atan2_wide(Y4, -X4_pp), angle8 = atan2_wide(Y4, -X4_pm);
+    const wide angle9 = atan2_wide(-Y4, -X4_mp), angle10 = atan2_wide(-Y4, -X4_mm);
     const wide v41 = h1 * copysign_wide(all_wide(half_turn), Y4);
     const wide v42 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle7 - v41;
-    const wide q4_pmm = angle8 - v41;
-    const wide q4_mpm = angle9 - v42;
+    const wide q4_ppm = angle7 - v41, q4_pmm = angle8 - v41, q4_mpm = angle9 - v42;
     const wide q4_mmm = angle10 - v42;
 
     /* theta5 */
@@ -570,12 +529,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle14 = atan2_wide(w4_mm, c23_mm * T33 + v29 * v30);
 
     /* theta6 */
-    const wide v44 = w1 * (v2 * (T14 * T22 - T24 * T12));
-    const wide v45 = w1 * (v2 * (T14 * T12 + T24 * T22));
-    const wide v46 = w1 * (v2 * (T14 * T21 - T24 * T11));
-    const wide v47 = w1 * (v2 * (T14 * T11 + T24 * T21));
-    const wide v48 = v37 * v46 - s4_pp * (s23_pp * T31 - c23_pp * v47);
-    const wide v49 = c23_pm * v47;
+    const wide v44 = w1 * (v2 * (T14 * T22 - T24 * T12)), v45 = w1 * (v2 * (T14 * T12 + T24 * T22));
+    const wide v46 = w1 * (v2 * (T14 * T21 - T24 * T11)), v47 = w1 * (v2 * (T14 * T11 + T24 * T21));
+    const wide v48 = v37 * v46 - s4_pp * (s23_pp * T31 - c23_pp * v47), v49 = c23_pm * v47;
     const wide v50 = v38 * v46 - s4_pm * (s23_pm * T31 - v49);
     const wide v51 = s4_mp * (v49 + s23_mp * T31) - v39 * v46;
     const wide v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46;
@@ -596,60 +552,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         | ((v33 <= m5) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v20 <= m4)))))));
 
-    q[0] = q1_ppp;
-    q[1] = angle3;
-    q[2] = angle2;
-    q[3] = angle7;
-    q[4] = angle11;
-    q[5] = angle15;
+    q[0] = q1_ppp; q[1] = angle3; q[2] = angle2; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = angle3;
-    q[8] = angle2;
-    q[9] = q4_ppm;
-    q[10] = -angle11;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle3; q[8] = angle2; q[9] = q4_ppm; q[10] = -angle11; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
-    q[13] = angle4;
-    q[14] = q3_pmp;
-    q[15] = angle8;
-    q[16] = angle12;
+    q[12] = q1_ppp; q[13] = angle4; q[14] = q3_pmp; q[15] = angle8; q[16] = angle12;
     q[17] = angle16;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
-    q[19] = angle4;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = -angle12;
+    q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle12;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = angle5;
-    q[26] = angle2;
-    q[27] = angle9;
-    q[28] = angle13;
+    q[24] = q1_mpp; q[25] = angle5; q[26] = angle2; q[27] = angle9; q[28] = angle13;
     q[29] = angle17;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = angle5;
-    q[32] = angle2;
-    q[33] = q4_mpm;
-    q[34] = -angle13;
+    q[30] = q1_mpp; q[31] = angle5; q[32] = angle2; q[33] = q4_mpm; q[34] = -angle13;
     q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = angle6;
-    q[38] = q3_pmp;
-    q[39] = angle10;
-    q[40] = angle14;
+    q[36] = q1_mpp; q[37] = angle6; q[38] = q3_pmp; q[39] = angle10; q[40] = angle14;
     q[41] = angle18;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = angle6;
-    q[44] = q3_pmp;
-    q[45] = q4_mmm;
-    q[46] = -angle14;
+    q[42] = q1_mpp; q[43] = angle6; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle14;
     q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -671,34 +593,24 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta1 */
     const double v1 = T14 * T14 + T24 * T24;
     const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1;
-    const double v3 = copysign(half_turn, -T24);
+    const double v2 = 1.0 / v1, v3 = copysign(half_turn, -T24);
 
     /* theta3 */
     const double N3 = v1 + T34 * T34;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = w3 - w3;
-    const double v5 = k1 * (N3 - k1);
-    const double v6 = k2 * v5;
-    const double v7 = k1 * w3;
+    const double v4 = w3 - w3, v5 = k1 * (N3 - k1), v6 = k2 * v5, v7 = k1 * w3;
     const double c3 = k2 * v7;
     const double v8 = copysign(half_turn, -v5);
 
     /* theta2 */
     const double X1_2 = a2 + d4 * v6;
     const double Y1_2 = d4 * c3;
-    const double v9 = T34 * X1_2;
-    const double v10 = w1 * Y1_2;
-    const four v11 = e1 * e2;
-    const four v12 = v9 + v10 * v11;
+    const double v9 = T34 * X1_2, v10 = w1 * Y1_2;
+    const four v11 = e1 * e2, v12 = v9 + v10 * v11;
     const double v13 = m3 * (T34 * N3);
     const four S2 = v13 + w3 * (m3 * (w1 * v11));
-    const double v14 = w1 * X1_2;
-    const double v15 = T34 * Y1_2;
-    const four v16 = e2 * v15;
-    const four v17 = e1 * v14;
-    const four v18 = v16 - v17;
-    const four v19 = w3 * (m3 * (e2 * T34));
+    const double v14 = w1 * X1_2, v15 = T34 * Y1_2;
+    const four v16 = e2 * v15, v17 = e1 * v14, v18 = v16 - v17, v19 = w3 * (m3 * (e2 * T34));
     const four v20 = m3 * (w1 * (e1 * N3));
     const four C2 = v19 - v20;
     const four v21 = S2 * S2 + C2 * C2;
@@ -718,8 +630,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four factor4 = w4 * (1.0 / v26);
     const four v27 = X4 * factor4;
     const four s4 = Y4 * factor4;
-    const four v28 = e1 * Y4;
-    const four v29 = copysign_four(all_four(half_turn), v28) * h1;
+    const four v28 = e1 * Y4, v29 = copysign_four(all_four(half_turn), v28) * h1;
 
     /* theta6 */
     const double v30 = w1 * (v2 * (T14 * T22 - T24 * T12));
@@ -733,8 +644,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
     const four_mask doubt2 = (v21 <= m4) | (v26 <= m5);
 
-    const four angle3 = atan2_four(S2, C2);
-    const four angle4 = atan2_four(v28, -X4);
+    const four angle3 = atan2_four(S2, C2), angle4 = atan2_four(v28, -X4);
     const four angle5 = atan2_four(w4, c23 * T33 + e1 * (s23 * v24));
     const four angle6 = atan2_four(v34, e1 * (v27 * v30 - s4 * (s23 * T32 - e1 * (c23 * v31))));
     const four packed5 = atan2_four((four){ -T24, -v5, -T24, -T24 }, (four){ -T14, v7, -T14, -T14

@@ -16,7 +16,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -47,7 +47,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -575,8 +576,8 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = (
         v36 <= m5 or (v22 <= m4 or (v35 <= m5 or (v34 <= m5 or (v21 <= m4 or (v33 <= m5 or (v1 <= m1
-        or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart) or v20 <= m4))))))
+        or (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart)) or v20 <= m4))))))
     )
 
     # angles, side by side
@@ -725,6 +726,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -770,7 +776,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
@@ -1019,8 +1026,8 @@ def _in_tiles(T, q, status):
             v53 = c23_pm * v45
             doubt1 = (
                 v36 <= m5 or (v22 <= m4 or (v35 <= m5 or (v34 <= m5 or (v21 <= m4 or (v33 <= m5 or
-                (v1 <= m1 or shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart
-                < N3 and N3 < longest3_apart) or v20 <= m4))))))
+                (v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+                (shortest3_apart < N3 and N3 < longest3_apart)) or v20 <= m4))))))
             )
             work[544 + k] = v3
             work[576 + k] = v4
@@ -1207,6 +1214,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((8, 6)), np.empty(8, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(6))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

@@ -87,8 +87,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -113,8 +112,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -527,93 +525,56 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide t14 = T14 - d6 * T11;
     const wide Y1 = d6 * T21 - T24;
     const wide N1 = t14 * t14 + Y1 * Y1;
-    const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = inverse1 * (d2 * Y1);
-    const wide v2 = v1 + w1 * (t14 * inverse1);
-    const wide v3 = v1 + w1 * (inverse1 * -t14);
-    const wide v4 = inverse1 * (d2 * t14);
-    const wide s1_p = w1 * (Y1 * inverse1) - v4;
-    const wide s1_m = w1 * (inverse1 * -Y1) - v4;
+    const wide v1 = inverse1 * (d2 * Y1), v2 = v1 + w1 * (t14 * inverse1);
+    const wide v3 = v1 + w1 * (inverse1 * -t14), v4 = inverse1 * (d2 * t14);
+    const wide s1_p = w1 * (Y1 * inverse1) - v4, s1_m = w1 * (inverse1 * -Y1) - v4;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1;
-    const wide v5 = a1 + w1;
-    const wide v6 = a1 - w1;
-    const wide v7 = Z1_3 * Z1_3;
-    const wide N3_p = v7 + v5 * v5;
-    const wide N3_m = v7 + v6 * v6;
+    const wide v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3;
+    const wide N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v8 = m2 * v7 + (m2 * N1 - 1.0);
-    const wide v9 = m1 * w1;
-    const wide s3_p = v8 + v9;
-    const wide s3_m = v8 - v9;
-    const wide v10 = k5 * (k4 * w3_p);
-    const wide v11 = k5 * (k4 * w3_m);
+    const wide v8 = m2 * v7 + (m2 * N1 - 1.0), v9 = m1 * w1;
+    const wide s3_p = v8 + v9, s3_m = v8 - v9;
+    const wide v10 = k5 * (k4 * w3_p), v11 = k5 * (k4 * w3_m);
 
     /* theta2 */
-    const wide Y1_2_p = a2 + d4 * s3_p;
-    const wide Y1_2_m = a2 + d4 * s3_m;
-    const wide v12 = Z1_3 * Y1_2_p;
-    const wide v13 = Z1_3 * Y1_2_m;
-    const wide v14 = w3_p * (m3 * v5);
+    const wide Y1_2_p = a2 + d4 * s3_p, Y1_2_m = a2 + d4 * s3_m;
+    const wide v12 = Z1_3 * Y1_2_p, v13 = Z1_3 * Y1_2_m, v14 = w3_p * (m3 * v5);
     const wide S2_pp = v14 - v12;
     const wide v15 = v12 + v14;
-    const wide S2_mp = w3_m * (m3 * v6) - v13;
-    const wide S2_mm = w3_m * (m3 * -v6) - v13;
-    const wide v16 = v5 * Y1_2_p;
-    const wide v17 = v6 * Y1_2_m;
-    const wide v18 = m3 * Z1_3;
-    const wide v19 = m3 * -Z1_3;
-    const wide v20 = v16 + w3_p * v18;
-    const wide v21 = v16 + w3_p * v19;
-    const wide v22 = v17 + w3_m * v18;
-    const wide v23 = v17 + w3_m * v19;
-    const wide v24 = S2_pp * S2_pp + v20 * v20;
-    const wide v25 = v15 * v15 + v21 * v21;
-    const wide v26 = S2_mp * S2_mp + v22 * v22;
-    const wide v27 = S2_mm * S2_mm + v23 * v23;
-    const wide factor2_pp = sqrt_wide(v24) * (1.0 / v24);
-    const wide factor2_pm = sqrt_wide(v25) * (1.0 / v25);
-    const wide factor2_mp = sqrt_wide(v26) * (1.0 / v26);
-    const wide factor2_mm = sqrt_wide(v27) * (1.0 / v27);
+    const wide S2_mp = w3_m * (m3 * v6) - v13, S2_mm = w3_m * (m3 * -v6) - v13;
+    const wide v16 = v5 * Y1_2_p, v17 = v6 * Y1_2_m, v18 = m3 * Z1_3, v19 = m3 * -Z1_3;
+    const wide v20 = v16 + w3_p * v18, v21 = v16 + w3_p * v19, v22 = v17 + w3_m * v18;
+    const wide v23 = v17 + w3_m * v19, v24 = S2_pp * S2_pp + v20 * v20, v25 = v15 * v15 + v21 * v21;
+    const wide v26 = S2_mp * S2_mp + v22 * v22, v27 = S2_mm * S2_mm + v23 * v23;
+    const wide factor2_pp = sqrt_wide(v24) * (1.0 / v24), factor2_pm = sqrt_wide(v25) * (1.0 / v25);
+    const wide factor2_mp = sqrt_wide(v26) * (1.0 / v26), factor2_mm = sqrt_wide(v27) * (1.0 / v27);
 
     /* theta4 */
-    const wide v28 = s3_p * S2_pp - v10 * v20;
-    const wide v29 = v10 * v21 - s3_p * v15;
-    const wide v30 = s3_m * S2_mp - v11 * v22;
-    const wide v31 = s3_m * S2_mm + v11 * v23;
-    const wide v32 = s3_p * v20 + v10 * S2_pp;
-    const wide v33 = s3_p * v21 + v10 * v15;
-    const wide v34 = s3_m * v22 + v11 * S2_mp;
-    const wide v35 = s3_m * v23 - v11 * S2_mm;
-    const wide v36 = T21 * s1_p - T11 * v2;
-    const wide v37 = T21 * s1_m - T11 * v3;
-    const wide X4_pp = v28 * v36 - T31 * v32;
-    const wide X4_pm = v29 * v36 - T31 * v33;
-    const wide X4_mp = v30 * v37 - T31 * v34;
-    const wide X4_mm = v31 * v37 - T31 * v35;
-    const wide v38 = T21 * v2 + T11 * s1_p;
-    const wide v39 = T21 * v3 + T11 * s1_m;
-    const wide v40 = v38 * v38;
-    const wide v41 = v39 * v39;
-    const wide v42 = v40 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
+    const wide v28 = s3_p * S2_pp - v10 * v20, v29 = v10 * v21 - s3_p * v15;
+    const wide v30 = s3_m * S2_mp - v11 * v22, v31 = s3_m * S2_mm + v11 * v23;
+    const wide v32 = s3_p * v20 + v10 * S2_pp, v33 = s3_p * v21 + v10 * v15;
+    const wide v34 = s3_m * v22 + v11 * S2_mp, v35 = s3_m * v23 - v11 * S2_mm;
+    const wide v36 = T21 * s1_p - T11 * v2, v37 = T21 * s1_m - T11 * v3;
+    const wide X4_pp = v28 * v36 - T31 * v32, X4_pm = v29 * v36 - T31 * v33;
+    const wide X4_mp = v30 * v37 - T31 * v34, X4_mm = v31 * v37 - T31 * v35;
+    const wide v38 = T21 * v2 + T11 * s1_p, v39 = T21 * v3 + T11 * s1_m, v40 = v38 * v38;
+    const wide v41 = v39 * v39, v42 = v40 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
     const wide v43 = v40 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
     const wide v44 = v41 + factor2_mp * (X4_mp * (factor2_mp * X4_mp));
     const wide v45 = v41 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
 
     /* theta6 */
-    const wide v46 = s1_p * T12 + v2 * T22;
-    const wide v47 = s1_m * T12 + v3 * T22;
-    const wide v48 = s1_p * T22 - v2 * T12;
-    const wide v49 = s1_m * T22 - v3 * T12;
-    const wide v50 = v2 * T23 + s1_p * T13;
-    const wide v51 = v3 * T23 + s1_m * T13;
-    const wide v52 = s1_p * T23 - v2 * T13;
-    const wide v53 = s1_m * T23 - v3 * T13;
+    const wide v46 = s1_p * T12 + v2 * T22, v47 = s1_m * T12 + v3 * T22;
+    const wide v48 = s1_p * T22 - v2 * T12, v49 = s1_m * T22 - v3 * T12;
+    const wide v50 = v2 * T23 + s1_p * T13, v51 = v3 * T23 + s1_m * T13;
+    const wide v52 = s1_p * T23 - v2 * T13, v53 = s1_m * T23 - v3 * T13;
     const wide angle1 = atan2_wide(-(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)), v46 * -X4_pp +
         v38 * (v28 * v48 - v32 * T32));
     const wide angle2 = atan2_wide(-(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)), v46 * -X4_pm +
@@ -644,8 +605,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q2_pmp = v55 - only_wide(half_turn < v55, m7);
     const wide q2_mpp = v56 - only_wide(half_turn < v56, m7);
     const wide q2_mmp = v57 - only_wide(half_turn < v57, m7);
-    const wide angle9 = atan2_wide(s3_p, -v10);
-    const wide angle10 = atan2_wide(s3_m, -v11);
+    const wide angle9 = atan2_wide(s3_p, -v10), angle10 = atan2_wide(s3_m, -v11);
     const wide v58 = angle9 - offset3;
     const wide v59 = h1 * copysign_wide(all_wide(half_turn), s3_p) - angle9 - offset3;
     const wide v60 = angle10 - offset3;
@@ -659,14 +619,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle13 = atan2_wide(-v39, factor2_mp * -X4_mp);
     const wide angle14 = atan2_wide(-v39, factor2_mm * -X4_mm);
     const wide v62 = h1 * copysign_wide(all_wide(half_turn), -v38);
-    const wide v63 = h1 * copysign_wide(all_wide(half_turn), -v39);
-    const wide v64 = angle11 - offset4;
-    const wide v65 = angle11 - v62 - offset4;
-    const wide v66 = angle12 - offset4;
-    const wide v67 = angle12 - v62 - offset4;
-    const wide v68 = angle13 - offset4;
-    const wide v69 = angle13 - v63 - offset4;
-    const wide v70 = angle14 - offset4;
+    const wide v63 = h1 * copysign_wide(all_wide(half_turn), -v39), v64 = angle11 - offset4;
+    const wide v65 = angle11 - v62 - offset4, v66 = angle12 - offset4;
+    const wide v67 = angle12 - v62 - offset4, v68 = angle13 - offset4;
+    const wide v69 = angle13 - v63 - offset4, v70 = angle14 - offset4;
     const wide v71 = angle14 - v63 - offset4;
     const wide q4_ppp = v64 + only_wide(v64 <= -half_turn, m7);
     const wide q4_ppm = v65 + only_wide(v65 <= -half_turn, m7);
@@ -680,14 +636,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle16 = atan2_wide(sqrt_wide(v43), factor2_pm * (T31 * v29 + v33 * v36));
     const wide angle17 = atan2_wide(sqrt_wide(v44), factor2_mp * (T31 * v30 + v34 * v37));
     const wide angle18 = atan2_wide(sqrt_wide(v45), factor2_mm * (T31 * v31 + v35 * v37));
-    const wide v72 = angle15 - offset5;
-    const wide v73 = offset5 + angle15;
-    const wide v74 = angle16 - offset5;
-    const wide v75 = offset5 + angle16;
-    const wide v76 = angle17 - offset5;
-    const wide v77 = offset5 + angle17;
-    const wide v78 = angle18 - offset5;
-    const wide v79 = offset5 + angle18;
+    const wide v72 = angle15 - offset5, v73 = offset5 + angle15, v74 = angle16 - offset5;
+    const wide v75 = offset5 + angle16, v76 = angle17 - offset5, v77 = offset5 + angle17;
+    const wide v78 = angle18 - offset5, v79 = offset5 + angle18;
     const wide q5_ppp = v72 + only_wide(v72 <= -half_turn, m7);
     const wide q5_ppm = only_wide(-v73 <= -half_turn, m7) - v73;
     const wide q5_pmp = v74 + only_wide(v74 <= -half_turn, m7);
@@ -701,13 +652,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle20 = atan2_wide(s1_m, -v3);
     const wide q1_mpp = angle20 + (w3_m - w3_m);
     const wide_mask v80 = ((q2_ppp < low2) | (high2 < q2_ppp)) | ((q3_ppp < low3) | (high3 <
-        q3_ppp));
-    const wide_mask v81 = ((q2_pmp < low2) | (high2 < q2_pmp)) | ((q3_pmp < low3) | (high3 <
-        q3_pmp));
+        q3_ppp)), v81 = ((q2_pmp < low2) | (high2 < q2_pmp)) | ((q3_pmp < low3) | (high3 < q3_pmp));
     const wide_mask v82 = ((q2_mpp < low2) | (high2 < q2_mpp)) | ((q3_mpp < low3) | (high3 <
-        q3_mpp));
-    const wide_mask v83 = ((q2_mmp < low2) | (high2 < q2_mmp)) | ((q3_mmp < low3) | (high3 <
-        q3_mmp));
+        q3_mpp)), v83 = ((q2_mmp < low2) | (high2 < q2_mmp)) | ((q3_mmp < low3) | (high3 < q3_mmp));
     const wide_mask outside_ppp = v80 | ((q5_ppp < low5) | (high5 < q5_ppp));
     const wide_mask outside_ppm = v80 | ((q5_ppm < low5) | (high5 < q5_ppm));
     const wide_mask outside_pmp = v81 | ((q5_pmp < low5) | (high5 < q5_pmp));
@@ -722,61 +669,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) & (N3_m <=
         longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0))))))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = angle1;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = angle2;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = angle2;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_mpp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = angle3;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = angle3;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_mpp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_mmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = angle4;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = angle4;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_mmp;
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -798,8 +705,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double t14 = T14 - d6 * T11;
     const double Y1 = d6 * T21 - T24;
     const double N1 = t14 * t14 + Y1 * Y1;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = inverse1 * (d2 * Y1);
@@ -823,37 +730,29 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four Y1_2 = a2 + d4 * s3;
     const four v8 = Z1_3 * Y1_2;
     const four S2 = w3 * (m3 * (e2 * v4)) - v8;
-    const four v9 = v4 * Y1_2;
-    const four v10 = m3 * (e2 * Z1_3);
-    const four v11 = v9 + w3 * v10;
+    const four v9 = v4 * Y1_2, v10 = m3 * (e2 * Z1_3), v11 = v9 + w3 * v10;
     const four v12 = S2 * S2 + v11 * v11;
     const four factor2 = sqrt_four(v12) * (1.0 / v12);
 
     /* theta4 */
-    const four v13 = s3 * S2 - e2 * (v7 * v11);
-    const four v14 = s3 * v11 + e2 * (v7 * S2);
+    const four v13 = s3 * S2 - e2 * (v7 * v11), v14 = s3 * v11 + e2 * (v7 * S2);
     const four v15 = T21 * s1 - T11 * v2;
     const four X4 = v13 * v15 - T31 * v14;
-    const four v16 = T21 * v2 + T11 * s1;
-    const four v17 = v16 * v16;
+    const four v16 = T21 * v2 + T11 * s1, v17 = v16 * v16;
     const four v18 = v17 + factor2 * (X4 * (factor2 * X4));
 
     /* theta6 */
-    const four v19 = s1 * T12 + v2 * T22;
-    const four v20 = s1 * T22 - v2 * T12;
-    const four v21 = v2 * T23 + s1 * T13;
+    const four v19 = s1 * T12 + v2 * T22, v20 = s1 * T22 - v2 * T12, v21 = v2 * T23 + s1 * T13;
     const four v22 = s1 * T23 - v2 * T13;
 
     /* joint values */
-    const four v24 = copysign_four(all_four(half_turn), s3);
-    const four v25 = m6 * (1.0 - e2);
+    const four v24 = copysign_four(all_four(half_turn), s3), v25 = m6 * (1.0 - e2);
     const four v27 = h1 * copysign_four(all_four(half_turn), -v16);
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
     const four_mask doubt3 = (v12 <= m4) | (v18 <= m5);
 
     const four angle1 = atan2_four(-(v21 * -X4 + v16 * (v13 * v22 - v14 * T33)), v19 * -X4 + v16 *
-        (v13 * v20 - v14 * T32));
-    const four angle2 = atan2_four(S2, -v11);
+        (v13 * v20 - v14 * T32)), angle2 = atan2_four(S2, -v11);
     const four angle4 = atan2_four(-v16, factor2 * -X4);
     const four angle5 = atan2_four(sqrt_four(v18), factor2 * (T31 * v13 + v14 * v15));
     const four packed5 = atan2_four(__builtin_shufflevector(s3, s1, 0, 5, 2, 7),
@@ -866,12 +765,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q2_p = v23 - only_four(half_turn < v23, m7);
     const four v26 = e2 * angle3 + v24 * v25 - offset3;
     const four q3_p = v26 + only_four(v26 <= -half_turn, m7);
-    const four v28 = angle4 - offset4;
-    const four v29 = angle4 - v27 - offset4;
+    const four v28 = angle4 - offset4, v29 = angle4 - v27 - offset4;
     const four q4_p = v28 + only_four(v28 <= -half_turn, m7);
     const four q4_m = v29 + only_four(v29 <= -half_turn, m7);
-    const four v30 = angle5 - offset5;
-    const four v31 = offset5 + angle5;
+    const four v30 = angle5 - offset5, v31 = offset5 + angle5;
     const four q5_p = v30 + only_four(v30 <= -half_turn, m7);
     const four q5_m = only_four(-v31 <= -half_turn, m7) - v31;
     const four q1_p = angle6 + (w3 - w3);
@@ -960,12 +857,12 @@ static void solve(
     const double t14 = T14 - d6 * T11;
     const double Y1 = d6 * T21 - T24;
     const double N1 = t14 * t14 + Y1 * Y1;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d2 * sqrt(N1)));
     const double v1 = t14 * d2;
     const double v2 = Y1 * d2;
 

@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -519,82 +517,51 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide X1 = d6 * T13 - T14;
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v2 = inverse1 * (d3 * wy);
-    const wide v3 = v2 + w1 * (X1 * inverse1);
-    const wide v4 = v2 + w1 * (inverse1 * -X1);
-    const wide v5 = inverse1 * (d3 * X1);
-    const wide s1_p = w1 * (wy * inverse1) - v5;
-    const wide s1_m = w1 * (inverse1 * -wy) - v5;
+    const wide v2 = inverse1 * (d3 * wy), v3 = v2 + w1 * (X1 * inverse1);
+    const wide v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d3 * X1);
+    const wide s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5;
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
     const wide N3 = D1 + Z1_3 * Z1_3;
     const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v6 = w3 - w3;
-    const wide v7 = k4 * (N3 - k4);
+    const wide v6 = w3 - w3, v7 = k4 * (N3 - k4);
 
     /* theta2 */
-    const wide v8 = m1 * (Z1_3 * N3);
-    const wide v9 = w3 * (m1 * w1);
-    const wide S2_pp = v8 - v9;
-    const wide S2_pm = v8 + v9;
-    const wide v10 = w3 * (m1 * Z1_3);
-    const wide v11 = w3 * (m1 * -Z1_3);
-    const wide v12 = m1 * (w1 * N3);
-    const wide C2_pp = v10 + v12;
-    const wide C2_pm = v11 + v12;
-    const wide C2_mp = v10 - v12;
-    const wide C2_mm = v11 - v12;
-    const wide v13 = S2_pp * S2_pp;
-    const wide v14 = v13 + C2_pp * C2_pp;
-    const wide v15 = S2_pm * S2_pm;
-    const wide v16 = v15 + C2_pm * C2_pm;
-    const wide v17 = v15 + C2_mp * C2_mp;
-    const wide v18 = v13 + C2_mm * C2_mm;
-    const wide factor2_pp = sqrt_wide(v14) * (1.0 / v14);
-    const wide factor2_pm = sqrt_wide(v16) * (1.0 / v16);
-    const wide factor2_mp = sqrt_wide(v17) * (1.0 / v17);
-    const wide factor2_mm = sqrt_wide(v18) * (1.0 / v18);
+    const wide v8 = m1 * (Z1_3 * N3), v9 = w3 * (m1 * w1);
+    const wide S2_pp = v8 - v9, S2_pm = v8 + v9;
+    const wide v10 = w3 * (m1 * Z1_3), v11 = w3 * (m1 * -Z1_3), v12 = m1 * (w1 * N3);
+    const wide C2_pp = v10 + v12, C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12;
+    const wide v13 = S2_pp * S2_pp, v14 = v13 + C2_pp * C2_pp, v15 = S2_pm * S2_pm;
+    const wide v16 = v15 + C2_pm * C2_pm, v17 = v15 + C2_mp * C2_mp, v18 = v13 + C2_mm * C2_mm;
+    const wide factor2_pp = sqrt_wide(v14) * (1.0 / v14), factor2_pm = sqrt_wide(v16) * (1.0 / v16);
+    const wide factor2_mp = sqrt_wide(v17) * (1.0 / v17), factor2_mm = sqrt_wide(v18) * (1.0 / v18);
 
     /* theta4 */
-    const wide v19 = m3 * N3;
-    const wide v20 = v19 - m1;
-    const wide v21 = m4 - v19;
-    const wide v22 = w1 * (N3 * (v20 + v21));
-    const wide s23_pp = v22 - v10;
-    const wide s23_pm = v22 - v11;
+    const wide v19 = m3 * N3, v20 = v19 - m1, v21 = m4 - v19, v22 = w1 * (N3 * (v20 + v21));
+    const wide s23_pp = v22 - v10, s23_pm = v22 - v11;
     const wide v23 = w1 * (N3 * (-v20 + -v21));
-    const wide s23_mp = v23 - v10;
-    const wide s23_mm = v23 - v11;
-    const wide v24 = T23 * s1_p - T13 * v3;
-    const wide v25 = T23 * s1_m - T13 * v4;
-    const wide X4_pp = S2_pm * v24 - T33 * s23_pp;
-    const wide X4_pm = S2_pp * v24 - T33 * s23_pm;
-    const wide X4_mp = S2_pp * v25 - T33 * s23_mp;
-    const wide X4_mm = S2_pm * v25 - T33 * s23_mm;
-    const wide Y4_p = T13 * s1_p + T23 * v3;
-    const wide Y4_m = T13 * s1_m + T23 * v4;
-    const wide v26 = Y4_p * Y4_p;
-    const wide v27 = Y4_m * Y4_m;
+    const wide s23_mp = v23 - v10, s23_mm = v23 - v11;
+    const wide v24 = T23 * s1_p - T13 * v3, v25 = T23 * s1_m - T13 * v4;
+    const wide X4_pp = S2_pm * v24 - T33 * s23_pp, X4_pm = S2_pp * v24 - T33 * s23_pm;
+    const wide X4_mp = S2_pp * v25 - T33 * s23_mp, X4_mm = S2_pm * v25 - T33 * s23_mm;
+    const wide Y4_p = T13 * s1_p + T23 * v3, Y4_m = T13 * s1_m + T23 * v4;
+    const wide v26 = Y4_p * Y4_p, v27 = Y4_m * Y4_m;
     const wide v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
     const wide v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
     const wide v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp));
     const wide v31 = v27 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
 
     /* theta6 */
-    const wide v32 = v3 * T22 + s1_p * T12;
-    const wide v33 = v4 * T22 + s1_m * T12;
-    const wide v34 = s1_p * T22 - v3 * T12;
-    const wide v35 = s1_m * T22 - v4 * T12;
-    const wide v36 = v3 * T21 + s1_p * T11;
-    const wide v37 = v4 * T21 + s1_m * T11;
-    const wide v38 = s1_p * T21 - v3 * T11;
-    const wide v39 = s1_m * T21 - v4 * T11;
+    const wide v32 = v3 * T22 + s1_p * T12, v33 = v4 * T22 + s1_m * T12;
+    const wide v34 = s1_p * T22 - v3 * T12, v35 = s1_m * T22 - v4 * T12;
+    const wide v36 = v3 * T21 + s1_p * T11, v37 = v4 * T21 + s1_m * T11;
+    const wide v38 = s1_p * T21 - v3 * T11, v39 = s1_m * T21 - v4 * T11;
     const wide s6_pp = Y4_p * (s23_pp * T31 - S2_pm * v38) - v36 * -X4_pp;
     const wide s6_pm = Y4_p * (s23_pm * T31 - S2_pp * v38) - v36 * -X4_pm;
     const wide s6_mp = Y4_m * (s23_mp * T31 - S2_pp * v39) - v37 * -X4_mp;
@@ -633,14 +600,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle14 = atan2_wide(Y4_m, factor2_mp * -X4_mp);
     const wide angle15 = atan2_wide(Y4_m, factor2_mm * -X4_mm);
     const wide v48 = h1 * copysign_wide(all_wide(half_turn), Y4_p);
-    const wide v49 = h1 * copysign_wide(all_wide(half_turn), Y4_m);
-    const wide v50 = angle12 - offset4;
-    const wide v51 = angle12 - v48 - offset4;
-    const wide v52 = angle13 - offset4;
-    const wide v53 = angle13 - v48 - offset4;
-    const wide v54 = angle14 - offset4;
-    const wide v55 = angle14 - v49 - offset4;
-    const wide v56 = angle15 - offset4;
+    const wide v49 = h1 * copysign_wide(all_wide(half_turn), Y4_m), v50 = angle12 - offset4;
+    const wide v51 = angle12 - v48 - offset4, v52 = angle13 - offset4;
+    const wide v53 = angle13 - v48 - offset4, v54 = angle14 - offset4;
+    const wide v55 = angle14 - v49 - offset4, v56 = angle15 - offset4;
     const wide v57 = angle15 - v49 - offset4;
     const wide q4_ppp = v50 + only_wide(v50 <= -half_turn, m7);
     const wide q4_ppm = v51 + only_wide(v51 <= -half_turn, m7);
@@ -656,14 +619,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle17 = atan2_wide(sqrt_wide(v29), -(factor2_pm * (v59 + s23_pm * v24)));
     const wide angle18 = atan2_wide(sqrt_wide(v30), -(factor2_mp * (v59 + s23_mp * v25)));
     const wide angle19 = atan2_wide(sqrt_wide(v31), -(factor2_mm * (v58 + s23_mm * v25)));
-    const wide v60 = angle16 - offset5;
-    const wide v61 = offset5 + angle16;
-    const wide v62 = angle17 - offset5;
-    const wide v63 = offset5 + angle17;
-    const wide v64 = angle18 - offset5;
-    const wide v65 = offset5 + angle18;
-    const wide v66 = angle19 - offset5;
-    const wide v67 = offset5 + angle19;
+    const wide v60 = angle16 - offset5, v61 = offset5 + angle16, v62 = angle17 - offset5;
+    const wide v63 = offset5 + angle17, v64 = angle18 - offset5, v65 = offset5 + angle18;
+    const wide v66 = angle19 - offset5, v67 = offset5 + angle19;
     const wide q5_ppp = v60 + only_wide(v60 <= -half_turn, m7);
     const wide q5_ppm = only_wide(-v61 <= -half_turn, m7) - v61;
     const wide q5_pmp = v62 + only_wide(v62 <= -half_turn, m7);
@@ -681,61 +639,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v14 <= m2))))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = angle1;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = angle2;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = angle2;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_ppp;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = angle3;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = angle3;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_ppp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_pmp;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = angle4;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = angle4;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_pmp;
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -757,8 +675,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double X1 = d6 * T13 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
     const double inverse1 = 1.0 / N1;
@@ -771,23 +689,20 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const double N3 = D1 + Z1_3 * Z1_3;
     const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v5 = w3 - w3;
-    const double v6 = k4 * (N3 - k4);
+    const double v5 = w3 - w3, v6 = k4 * (N3 - k4);
 
     /* theta2 */
     const four v7 = e1 * e2;
     const double v8 = m1 * (Z1_3 * N3);
     const four S2 = v8 - w3 * (m1 * (w1 * v7));
-    const four v9 = w3 * (m1 * (e2 * Z1_3));
-    const four v10 = m1 * (w1 * (e1 * N3));
+    const four v9 = w3 * (m1 * (e2 * Z1_3)), v10 = m1 * (w1 * (e1 * N3));
     const four C2 = v9 + v10;
     const four v11 = S2 * S2 + C2 * C2;
     const four factor2 = sqrt_four(v11) * (1.0 / v11);
 
     /* theta4 */
     const four v12 = v8 + w3 * (w1 * (m1 * v7));
-    const double v13 = m3 * N3;
-    const double v14 = v13 - m1;
+    const double v13 = m3 * N3, v14 = v13 - m1;
     const four v15 = e1 * v14;
     const double v16 = m4 - v13;
     const four v17 = e2 * v16;
@@ -795,13 +710,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v18 = T23 * s1 - T13 * v3;
     const four X4 = v12 * v18 - T33 * s23;
     const four Y4 = T13 * s1 + T23 * v3;
-    const four v19 = Y4 * Y4;
-    const four v20 = v19 + factor2 * (X4 * (factor2 * X4));
+    const four v19 = Y4 * Y4, v20 = v19 + factor2 * (X4 * (factor2 * X4));
 
     /* theta6 */
-    const four v21 = v3 * T22 + s1 * T12;
-    const four v22 = s1 * T22 - v3 * T12;
-    const four v23 = v3 * T21 + s1 * T11;
+    const four v21 = v3 * T22 + s1 * T12, v22 = s1 * T22 - v3 * T12, v23 = v3 * T21 + s1 * T11;
     const four v24 = s1 * T21 - v3 * T11;
     const four s6 = Y4 * (s23 * T31 - v12 * v24) - v23 * -X4;
 
@@ -813,24 +725,20 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
 
     const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v12 * v22) - v21 * -X4);
-    const four angle3 = atan2_four(S2, C2);
-    const four angle5 = atan2_four(Y4, factor2 * -X4);
+    const four angle3 = atan2_four(S2, C2), angle5 = atan2_four(Y4, factor2 * -X4);
     const four angle6 = atan2_four(sqrt_four(v20), -(factor2 * (T33 * v12 + s23 * v18)));
     const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
         __builtin_shufflevector(-v3, all_four(-(k4 * w3)), 0, 5, 2, 3));
     const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle4 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
-    const four v25 = angle2 - offset1;
-    const four v26 = angle3 - offset2;
+    const four v25 = angle2 - offset1, v26 = angle3 - offset2;
     const four q2_p = v26 + only_four(v26 <= -half_turn, m7);
-    const four v28 = e2 * angle4 + v27 * (m6 * (1.0 - e2)) - offset3;
-    const four v30 = angle5 - offset4;
+    const four v28 = e2 * angle4 + v27 * (m6 * (1.0 - e2)) - offset3, v30 = angle5 - offset4;
     const four v31 = angle5 - v29 - offset4;
     const four q4_p = v30 + only_four(v30 <= -half_turn, m7);
     const four q4_m = v31 + only_four(v31 <= -half_turn, m7);
-    const four v32 = angle6 - offset5;
-    const four v33 = offset5 + angle6;
+    const four v32 = angle6 - offset5, v33 = offset5 + angle6;
     const four q5_p = v32 + only_four(v32 <= -half_turn, m7);
     const four q5_m = only_four(-v33 <= -half_turn, m7) - v33;
     const four q1_p = v5 + (v25 + only_four(v25 <= -half_turn, m7));
@@ -914,12 +822,12 @@ static void solve(
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
     const double v1 = X1 * d3;
     const double v2 = wy * d3;
     const double v3 = seed[0] + offset1;

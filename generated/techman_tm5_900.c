@@ -87,8 +87,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -113,8 +112,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -306,6 +304,10 @@ static const double shortest3_reach = 0.0003062499999953556;
 static const double longest3_apart = 0.7064402499999777;
 /* the shortest, where branches merge [m^2] */
 static const double shortest3_apart = 0.000306250000000465;
+/* the longest, where blurred branches do [m^2] */
+static const double longest3_clear = 0.7064402499776906;
+/* the shortest, where blurred branches do [m^2] */
+static const double shortest3_clear = 0.000306250000464503;
 static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
 static const double offset4 = 1.5707963267948966; /* offset of joint 4 [rad] */
 static const double k1 = 0.014957290000000002; /* d3^2 [m^2] */
@@ -521,73 +523,46 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide X1 = d6 * T13 - T14;
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
     const wide v1 = inverse1 * (d3 * wy);
-    const wide c1_p = v1 - w1 * (X1 * inverse1);
-    const wide c1_m = v1 - w1 * (inverse1 * -X1);
+    const wide c1_p = v1 - w1 * (X1 * inverse1), c1_m = v1 - w1 * (inverse1 * -X1);
     const wide v2 = inverse1 * (d3 * X1);
-    const wide s1_p = v2 + w1 * (wy * inverse1);
-    const wide s1_m = v2 + w1 * (inverse1 * -wy);
+    const wide s1_p = v2 + w1 * (wy * inverse1), s1_m = v2 + w1 * (inverse1 * -wy);
 
     /* theta6 */
-    const wide X6_p = c1_p * T21 - s1_p * T11;
-    const wide X6_m = c1_m * T21 - s1_m * T11;
-    const wide Y6_p = c1_p * T22 - s1_p * T12;
-    const wide Y6_m = c1_m * T22 - s1_m * T12;
-    const wide v3 = X6_p * X6_p + Y6_p * Y6_p;
-    const wide v4 = X6_m * X6_m + Y6_m * Y6_m;
-    const wide w6_p = sqrt_wide(v3);
-    const wide w6_m = sqrt_wide(v4);
-    const wide v5 = 1.0 / v3;
-    const wide v6 = 1.0 / v4;
-    const wide angle1 = atan2_wide(Y6_p, -X6_p);
-    const wide angle2 = atan2_wide(Y6_m, -X6_m);
+    const wide X6_p = c1_p * T21 - s1_p * T11, X6_m = c1_m * T21 - s1_m * T11;
+    const wide Y6_p = c1_p * T22 - s1_p * T12, Y6_m = c1_m * T22 - s1_m * T12;
+    const wide v3 = X6_p * X6_p + Y6_p * Y6_p, v4 = X6_m * X6_m + Y6_m * Y6_m;
+    const wide w6_p = sqrt_wide(v3), w6_m = sqrt_wide(v4);
+    const wide v5 = 1.0 / v3, v6 = 1.0 / v4;
+    const wide angle1 = atan2_wide(Y6_p, -X6_p), angle2 = atan2_wide(Y6_m, -X6_m);
 
     /* theta5 */
-    const wide c5_p = T23 * c1_p - T13 * s1_p;
-    const wide c5_m = T23 * c1_m - T13 * s1_m;
-    const wide angle3 = atan2_wide(w6_p, c5_p);
-    const wide angle4 = atan2_wide(w6_m, c5_m);
+    const wide c5_p = T23 * c1_p - T13 * s1_p, c5_m = T23 * c1_m - T13 * s1_m;
+    const wide angle3 = atan2_wide(w6_p, c5_p), angle4 = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide v7 = v5 * (Y6_p * T31 - X6_p * T32);
-    const wide v8 = v6 * (Y6_m * T31 - X6_m * T32);
-    const wide Z1_234_p = w6_p * v7;
-    const wide Z1_234_m = w6_m * v8;
+    const wide v7 = v5 * (Y6_p * T31 - X6_p * T32), v8 = v6 * (Y6_m * T31 - X6_m * T32);
+    const wide Z1_234_p = w6_p * v7, Z1_234_m = w6_m * v8;
     const wide v9 = T33 - v5 * (c5_p * (X6_p * T31 + Y6_p * T32));
     const wide v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32));
-    const wide s234_p = w6_p * v9;
-    const wide s234_m = w6_m * v10;
-    const wide angle5 = atan2_wide(v9, -v7);
-    const wide angle6 = atan2_wide(v10, -v8);
+    const wide s234_p = w6_p * v9, s234_m = w6_m * v10;
+    const wide angle5 = atan2_wide(v9, -v7), angle6 = atan2_wide(v10, -v8);
     const wide theta234_pm = angle5 - h1 * copysign_wide(all_wide(half_turn), v9);
     const wide theta234_mm = angle6 - h1 * copysign_wide(all_wide(half_turn), v10);
 
     /* theta3 */
-    const wide v11 = d6 * w6_p;
-    const wide v12 = d6 * w6_m;
-    const wide v13 = T34 - d1;
-    const wide v14 = d5 * Z1_234_p;
-    const wide v15 = d5 * Z1_234_m;
-    const wide v16 = s234_p * v11;
-    const wide v17 = s234_m * v12;
-    const wide Z1_3_pp = v13 - (v14 + v16);
-    const wide Z1_3_pm = v13 - (v16 - v14);
-    const wide Z1_3_mp = v13 - (v15 + v17);
-    const wide Z1_3_mm = v13 - (v17 - v15);
-    const wide v18 = T14 * c1_p + T24 * s1_p;
-    const wide v19 = T14 * c1_m + T24 * s1_m;
-    const wide v20 = Z1_234_p * v11;
-    const wide v21 = Z1_234_m * v12;
-    const wide v22 = d5 * s234_p;
-    const wide v23 = d5 * s234_m;
-    const wide Z2_3_pp = v18 + (v20 - v22);
-    const wide Z2_3_pm = v18 + (v20 + v22);
-    const wide Z2_3_mp = v19 + (v21 - v23);
-    const wide Z2_3_mm = v19 + (v21 + v23);
+    const wide v11 = d6 * w6_p, v12 = d6 * w6_m, v13 = T34 - d1, v14 = d5 * Z1_234_p;
+    const wide v15 = d5 * Z1_234_m, v16 = s234_p * v11, v17 = s234_m * v12;
+    const wide Z1_3_pp = v13 - (v14 + v16), Z1_3_pm = v13 - (v16 - v14);
+    const wide Z1_3_mp = v13 - (v15 + v17), Z1_3_mm = v13 - (v17 - v15);
+    const wide v18 = T14 * c1_p + T24 * s1_p, v19 = T14 * c1_m + T24 * s1_m, v20 = Z1_234_p * v11;
+    const wide v21 = Z1_234_m * v12, v22 = d5 * s234_p, v23 = d5 * s234_m;
+    const wide Z2_3_pp = v18 + (v20 - v22), Z2_3_pm = v18 + (v20 + v22);
+    const wide Z2_3_mp = v19 + (v21 - v23), Z2_3_mm = v19 + (v21 + v23);
     const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
     const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
     const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
@@ -596,29 +571,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
     const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
     const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
-    const wide v24 = w3_pp - w3_pp;
-    const wide v25 = w3_pm - w3_pm;
-    const wide v26 = w3_mp - w3_mp;
-    const wide v27 = w3_mm - w3_mm;
-    const wide angle7 = atan2_wide(w3_pp, N3_pp - k4);
-    const wide angle8 = atan2_wide(w3_pm, N3_pm - k4);
-    const wide angle9 = atan2_wide(w3_mp, N3_mp - k4);
-    const wide angle10 = atan2_wide(w3_mm, N3_mm - k4);
+    const wide v24 = w3_pp - w3_pp, v25 = w3_pm - w3_pm, v26 = w3_mp - w3_mp, v27 = w3_mm - w3_mm;
+    const wide angle7 = atan2_wide(w3_pp, N3_pp - k4), angle8 = atan2_wide(w3_pm, N3_pm - k4);
+    const wide angle9 = atan2_wide(w3_mp, N3_mp - k4), angle10 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v28 = m4 + m3 * N3_pp;
-    const wide v29 = m4 + m3 * N3_pm;
-    const wide v30 = m4 + m3 * N3_mp;
-    const wide v31 = m4 + m3 * N3_mm;
-    const wide v32 = Z1_3_pp * v28;
-    const wide v33 = Z1_3_pm * v29;
-    const wide v34 = Z1_3_mp * v30;
-    const wide v35 = Z1_3_mm * v31;
-    const wide v36 = Z2_3_pp * v28;
-    const wide v37 = Z2_3_pm * v29;
-    const wide v38 = Z2_3_mp * v30;
-    const wide v39 = Z2_3_mm * v31;
-    const wide v40 = w3_pp * (m3 * Z2_3_pp);
+    const wide v28 = m4 + m3 * N3_pp, v29 = m4 + m3 * N3_pm, v30 = m4 + m3 * N3_mp;
+    const wide v31 = m4 + m3 * N3_mm, v32 = Z1_3_pp * v28, v33 = Z1_3_pm * v29, v34 = Z1_3_mp * v30;
+    const wide v35 = Z1_3_mm * v31, v36 = Z2_3_pp * v28, v37 = Z2_3_pm * v29, v38 = Z2_3_mp * v30;
+    const wide v39 = Z2_3_mm * v31, v40 = w3_pp * (m3 * Z2_3_pp);
     const wide angle11 = atan2_wide(v32 - v40, v36 + w3_pp * (m3 * Z1_3_pp));
     const wide angle12 = atan2_wide(v32 + v40, v36 + w3_pp * (m3 * -Z1_3_pp));
     const wide v41 = w3_pm * (m3 * Z2_3_pm);
@@ -638,14 +599,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v45 = angle20 - offset1;
     const wide q1__p = v44 + only_wide(v44 <= -half_turn, m5);
     const wide q1__m = v45 + only_wide(v45 <= -half_turn, m5);
-    const wide v46 = angle11 - offset2;
-    const wide v47 = angle12 - offset2;
-    const wide v48 = angle13 - offset2;
-    const wide v49 = angle14 - offset2;
-    const wide v50 = angle15 - offset2;
-    const wide v51 = angle16 - offset2;
-    const wide v52 = angle17 - offset2;
-    const wide v53 = angle18 - offset2;
+    const wide v46 = angle11 - offset2, v47 = angle12 - offset2, v48 = angle13 - offset2;
+    const wide v49 = angle14 - offset2, v50 = angle15 - offset2, v51 = angle16 - offset2;
+    const wide v52 = angle17 - offset2, v53 = angle18 - offset2;
     const wide q2_ppp = v46 + only_wide(v46 <= -half_turn, m5);
     const wide q2_ppm = v47 + only_wide(v47 <= -half_turn, m5);
     const wide q2_pmp = v48 + only_wide(v48 <= -half_turn, m5);
@@ -686,13 +642,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mpm = (-angle9 < low3) | (high3 < -angle9);
     const wide_mask outside_mmp = (angle10 < low3) | (high3 < angle10);
     const wide_mask outside_mmm = (-angle10 < low3) | (high3 < -angle10);
-    const wide q1_ppp = v24 + q1__p;
-    const wide q1_pmp = v25 + q1__p;
-    const wide q1_mpp = v26 + q1__m;
+    const wide q1_ppp = v24 + q1__p, q1_pmp = v25 + q1__p, q1_mpp = v26 + q1__m;
     const wide q1_mmp = v27 + q1__m;
-    const wide q5_ppp = angle3 + v24;
-    const wide q5_pmp = v25 - angle3;
-    const wide q5_mpp = angle4 + v26;
+    const wide q5_ppp = angle3 + v24, q5_pmp = v25 - angle3, q5_mpp = angle4 + v26;
     const wide q5_mmp = v27 - angle4;
     const wide q6_ppp = angle1 + v24;
     const wide q6_pmp = v25 + (angle1 - copysign_wide(all_wide(half_turn), Y6_p) * h1);
@@ -708,60 +660,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (((-k2 <= D1) & (free1 |
         ((k3 < D1) == 0))) | (free1 | ((v3 <= m1) | (v4 <= m1)))))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = angle7;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle7; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = q2_ppm;
-    q[8] = -angle7;
-    q[9] = q4_ppm;
-    q[10] = q5_ppp;
-    q[11] = q6_ppp;
+    q[6] = q1_ppp; q[7] = q2_ppm; q[8] = -angle7; q[9] = q4_ppm; q[10] = q5_ppp; q[11] = q6_ppp;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_pmp;
-    q[13] = q2_pmp;
-    q[14] = angle8;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[12] = q1_pmp; q[13] = q2_pmp; q[14] = angle8; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_pmp;
-    q[19] = q2_pmm;
-    q[20] = -angle8;
-    q[21] = q4_pmm;
-    q[22] = q5_pmp;
-    q[23] = q6_pmp;
+    q[18] = q1_pmp; q[19] = q2_pmm; q[20] = -angle8; q[21] = q4_pmm; q[22] = q5_pmp; q[23] = q6_pmp;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = angle9;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = angle9; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = q2_mpm;
-    q[32] = -angle9;
-    q[33] = q4_mpm;
-    q[34] = q5_mpp;
-    q[35] = q6_mpp;
+    q[30] = q1_mpp; q[31] = q2_mpm; q[32] = -angle9; q[33] = q4_mpm; q[34] = q5_mpp; q[35] = q6_mpp;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mmp;
-    q[37] = q2_mmp;
-    q[38] = angle10;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[36] = q1_mmp; q[37] = q2_mmp; q[38] = angle10; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mmp;
-    q[43] = q2_mmm;
-    q[44] = -angle10;
-    q[45] = q4_mmm;
-    q[46] = q5_mmp;
+    q[42] = q1_mmp; q[43] = q2_mmm; q[44] = -angle10; q[45] = q4_mmm; q[46] = q5_mmp;
     q[47] = q6_mmp;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -784,8 +697,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double X1 = d6 * T13 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = inverse1 * (d3 * wy);
@@ -799,9 +712,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v3 = X6 * X6 + Y6 * Y6;
     const four w6 = sqrt_four(v3);
     const four_mask doubt2 = v3 <= m1;
-    const four v4 = 1.0 / v3;
-    const four v5 = copysign_four(all_four(half_turn), Y6);
-    const four v6 = m2 * (e2 - 1.0);
+    const four v4 = 1.0 / v3, v5 = copysign_four(all_four(half_turn), Y6), v6 = m2 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T23 * c1 - T13 * s1;
@@ -816,22 +727,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta3 */
     const four v10 = d6 * w6;
     const double v11 = T34 - d1;
-    const four v12 = d5 * Z1_234;
-    const four v13 = s234 * v10;
+    const four v12 = d5 * Z1_234, v13 = s234 * v10;
     const four Z1_3 = v11 - (v13 + e2 * v12);
-    const four v14 = T14 * c1 + T24 * s1;
-    const four v15 = Z1_234 * v10;
-    const four v16 = d5 * s234;
+    const four v14 = T14 * c1 + T24 * s1, v15 = Z1_234 * v10, v16 = d5 * s234;
     const four Z2_3 = v14 + (v15 - e2 * v16);
     const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
     const four v17 = w3 - w3;
 
     /* theta2 */
-    const four v18 = m4 + m3 * N3;
-    const four v19 = Z1_3 * v18;
-    const four v20 = Z2_3 * v18;
-    const four v21 = w3 * (m3 * Z2_3);
+    const four v18 = m4 + m3 * N3, v19 = Z1_3 * v18, v20 = Z2_3 * v18, v21 = w3 * (m3 * Z2_3);
 
     /* joint values */
     const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
@@ -852,8 +757,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four theta234 = angle3 + v6 * v9;
     const four v22 = angle7 - offset1;
     const four q1_ = v22 + only_four(v22 <= -half_turn, m5);
-    const four v23 = angle5 - offset2;
-    const four v24 = angle6 - offset2;
+    const four v23 = angle5 - offset2, v24 = angle6 - offset2;
     const four q2_p = v23 + only_four(v23 <= -half_turn, m5);
     const four q2_m = v24 + only_four(v24 <= -half_turn, m5);
     const four v25 = theta234 - (angle4 + angle5) - offset4;
@@ -954,12 +858,12 @@ static void solve(
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
     const double v1 = X1 * d3;
     const double v2 = wy * d3;
     const double v3 = seed[0] + offset1;
@@ -1054,7 +958,9 @@ static void solve(
             for (int i3 = 0; i3 < 2; i3++) { /* down, up */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta3 */
-                if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+                if (e3 < 0.0 && (!apart3 || (near6 && !(shortest3_clear < N3 && N3 <
+                    longest3_clear))))
+                    continue; /* both signs give the same */
                 const double s3 = w3 * e3 * k5;
                 const double q3 = atan2(s3, c3);
 

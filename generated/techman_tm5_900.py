@@ -16,7 +16,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -47,7 +47,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -100,6 +101,8 @@ longest3_reach = 0.706440250000223  # the longest, with what rounding adds [m^2]
 shortest3_reach = 0.0003062499999953556  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.7064402499999777  # the longest, where branches merge [m^2]
 shortest3_apart = 0.000306250000000465  # the shortest, where branches merge [m^2]
+longest3_clear = 0.7064402499776906  # the longest, where blurred branches do [m^2]
+shortest3_clear = 0.000306250000464503  # the shortest, where blurred branches do [m^2]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
 offset4 = 1.5707963267948966  # offset of joint 4 [rad]
 k1 = 0.014957290000000002  # d3^2 [m^2]
@@ -349,13 +352,13 @@ def _solve(pose, seed, q, status):
     X1 = T13 * d6 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    D1 = N1 - k1
     free1 = N1 <= free_limit_squared2
+    D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else N1)
+    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d3 * math.sqrt(N1)))
     v1 = X1 * d3
     v2 = wy * d3
     v3 = seed[0] + offset1
@@ -448,7 +451,10 @@ def _solve(pose, seed, q, status):
             for i3 in range(2):  # down, up
                 e3 = 1.0 - 2.0 * i3
                 # theta3
-                if e3 < 0.0 and not apart3:
+                if (
+                    e3 < 0.0 and (not apart3 or (near6 and not (shortest3_clear < N3 and N3 <
+                    longest3_clear)))
+                ):
                     continue  # both signs give the same
                 s3 = w3 * e3 * k5
                 q3 = _atan2(s3, c3)
@@ -674,8 +680,8 @@ def _regular(pose, q, status):
     X1 = d6 * T13 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    D1 = N1 - k1
     free1 = N1 <= doubt_limit_squared2
+    D1 = N1 - k1
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v1 = inverse1 * (d3 * wy)
@@ -766,14 +772,14 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
-        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= doubt_limit_squared2
-        or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp
-        and N3_mp < longest3_apart) or (N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm
-        and N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-        (N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
-        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (-k2 <= D1 and (free1 or not (k3
-        < D1)) or (free1 or (v3 <= m1 or v4 <= m1))))))))))
+        N3_mm <= doubt_limit_squared2 or ((shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
+        not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or (N3_mp <= doubt_limit_squared2
+        or ((shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp
+        and N3_mp < longest3_apart)) or (N3_pm <= doubt_limit_squared2 or ((shortest3_reach <= N3_pm
+        and N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
+        (N3_pp <= doubt_limit_squared2 or ((shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
+        not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or ((-k2 <= D1 and (free1 or not
+        (k3 < D1))) or (free1 or (v3 <= m1 or v4 <= m1))))))))))
     )
 
     # angles, side by side
@@ -979,6 +985,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -1024,7 +1035,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
@@ -1185,8 +1197,8 @@ def _in_tiles(T, q, status):
             X1 = d6 * T13 - T14
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
-            D1 = N1 - k1
             free1 = N1 <= doubt_limit_squared2
+            D1 = N1 - k1
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v1 = inverse1 * (d3 * wy)
@@ -1265,15 +1277,16 @@ def _in_tiles(T, q, status):
             v42 = w3_mp * (m3 * Z2_3_mp)
             v43 = w3_mm * (m3 * Z2_3_mm)
             doubt1 = (
-                N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
-                longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or
-                (N3_mp <= doubt_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
-                longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart) or
-                (N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
-                longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-                (N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
-                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (-k2
-                <= D1 and (free1 or not (k3 < D1)) or (free1 or (v3 <= m1 or v4 <= m1))))))))))
+                N3_mm <= doubt_limit_squared2 or ((shortest3_reach <= N3_mm and N3_mm <=
+                longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or
+                (N3_mp <= doubt_limit_squared2 or ((shortest3_reach <= N3_mp and N3_mp <=
+                longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart)) or
+                (N3_pm <= doubt_limit_squared2 or ((shortest3_reach <= N3_pm and N3_pm <=
+                longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
+                (N3_pp <= doubt_limit_squared2 or ((shortest3_reach <= N3_pp and N3_pp <=
+                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or
+                ((-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (v3 <= m1 or v4 <=
+                m1))))))))))
             )
             work[544 + k] = Y6_p
             work[576 + k] = Y6_m
@@ -1544,6 +1557,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((8, 6)), np.empty(8, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(6))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

@@ -15,7 +15,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -46,7 +46,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -98,6 +99,8 @@ longest3_reach = 2.5303264900007454  # the longest, with what rounding adds [m^2
 shortest3_reach = 0.017768889999937563  # the shortest, with what rounding adds [m^2]
 longest3_apart = 2.530326489999926  # the longest, where branches merge [m^2]
 shortest3_apart = 0.017768890000006237  # the shortest, where branches merge [m^2]
+longest3_clear = 2.5303264899255047  # the longest, where blurred branches do [m^2]
+shortest3_clear = 0.017768890006242696  # the shortest, where blurred branches do [m^2]
 k1 = 0.040401000000000006  # d4^2 [m^2]
 k2 = 9.413232000005485e-14  # reach_slack1 * (2 * d4 + reach_slack1) [m^2]
 k3 = 9.413232000000549e-15  # merge_slack1 * (2 * d4 + merge_slack1) [m^2]
@@ -336,13 +339,13 @@ def _solve(pose, seed, q, status):
     X1 = T13 * d6 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    D1 = N1 - k1
     free1 = N1 <= free_limit_squared2
+    D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else N1)
+    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d4 * math.sqrt(N1)))
     v1 = X1 * d4
     v2 = wy * d4
 
@@ -429,7 +432,10 @@ def _solve(pose, seed, q, status):
             for i3 in range(2):  # down, up
                 e3 = 1.0 - 2.0 * i3
                 # theta3
-                if e3 < 0.0 and not apart3:
+                if (
+                    e3 < 0.0 and (not apart3 or (near6 and not (shortest3_clear < N3 and N3 <
+                    longest3_clear)))
+                ):
                     continue  # both signs give the same
                 s3 = w3 * e3 * k5
                 q3 = _atan2(s3, c3)
@@ -654,8 +660,8 @@ def _regular(pose, q, status):
     X1 = d6 * T13 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    D1 = N1 - k1
     free1 = N1 <= doubt_limit_squared2
+    D1 = N1 - k1
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v1 = inverse1 * (d4 * wy)
@@ -750,14 +756,14 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
-        not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or (N3_mp <= doubt_limit_squared2
-        or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp
-        and N3_mp < longest3_apart) or (N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm
-        and N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-        (N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
-        not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (-k2 <= D1 and (free1 or not (k3
-        < D1)) or (free1 or (v9 <= m1 or v10 <= m1))))))))))
+        N3_mm <= doubt_limit_squared2 or ((shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
+        not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or (N3_mp <= doubt_limit_squared2
+        or ((shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp
+        and N3_mp < longest3_apart)) or (N3_pm <= doubt_limit_squared2 or ((shortest3_reach <= N3_pm
+        and N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
+        (N3_pp <= doubt_limit_squared2 or ((shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
+        not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or ((-k2 <= D1 and (free1 or not
+        (k3 < D1))) or (free1 or (v9 <= m1 or v10 <= m1))))))))))
     )
 
     # angles, side by side
@@ -927,6 +933,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
         raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -972,7 +983,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
@@ -1133,8 +1145,8 @@ def _in_tiles(T, q, status):
             X1 = d6 * T13 - T14
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
-            D1 = N1 - k1
             free1 = N1 <= doubt_limit_squared2
+            D1 = N1 - k1
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v1 = inverse1 * (d4 * wy)
@@ -1217,15 +1229,16 @@ def _in_tiles(T, q, status):
             v52 = w3_mm * (m3 * Z2_3_mm)
             v53 = w3_mm * (m3 * Z1_3_mm)
             doubt1 = (
-                N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
-                longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart) or
-                (N3_mp <= doubt_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
-                longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart) or
-                (N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
-                longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart) or
-                (N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
-                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart) or (-k2
-                <= D1 and (free1 or not (k3 < D1)) or (free1 or (v9 <= m1 or v10 <= m1))))))))))
+                N3_mm <= doubt_limit_squared2 or ((shortest3_reach <= N3_mm and N3_mm <=
+                longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or
+                (N3_mp <= doubt_limit_squared2 or ((shortest3_reach <= N3_mp and N3_mp <=
+                longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart)) or
+                (N3_pm <= doubt_limit_squared2 or ((shortest3_reach <= N3_pm and N3_pm <=
+                longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
+                (N3_pp <= doubt_limit_squared2 or ((shortest3_reach <= N3_pp and N3_pp <=
+                longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or
+                ((-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (v9 <= m1 or v10 <=
+                m1))))))))))
             )
             work[544 + k] = v7
             work[576 + k] = v8
@@ -1444,6 +1457,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((8, 6)), np.empty(8, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(6))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

@@ -85,8 +85,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -111,8 +110,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -303,6 +301,10 @@ static const double shortest3_reach = 0.0010725624999921891;
 static const double longest3_apart = 0.6678975624999807;
 /* the shortest, where branches merge [m^2] */
 static const double shortest3_apart = 0.0010725625000007814;
+/* the longest, where blurred branches do [m^2] */
+static const double longest3_clear = 0.6678975624805085;
+/* the shortest, where blurred branches do [m^2] */
+static const double shortest3_clear = 0.0010725625007810937;
 static const double k1 = 0.0119137225; /* d4^2 [m^2] */
 static const double k2 = 2.6032471470014224e-14; /* reach_slack1 * (2 * d4 + reach_slack1) [m^2] */
 static const double k3 = 2.6032471470001422e-15; /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
@@ -508,75 +510,45 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide X1 = d6 * T13 - T14;
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
+    const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
-    const wide v1 = inverse1 * (d4 * wy);
-    const wide v2 = v1 + w1 * (X1 * inverse1);
-    const wide v3 = v1 + w1 * (inverse1 * -X1);
-    const wide v4 = inverse1 * (d4 * X1);
-    const wide s1_p = w1 * (wy * inverse1) - v4;
-    const wide s1_m = w1 * (inverse1 * -wy) - v4;
-    const wide angle1 = atan2_wide(s1_p, -v2);
-    const wide angle2 = atan2_wide(s1_m, -v3);
+    const wide v1 = inverse1 * (d4 * wy), v2 = v1 + w1 * (X1 * inverse1);
+    const wide v3 = v1 + w1 * (inverse1 * -X1), v4 = inverse1 * (d4 * X1);
+    const wide s1_p = w1 * (wy * inverse1) - v4, s1_m = w1 * (inverse1 * -wy) - v4;
+    const wide angle1 = atan2_wide(s1_p, -v2), angle2 = atan2_wide(s1_m, -v3);
 
     /* theta6 */
-    const wide v5 = v2 * T21 + s1_p * T11;
-    const wide v6 = v3 * T21 + s1_m * T11;
-    const wide v7 = v2 * T22 + s1_p * T12;
-    const wide v8 = v3 * T22 + s1_m * T12;
-    const wide v9 = v5 * v5 + v7 * v7;
-    const wide v10 = v6 * v6 + v8 * v8;
-    const wide w6_p = sqrt_wide(v9);
-    const wide w6_m = sqrt_wide(v10);
-    const wide v11 = 1.0 / v9;
-    const wide v12 = 1.0 / v10;
-    const wide angle3 = atan2_wide(-v7, v5);
-    const wide angle4 = atan2_wide(-v8, v6);
+    const wide v5 = v2 * T21 + s1_p * T11, v6 = v3 * T21 + s1_m * T11, v7 = v2 * T22 + s1_p * T12;
+    const wide v8 = v3 * T22 + s1_m * T12, v9 = v5 * v5 + v7 * v7, v10 = v6 * v6 + v8 * v8;
+    const wide w6_p = sqrt_wide(v9), w6_m = sqrt_wide(v10);
+    const wide v11 = 1.0 / v9, v12 = 1.0 / v10;
+    const wide angle3 = atan2_wide(-v7, v5), angle4 = atan2_wide(-v8, v6);
 
     /* theta5 */
-    const wide c5_p = T13 * s1_p + T23 * v2;
-    const wide c5_m = T13 * s1_m + T23 * v3;
-    const wide angle5 = atan2_wide(w6_p, c5_p);
-    const wide angle6 = atan2_wide(w6_m, c5_m);
+    const wide c5_p = T13 * s1_p + T23 * v2, c5_m = T13 * s1_m + T23 * v3;
+    const wide angle5 = atan2_wide(w6_p, c5_p), angle6 = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide v13 = v11 * (v5 * T32 - v7 * T31);
-    const wide v14 = v12 * (v6 * T32 - v8 * T31);
-    const wide c234_p = w6_p * v13;
-    const wide c234_m = w6_m * v14;
+    const wide v13 = v11 * (v5 * T32 - v7 * T31), v14 = v12 * (v6 * T32 - v8 * T31);
+    const wide c234_p = w6_p * v13, c234_m = w6_m * v14;
     const wide v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33;
     const wide v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33;
-    const wide s234_p = w6_p * v15;
-    const wide s234_m = w6_m * v16;
-    const wide angle7 = atan2_wide(v15, v13);
-    const wide angle8 = atan2_wide(v16, v14);
+    const wide s234_p = w6_p * v15, s234_m = w6_m * v16;
+    const wide angle7 = atan2_wide(v15, v13), angle8 = atan2_wide(v16, v14);
     const wide theta234_pm = angle7 - h1 * copysign_wide(all_wide(half_turn), v15);
     const wide theta234_mm = angle8 - h1 * copysign_wide(all_wide(half_turn), v16);
 
     /* theta3 */
-    const wide v17 = d6 * w6_p;
-    const wide v18 = d6 * w6_m;
-    const wide v19 = T34 - d1;
-    const wide v20 = d5 * c234_p;
-    const wide v21 = d5 * c234_m;
-    const wide v22 = s234_p * v17;
-    const wide v23 = s234_m * v18;
-    const wide Z1_3_pp = v19 + (v20 + v22);
-    const wide Z1_3_pm = v19 + (v22 - v20);
-    const wide Z1_3_mp = v19 + (v21 + v23);
-    const wide Z1_3_mm = v19 + (v23 - v21);
-    const wide v24 = T24 * s1_p - T14 * v2;
-    const wide v25 = T24 * s1_m - T14 * v3;
-    const wide v26 = c234_p * v17;
-    const wide v27 = c234_m * v18;
-    const wide v28 = d5 * s234_p;
-    const wide v29 = d5 * s234_m;
-    const wide Z2_3_pp = v24 + (v26 - v28);
-    const wide Z2_3_pm = v24 + (v26 + v28);
-    const wide Z2_3_mp = v25 + (v27 - v29);
-    const wide Z2_3_mm = v25 + (v27 + v29);
+    const wide v17 = d6 * w6_p, v18 = d6 * w6_m, v19 = T34 - d1, v20 = d5 * c234_p;
+    const wide v21 = d5 * c234_m, v22 = s234_p * v17, v23 = s234_m * v18;
+    const wide Z1_3_pp = v19 + (v20 + v22), Z1_3_pm = v19 + (v22 - v20);
+    const wide Z1_3_mp = v19 + (v21 + v23), Z1_3_mm = v19 + (v23 - v21);
+    const wide v24 = T24 * s1_p - T14 * v2, v25 = T24 * s1_m - T14 * v3, v26 = c234_p * v17;
+    const wide v27 = c234_m * v18, v28 = d5 * s234_p, v29 = d5 * s234_m;
+    const wide Z2_3_pp = v24 + (v26 - v28), Z2_3_pm = v24 + (v26 + v28);
+    const wide Z2_3_mp = v25 + (v27 - v29), Z2_3_mm = v25 + (v27 + v29);
     const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
     const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
     const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
@@ -585,54 +557,32 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
     const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
     const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
-    const wide v30 = w3_pp - w3_pp;
-    const wide v31 = w3_pm - w3_pm;
-    const wide v32 = w3_mp - w3_mp;
-    const wide v33 = w3_mm - w3_mm;
-    const wide angle9 = atan2_wide(w3_pp, N3_pp - k4);
-    const wide angle10 = atan2_wide(w3_pm, N3_pm - k4);
-    const wide angle11 = atan2_wide(w3_mp, N3_mp - k4);
-    const wide angle12 = atan2_wide(w3_mm, N3_mm - k4);
+    const wide v30 = w3_pp - w3_pp, v31 = w3_pm - w3_pm, v32 = w3_mp - w3_mp, v33 = w3_mm - w3_mm;
+    const wide angle9 = atan2_wide(w3_pp, N3_pp - k4), angle10 = atan2_wide(w3_pm, N3_pm - k4);
+    const wide angle11 = atan2_wide(w3_mp, N3_mp - k4), angle12 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v34 = m4 + m3 * N3_pp;
-    const wide v35 = m4 + m3 * N3_pm;
-    const wide v36 = m4 + m3 * N3_mp;
-    const wide v37 = m4 + m3 * N3_mm;
-    const wide v38 = Z1_3_pp * v34;
-    const wide v39 = Z1_3_pm * v35;
-    const wide v40 = Z1_3_mp * v36;
-    const wide v41 = Z1_3_mm * v37;
-    const wide v42 = Z2_3_pp * v34;
-    const wide v43 = Z2_3_pm * v35;
-    const wide v44 = Z2_3_mp * v36;
-    const wide v45 = Z2_3_mm * v37;
-    const wide v46 = w3_pp * (m3 * Z2_3_pp);
-    const wide v47 = w3_pp * (m3 * Z1_3_pp);
+    const wide v34 = m4 + m3 * N3_pp, v35 = m4 + m3 * N3_pm, v36 = m4 + m3 * N3_mp;
+    const wide v37 = m4 + m3 * N3_mm, v38 = Z1_3_pp * v34, v39 = Z1_3_pm * v35, v40 = Z1_3_mp * v36;
+    const wide v41 = Z1_3_mm * v37, v42 = Z2_3_pp * v34, v43 = Z2_3_pm * v35, v44 = Z2_3_mp * v36;
+    const wide v45 = Z2_3_mm * v37, v46 = w3_pp * (m3 * Z2_3_pp), v47 = w3_pp * (m3 * Z1_3_pp);
     const wide angle13 = atan2_wide(v46 - v38, -(v42 + v47));
     const wide angle14 = atan2_wide(-(v38 + v46), v47 - v42);
-    const wide v48 = w3_pm * (m3 * Z2_3_pm);
-    const wide v49 = w3_pm * (m3 * Z1_3_pm);
+    const wide v48 = w3_pm * (m3 * Z2_3_pm), v49 = w3_pm * (m3 * Z1_3_pm);
     const wide angle15 = atan2_wide(v48 - v39, -(v43 + v49));
     const wide angle16 = atan2_wide(-(v39 + v48), v49 - v43);
-    const wide v50 = w3_mp * (m3 * Z2_3_mp);
-    const wide v51 = w3_mp * (m3 * Z1_3_mp);
+    const wide v50 = w3_mp * (m3 * Z2_3_mp), v51 = w3_mp * (m3 * Z1_3_mp);
     const wide angle17 = atan2_wide(v50 - v40, -(v44 + v51));
     const wide angle18 = atan2_wide(-(v40 + v50), v51 - v44);
-    const wide v52 = w3_mm * (m3 * Z2_3_mm);
-    const wide v53 = w3_mm * (m3 * Z1_3_mm);
+    const wide v52 = w3_mm * (m3 * Z2_3_mm), v53 = w3_mm * (m3 * Z1_3_mm);
     const wide angle19 = atan2_wide(v52 - v41, -(v45 + v53));
     const wide angle20 = atan2_wide(-(v41 + v52), v53 - v45);
 
     /* joint values */
-    const wide v54 = angle7 - (angle9 + angle13);
-    const wide v55 = angle7 - (angle14 - angle9);
-    const wide v56 = theta234_pm - (angle10 + angle15);
-    const wide v57 = theta234_pm - (angle16 - angle10);
-    const wide v58 = angle8 - (angle11 + angle17);
-    const wide v59 = angle8 - (angle18 - angle11);
-    const wide v60 = theta234_mm - (angle12 + angle19);
-    const wide v61 = theta234_mm - (angle20 - angle12);
+    const wide v54 = angle7 - (angle9 + angle13), v55 = angle7 - (angle14 - angle9);
+    const wide v56 = theta234_pm - (angle10 + angle15), v57 = theta234_pm - (angle16 - angle10);
+    const wide v58 = angle8 - (angle11 + angle17), v59 = angle8 - (angle18 - angle11);
+    const wide v60 = theta234_mm - (angle12 + angle19), v61 = theta234_mm - (angle20 - angle12);
     const wide q4_ppp = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5);
     const wide q4_ppm = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5);
     const wide q4_pmp = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5);
@@ -641,13 +591,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q4_mpm = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5);
     const wide q4_mmp = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5);
     const wide q4_mmm = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5);
-    const wide q1_ppp = angle1 + v30;
-    const wide q1_pmp = angle1 + v31;
-    const wide q1_mpp = angle2 + v32;
+    const wide q1_ppp = angle1 + v30, q1_pmp = angle1 + v31, q1_mpp = angle2 + v32;
     const wide q1_mmp = angle2 + v33;
-    const wide q5_ppp = angle5 + v30;
-    const wide q5_pmp = v31 - angle5;
-    const wide q5_mpp = angle6 + v32;
+    const wide q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32;
     const wide q5_mmp = v33 - angle6;
     const wide q6_ppp = angle3 + v30;
     const wide q6_pmp = v31 + (angle3 - copysign_wide(all_wide(half_turn), -v7) * h1);
@@ -663,60 +609,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (((-k2 <= D1) & (free1 |
         ((k3 < D1) == 0))) | (free1 | ((v9 <= m1) | (v10 <= m1)))))))))));
 
-    q[0] = q1_ppp;
-    q[1] = angle13;
-    q[2] = angle9;
-    q[3] = q4_ppp;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp;
-    q[7] = angle14;
-    q[8] = -angle9;
-    q[9] = q4_ppm;
-    q[10] = q5_ppp;
-    q[11] = q6_ppp;
+    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9; q[9] = q4_ppm; q[10] = q5_ppp; q[11] = q6_ppp;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_pmp;
-    q[13] = angle15;
-    q[14] = angle10;
-    q[15] = q4_pmp;
-    q[16] = q5_pmp;
+    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10; q[15] = q4_pmp; q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_pmp;
-    q[19] = angle16;
-    q[20] = -angle10;
-    q[21] = q4_pmm;
-    q[22] = q5_pmp;
+    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10; q[21] = q4_pmm; q[22] = q5_pmp;
     q[23] = q6_pmp;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp;
-    q[25] = angle17;
-    q[26] = angle11;
-    q[27] = q4_mpp;
-    q[28] = q5_mpp;
+    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11; q[27] = q4_mpp; q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp;
-    q[31] = angle18;
-    q[32] = -angle11;
-    q[33] = q4_mpm;
-    q[34] = q5_mpp;
+    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11; q[33] = q4_mpm; q[34] = q5_mpp;
     q[35] = q6_mpp;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mmp;
-    q[37] = angle19;
-    q[38] = angle12;
-    q[39] = q4_mmp;
-    q[40] = q5_mmp;
+    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12; q[39] = q4_mmp; q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mmp;
-    q[43] = angle20;
-    q[44] = -angle12;
-    q[45] = q4_mmm;
-    q[46] = q5_mmp;
+    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12; q[45] = q4_mmm; q[46] = q5_mmp;
     q[47] = q6_mmp;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -739,8 +651,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double X1 = d6 * T13 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= doubt_limit_squared2;
+    const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
     const double v1 = inverse1 * (d4 * wy);
@@ -749,14 +661,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four s1 = w1 * (inverse1 * (e1 * wy)) - v3;
 
     /* theta6 */
-    const four v4 = v2 * T21 + s1 * T11;
-    const four v5 = v2 * T22 + s1 * T12;
-    const four v6 = v4 * v4 + v5 * v5;
+    const four v4 = v2 * T21 + s1 * T11, v5 = v2 * T22 + s1 * T12, v6 = v4 * v4 + v5 * v5;
     const four w6 = sqrt_four(v6);
     const four_mask doubt2 = v6 <= m1;
-    const four v7 = 1.0 / v6;
-    const four v8 = copysign_four(all_four(half_turn), -v5);
-    const four v9 = m2 * (e2 - 1.0);
+    const four v7 = 1.0 / v6, v8 = copysign_four(all_four(half_turn), -v5), v9 = m2 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T13 * s1 + T23 * v2;
@@ -771,22 +679,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta3 */
     const four v13 = d6 * w6;
     const double v14 = T34 - d1;
-    const four v15 = d5 * c234;
-    const four v16 = s234 * v13;
+    const four v15 = d5 * c234, v16 = s234 * v13;
     const four Z1_3 = v14 + (v16 + e2 * v15);
-    const four v17 = T24 * s1 - T14 * v2;
-    const four v18 = c234 * v13;
-    const four v19 = d5 * s234;
+    const four v17 = T24 * s1 - T14 * v2, v18 = c234 * v13, v19 = d5 * s234;
     const four Z2_3 = v17 + (v18 - e2 * v19);
     const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
     const four v20 = w3 - w3;
 
     /* theta2 */
-    const four v21 = m4 + m3 * N3;
-    const four v22 = Z1_3 * v21;
-    const four v23 = Z2_3 * v21;
-    const four v24 = w3 * (m3 * Z2_3);
+    const four v21 = m4 + m3 * N3, v22 = Z1_3 * v21, v23 = Z2_3 * v21, v24 = w3 * (m3 * Z2_3);
     const four v25 = w3 * (m3 * Z1_3);
 
     /* joint values */
@@ -794,8 +696,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt3 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle5 = atan2_four(w3, N3 - k4);
-    const four angle6 = atan2_four(v24 - v22, -(v23 + v25));
+    const four angle5 = atan2_four(w3, N3 - k4), angle6 = atan2_four(v24 - v22, -(v23 + v25));
     const four angle7 = atan2_four(-(v22 + v24), v25 - v23);
     const four packed4 = atan2_four(__builtin_shufflevector(s1, -v5, 0, 5, 2, 7),
         __builtin_shufflevector(-v2, v4, 0, 5, 2, 7));
@@ -806,8 +707,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle4 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
     const four theta234 = angle4 + v9 * v12;
-    const four v26 = theta234 - (angle5 + angle6);
-    const four v27 = theta234 - (angle7 - angle5);
+    const four v26 = theta234 - (angle5 + angle6), v27 = theta234 - (angle7 - angle5);
     const four q4_p = v26 - only_four(half_turn < v26, m5) + only_four(v26 <= -half_turn, m5);
     const four q4_m = v27 - only_four(half_turn < v27, m5) + only_four(v27 <= -half_turn, m5);
     const four q1_p = angle1 + v20;
@@ -897,12 +797,12 @@ static void solve(
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
     const int free1 = N1 <= free_limit_squared2;
+    const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d4 * sqrt(N1)));
     const double v1 = X1 * d4;
     const double v2 = wy * d4;
 
@@ -991,7 +891,9 @@ static void solve(
             for (int i3 = 0; i3 < 2; i3++) { /* down, up */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta3 */
-                if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
+                if (e3 < 0.0 && (!apart3 || (near6 && !(shortest3_clear < N3 && N3 <
+                    longest3_clear))))
+                    continue; /* both signs give the same */
                 const double s3 = w3 * e3 * k5;
                 const double q3 = atan2(s3, c3);
 

@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -392,13 +390,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide angle3 = atan2_wide(s3, T11 * T33 - T31 * T13);
     const wide q3_m = angle3 - h1 * copysign_wide(all_wide(half_turn), s3);
 
-    q[0] = angle1;
-    q[1] = angle2;
-    q[2] = angle3;
+    q[0] = angle1; q[1] = angle2; q[2] = angle3;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_m;
-    q[4] = q2_m;
-    q[5] = q3_m;
+    q[3] = q1_m; q[4] = q2_m; q[5] = q3_m;
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -419,8 +413,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double v1 = T11 * T11 + T31 * T31;
     const int doubt1 = v1 <= m1;
     const double v2 = copysign(half_turn, -T31);
-    const four v3 = e1 - 1.0;
-    const four v4 = m2 * v3;
+    const four v3 = e1 - 1.0, v4 = m2 * v3;
 
     /* theta2 */
     const double v5 = copysign(half_turn, T21);

@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -307,8 +305,8 @@ static const double g3 = 0.3213938048432697; /* ca2 * 1 / 2 */
 static const double doubt_limit_squared2 = 1.0000000000000002e-08;
 static const double m1 = 0.383022221559489; /* a coefficient of S3 */
 static const double m2 = 1e-12; /* doubt_limit_squared^2 */
-static const double m3 = 0.6634139481689384; /* a coefficient of v10 */
-static const double m4 = 1.2855752193730787; /* a coefficient of v18 */
+static const double m3 = 0.6634139481689384; /* a coefficient of v11 */
+static const double m4 = 1.2855752193730787; /* a coefficient of v19 */
 
 const char *const wrist_oblique_branches[2] = {
     "left", "right",
@@ -442,51 +440,31 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     /* theta1 */
     const wide v1 = k1 * (sqrt3 * T14);
     const wide Y1 = k1 * (sqrt3 * T24);
-    const wide Z1 = k1 * (T34 - k2);
     const wide N1 = v1 * v1 + Y1 * Y1;
-    const wide D1 = N1 - Z1 * Z1;
     const wide_mask free1 = N1 <= doubt_limit_squared2;
-    const wide v2 = 2.0 * abs_wide(Z1);
+    const wide Z1 = k1 * (T34 - k2);
+    const wide D1 = N1 - Z1 * Z1;
+    const wide v2 = abs_wide(Z1) * 2.0;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
-    const wide v3 = v1 * Z1;
-    const wide v4 = Y1 * Z1;
-    const wide v5 = v1 * inverse1;
-    const wide v6 = inverse1 * v4;
-    const wide v7 = w1 * v5;
-    const wide c1_p = v6 + v7;
-    const wide c1_m = v6 - v7;
-    const wide v8 = Y1 * inverse1;
-    const wide v9 = inverse1 * v3;
-    const wide v10 = w1 * v8;
+    const wide v3 = v1 * Z1, v4 = Y1 * Z1, v5 = v1 * inverse1, v6 = inverse1 * v4, v7 = w1 * v5;
+    const wide c1_p = v6 + v7, c1_m = v6 - v7;
+    const wide v8 = Y1 * inverse1, v9 = inverse1 * v3, v10 = w1 * v8;
     const wide s1_p = v10 - v9;
     const wide v11 = v9 + v10;
 
     /* theta3 */
-    const wide v12 = sqrt3 * T22;
-    const wide v13 = sqrt3 * T12;
-    const wide v14 = sqrt3 * T21;
-    const wide v15 = sqrt3 * T11;
-    const wide v16 = Y1 * v15 - v1 * v14;
-    const wide v17 = m1 * (T31 - inverse1 * (v3 * v15 + v4 * v14));
+    const wide v12 = sqrt3 * T22, v13 = sqrt3 * T12, v14 = sqrt3 * T21, v15 = sqrt3 * T11;
+    const wide v16 = Y1 * v15 - v1 * v14, v17 = m1 * (T31 - inverse1 * (v3 * v15 + v4 * v14));
     const wide S3_p = v17 + w1 * (m1 * (inverse1 * v16));
     const wide S3_m = v17 + w1 * (m1 * (inverse1 * -v16));
-    const wide v18 = Y1 * v13 - v1 * v12;
-    const wide v19 = m1 * (T32 - inverse1 * (v3 * v13 + v4 * v12));
+    const wide v18 = Y1 * v13 - v1 * v12, v19 = m1 * (T32 - inverse1 * (v3 * v13 + v4 * v12));
     const wide C3_p = v19 + w1 * (m1 * (inverse1 * v18));
     const wide C3_m = v19 + w1 * (m1 * (inverse1 * -v18));
-    const wide v20 = S3_p * S3_p + C3_p * C3_p;
-    const wide v21 = S3_m * S3_m + C3_m * C3_m;
-    const wide w3_p = sqrt_wide(v20);
-    const wide w3_m = sqrt_wide(v21);
-    const wide v22 = 1.0 / v20;
-    const wide v23 = 1.0 / v21;
-    const wide v24 = w3_p * v22;
-    const wide v25 = w3_m * v23;
-    const wide v26 = C3_p * v24;
-    const wide v27 = C3_m * v25;
-    const wide v28 = S3_p * v24;
-    const wide v29 = S3_m * v25;
+    const wide v20 = S3_p * S3_p + C3_p * C3_p, v21 = S3_m * S3_m + C3_m * C3_m;
+    const wide w3_p = sqrt_wide(v20), w3_m = sqrt_wide(v21);
+    const wide v22 = 1.0 / v20, v23 = 1.0 / v21, v24 = w3_p * v22, v25 = w3_m * v23;
+    const wide v26 = C3_p * v24, v27 = C3_m * v25, v28 = S3_p * v24, v29 = S3_m * v25;
 
     /* theta2 */
     const wide v30 = w3_p * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))) -
@@ -495,54 +473,23 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         T31 * (sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)))))));
     const wide v32 = k5 * (k1 * (2.0 * T33 - ca2));
     const double v33 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const wide v34 = v32 * v32;
-    const wide v35 = v34 + v30 * v30;
-    const wide v36 = v34 + v31 * v31;
-    const wide factor2_p = v33 / sqrt_wide(v35);
-    const wide factor2_m = v33 / sqrt_wide(v36);
-    const wide v37 = v32 * factor2_p;
-    const wide v38 = v32 * factor2_m;
-    const wide v39 = v30 * factor2_p;
+    const wide v34 = v32 * v32, v35 = v34 + v30 * v30, v36 = v34 + v31 * v31;
+    const wide factor2_p = v33 / sqrt_wide(v35), factor2_m = v33 / sqrt_wide(v36);
+    const wide v37 = v32 * factor2_p, v38 = v32 * factor2_m, v39 = v30 * factor2_p;
     const wide v40 = v31 * factor2_m;
 
     /* is the pose one that the arm can take? */
-    const wide v41 = 2.0 * c1_p;
-    const wide v42 = 2.0 * c1_m;
-    const wide v43 = ca2 * s1_p;
-    const wide v44 = ca2 * v11;
-    const wide v45 = s1_p * v26;
-    const wide v46 = v11 * v27;
-    const wide v47 = ca2 * c1_p;
-    const wide v48 = ca2 * c1_m;
-    const wide v49 = m4 * v6;
-    const wide v50 = w1 * (m4 * v5);
-    const wide v51 = v49 + v50;
-    const wide v52 = v49 - v50;
-    const wide v53 = s1_p * v28;
-    const wide v54 = v11 * v29;
-    const wide v55 = sa2 * s1_p;
-    const wide v56 = sa2 * v11;
-    const wide v57 = sa2 * c1_p;
-    const wide v58 = sa2 * c1_m;
-    const wide v59 = v37 * v55 + v39 * (2.0 * v57) + ca2 * (sqrt3 * s1_p);
-    const wide v60 = v40 * (2.0 * v58) - v38 * v56 - ca2 * (sqrt3 * v11);
-    const wide v61 = 2.0 * s1_p;
-    const wide v62 = 2.0 * v11;
-    const wide v63 = c1_p * v26;
-    const wide v64 = c1_m * v27;
-    const wide v65 = m4 * v9;
-    const wide v66 = w1 * (m4 * v8);
-    const wide v67 = v66 - v65;
-    const wide v68 = v65 + v66;
-    const wide v69 = c1_p * v28;
-    const wide v70 = c1_m * v29;
-    const wide v71 = v39 * (2.0 * v55) - v37 * v57 - ca2 * (sqrt3 * c1_p);
-    const wide v72 = v40 * (2.0 * v56) + v38 * v58 + ca2 * (sqrt3 * c1_m);
-    const wide v73 = sqrt3 * v28;
-    const wide v74 = sqrt3 * v29;
-    const wide v75 = sqrt3 * v26;
-    const wide v76 = sqrt3 * v27;
-    const wide v77 = ca2 - k3 * v37;
+    const wide v41 = 2.0 * c1_p, v42 = 2.0 * c1_m, v43 = ca2 * s1_p, v44 = ca2 * v11;
+    const wide v45 = s1_p * v26, v46 = v11 * v27, v47 = ca2 * c1_p, v48 = ca2 * c1_m, v49 = m4 * v6;
+    const wide v50 = w1 * (m4 * v5), v51 = v49 + v50, v52 = v49 - v50, v53 = s1_p * v28;
+    const wide v54 = v11 * v29, v55 = sa2 * s1_p, v56 = sa2 * v11, v57 = sa2 * c1_p;
+    const wide v58 = sa2 * c1_m, v59 = v37 * v55 + v39 * (2.0 * v57) + ca2 * (sqrt3 * s1_p);
+    const wide v60 = v40 * (2.0 * v58) - v38 * v56 - ca2 * (sqrt3 * v11), v61 = 2.0 * s1_p;
+    const wide v62 = 2.0 * v11, v63 = c1_p * v26, v64 = c1_m * v27, v65 = m4 * v9;
+    const wide v66 = w1 * (m4 * v8), v67 = v66 - v65, v68 = v65 + v66, v69 = c1_p * v28;
+    const wide v70 = c1_m * v29, v71 = v39 * (2.0 * v55) - v37 * v57 - ca2 * (sqrt3 * c1_p);
+    const wide v72 = v40 * (2.0 * v56) + v38 * v58 + ca2 * (sqrt3 * c1_m), v73 = sqrt3 * v28;
+    const wide v74 = sqrt3 * v29, v75 = sqrt3 * v26, v76 = sqrt3 * v27, v77 = ca2 - k3 * v37;
     const wide v78 = ca2 - k3 * v38;
     const double v79 = sqrt(-1.0);
     const wide v80 = pick_wide(maximum_wide(abs_wide(T14 - k1 * (d3 * v59)),
@@ -587,13 +534,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         * (reach_slack1 + v2)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 + v2) < D1) == 0))))
         | (v20 <= m2))));
 
-    q[0] = q1_p;
-    q[1] = q2_p;
-    q[2] = q3_p;
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_m;
-    q[4] = q2_m;
-    q[5] = q3_m;
+    q[3] = q1_m; q[4] = q2_m; q[5] = q3_m;
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -612,15 +555,14 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     /* theta1 */
     const double v1 = k1 * (sqrt3 * T14);
     const double Y1 = k1 * (sqrt3 * T24);
-    const double Z1 = k1 * (T34 - k2);
     const double N1 = v1 * v1 + Y1 * Y1;
-    const double D1 = N1 - Z1 * Z1;
     const int free1 = N1 <= doubt_limit_squared2;
-    const double v2 = 2.0 * fabs(Z1);
+    const double Z1 = k1 * (T34 - k2);
+    const double D1 = N1 - Z1 * Z1;
+    const double v2 = fabs(Z1) * 2.0;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
-    const double v3 = v1 * Z1;
-    const double v4 = Y1 * Z1;
+    const double v3 = v1 * Z1, v4 = Y1 * Z1;
     const four v5 = inverse1 * (e1 * v1);
     const double v6 = inverse1 * v4;
     const four c1 = v6 + w1 * v5;
@@ -629,54 +571,34 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const four s1 = w1 * v7 - v8;
 
     /* theta3 */
-    const double v9 = sqrt3 * T22;
-    const double v10 = sqrt3 * T12;
-    const double v11 = sqrt3 * T21;
-    const double v12 = sqrt3 * T11;
-    const double v13 = Y1 * v12 - v1 * v11;
-    const double v14 = m1 * (T31 - inverse1 * (v3 * v12 + v4 * v11));
+    const double v9 = sqrt3 * T22, v10 = sqrt3 * T12, v11 = sqrt3 * T21, v12 = sqrt3 * T11;
+    const double v13 = Y1 * v12 - v1 * v11, v14 = m1 * (T31 - inverse1 * (v3 * v12 + v4 * v11));
     const four S3 = v14 + w1 * (m1 * (inverse1 * (e1 * v13)));
-    const double v15 = Y1 * v10 - v1 * v9;
-    const double v16 = m1 * (T32 - inverse1 * (v3 * v10 + v4 * v9));
+    const double v15 = Y1 * v10 - v1 * v9, v16 = m1 * (T32 - inverse1 * (v3 * v10 + v4 * v9));
     const four C3 = v16 + w1 * (m1 * (inverse1 * (e1 * v15)));
     const four v17 = S3 * S3 + C3 * C3;
     const four w3 = sqrt_four(v17);
-    const four v18 = 1.0 / v17;
-    const four v19 = w3 * v18;
-    const four v20 = C3 * v19;
-    const four v21 = S3 * v19;
+    const four v18 = 1.0 / v17, v19 = w3 * v18, v20 = C3 * v19, v21 = S3 * v19;
 
     /* theta2 */
     const four v22 = w3 * (m3 * (v18 * (T32 * (sa2 * (k1 * (T31 + (s1 * v12 - c1 * v11)))) - T31 *
         (sa2 * (k1 * (T32 + (s1 * v10 - c1 * v9)))))));
-    const double v23 = k5 * (k1 * (2.0 * T33 - ca2));
-    const double v24 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const double v23 = k5 * (k1 * (2.0 * T33 - ca2)), v24 = (-k6 < 0.0) ? (-1.0) : 1.0;
     const double v25 = v23 * v23;
     const four v26 = v25 + v22 * v22;
     const four factor2 = v24 / sqrt_four(v26);
-    const four v27 = v23 * factor2;
-    const four v28 = v22 * factor2;
+    const four v27 = v23 * factor2, v28 = v22 * factor2;
 
     /* is the pose one that the arm can take? */
-    const four v29 = 2.0 * c1;
-    const four v30 = ca2 * s1;
-    const four v31 = s1 * v20;
-    const four v32 = ca2 * c1;
+    const four v29 = 2.0 * c1, v30 = ca2 * s1, v31 = s1 * v20, v32 = ca2 * c1;
     const double v33 = m4 * v6;
-    const four v34 = v33 + w1 * (m4 * v5);
-    const four v35 = s1 * v21;
-    const four v36 = sa2 * s1;
-    const four v37 = sa2 * c1;
-    const four v38 = v27 * v36 + v28 * (2.0 * v37) + ca2 * (sqrt3 * s1);
-    const four v39 = 2.0 * s1;
+    const four v34 = v33 + w1 * (m4 * v5), v35 = s1 * v21, v36 = sa2 * s1, v37 = sa2 * c1;
+    const four v38 = v27 * v36 + v28 * (2.0 * v37) + ca2 * (sqrt3 * s1), v39 = 2.0 * s1;
     const four v40 = c1 * v20;
     const double v41 = m4 * v8;
-    const four v42 = w1 * (m4 * v7) - v41;
-    const four v43 = c1 * v21;
-    const four v44 = v28 * (2.0 * v36) - v27 * v37 - ca2 * (sqrt3 * c1);
-    const four v45 = sqrt3 * v21;
-    const four v46 = sqrt3 * v20;
-    const four v47 = ca2 - k3 * v27;
+    const four v42 = w1 * (m4 * v7) - v41, v43 = c1 * v21;
+    const four v44 = v28 * (2.0 * v36) - v27 * v37 - ca2 * (sqrt3 * c1), v45 = sqrt3 * v21;
+    const four v46 = sqrt3 * v20, v47 = ca2 - k3 * v27;
     const double v48 = sqrt(-1.0);
     const four v49 = pick_four(maximum_four(abs_four(T14 - k1 * (d3 * v38)),
         maximum_four(abs_four(T34 - k1 * (d3 * v47)), abs_four(T24 - k1 * (d3 * v44)))) <=
@@ -780,85 +702,86 @@ static void solve(
     /* theta1, type 2: U1[3, 4] */
     const double v1 = T14 * sqrt3 * k1;
     const double Y1 = k1 * (sqrt3 * T24);
-    const double Z1 = k1 * (T34 - k2);
     const double N1 = v1 * v1 + Y1 * Y1;
-    const double D1 = N1 - Z1 * Z1;
     const int free1 = N1 <= free_limit_squared2;
-    const double v2 = 2.0 * fabs(Z1);
-    const int apart1 = merge_slack1 * (v2 + merge_slack1) < D1;
-    if (!(-(reach_slack1 * (v2 + reach_slack1)) <= D1)) return; /* out of reach */
+    const double Z1 = k1 * (T34 - k2);
+    const double D1 = N1 - Z1 * Z1;
+    const double v2 = fabs(Z1);
+    const double v3 = 2.0 * v2;
+    const int apart1 = merge_slack1 * (v3 + merge_slack1) < D1;
+    if (!(-(reach_slack1 * (v3 + reach_slack1)) <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : N1);
-    const double v3 = v1 * Z1;
-    const double v4 = Y1 * Z1;
+    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v2 * sqrt(N1)));
+    const double v4 = v1 * Z1;
+    const double v5 = Y1 * Z1;
 
     /* theta3, type 3: U1[3, 2] and U1[3, 1] */
-    const double v5 = sqrt3 * T22;
-    const double v6 = T12 * sqrt3;
-    const double v7 = sqrt3 * T21;
-    const double v8 = T11 * sqrt3;
+    const double v6 = sqrt3 * T22;
+    const double v7 = T12 * sqrt3;
+    const double v8 = sqrt3 * T21;
+    const double v9 = T11 * sqrt3;
 
     /* theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1] */
-    const double v11 = k1 * (2.0 * T33 - ca2) * k5;
-    const double v12 = -k6 < 0.0 ? -1.0 : 1.0;
-    const double v13 = v11 * v11;
+    const double v12 = k1 * (2.0 * T33 - ca2) * k5;
+    const double v13 = -k6 < 0.0 ? -1.0 : 1.0;
+    const double v14 = v12 * v12;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v4 + v1 * root1);
-        const double s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v3);
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v5 + v1 * root1);
+        const double s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v4);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double S3 = sa2 * (k1 * (T31 + (s1 * v8 - c1 * v7)));
-        const double C3 = sa2 * (k1 * (T32 + (s1 * v6 - c1 * v5)));
+        const double S3 = sa2 * (k1 * (T31 + (s1 * v9 - c1 * v8)));
+        const double C3 = sa2 * (k1 * (T32 + (s1 * v7 - c1 * v6)));
         const double w3 = sqrt(S3 * S3 + C3 * C3);
         const int free3 = w3 <= free_limit_squared;
-        const double v9 = 1.0 / (free3 ? 1.0 : w3);
-        const double c3 = free3 ? cos(seed[2]) : -(C3 * v9);
-        const double s3 = free3 ? sin(seed[2]) : -(S3 * v9);
+        const double v10 = 1.0 / (free3 ? 1.0 : w3);
+        const double c3 = free3 ? cos(seed[2]) : -(C3 * v10);
+        const double s3 = free3 ? sin(seed[2]) : -(S3 * v10);
         const double q3 = atan2(s3, c3);
 
         /* theta2 */
-        const double v10 = k4 * (T31 * c3 - T32 * s3);
-        const double w2 = sqrt(v10 * v10 + v13);
+        const double v11 = k4 * (T31 * c3 - T32 * s3);
+        const double w2 = sqrt(v11 * v11 + v14);
         const int free2 = w2 <= free_limit_squared;
-        const double factor2 = v12 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : -(v11 * factor2);
-        const double s2 = free2 ? sin(seed[1]) : -(v10 * factor2);
+        const double factor2 = v13 / (free2 ? 1.0 : w2);
+        const double c2 = free2 ? cos(seed[1]) : -(v12 * factor2);
+        const double s2 = free2 ? sin(seed[1]) : -(v11 * factor2);
         const double q2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */
-        const double v14 = 2.0 * c1;
-        const double v15 = ca2 * s1;
-        const double v16 = s1 * c3;
-        const double v17 = ca2 * c1;
-        const double v18 = 2.0 * v17;
-        const double v19 = s1 * s3;
-        const double v20 = s1 * sa2;
-        const double v21 = c1 * sa2;
-        const double v22 = c2 * v20 + s2 * (2.0 * v21) - ca2 * (sqrt3 * s1);
-        const double v23 = 2.0 * s1;
-        const double v24 = c1 * c3;
-        const double v25 = 2.0 * v15;
-        const double v26 = c1 * s3;
-        const double v27 = c2 * v21 - s2 * (2.0 * v20) - ca2 * (sqrt3 * c1);
-        const double v28 = sqrt3 * s3;
-        const double v29 = sqrt3 * c3;
-        const double v30 = ca2 + k3 * c2;
-        if (!(fabs(T34 - k1 * (d3 * v30)) <= pose_slack1 && (fabs(T33 - k1 * v30) <= pose_slack &&
-            (fabs(T32 - k1 * (c2 * (ca2 * v29) - s2 * v28 - sa2 * c3)) <= pose_slack && (fabs(T31 -
-            k1 * (c2 * (ca2 * v28) + s2 * v29 - sa2 * s3)) <= pose_slack && (fabs(T24 - k1 * (d3 *
-            v27)) <= pose_slack1 && (fabs(T23 - k1 * v27) <= pose_slack && (fabs(T22 - k1 * (c2 *
-            (c3 * v17 - s3 * v23) - s2 * (v26 + c3 * v25) + sa2 * (sqrt3 * v24))) <= pose_slack &&
-            (fabs(T21 - k1 * (c2 * (c3 * v23 + s3 * v17) + s2 * (v24 - s3 * v25) + sa2 * (sqrt3 *
-            v26))) <= pose_slack && (fabs(T14 + k1 * (d3 * v22)) <= pose_slack1 && (fabs(T13 - k1 *
-            -v22) <= pose_slack && (fabs(T11 - k1 * (c2 * (c3 * v14 - s3 * v15) - s2 * (v16 + s3 *
-            v18) - sa2 * (sqrt3 * v19))) <= pose_slack && fabs(T12 + k1 * (c2 * (c3 * v15 + s3 *
-            v14) + s2 * (c3 * v18 - v19) + sa2 * (sqrt3 * v16))) <= pose_slack))))))))))))
+        const double v15 = 2.0 * c1;
+        const double v16 = ca2 * s1;
+        const double v17 = s1 * c3;
+        const double v18 = ca2 * c1;
+        const double v19 = 2.0 * v18;
+        const double v20 = s1 * s3;
+        const double v21 = s1 * sa2;
+        const double v22 = c1 * sa2;
+        const double v23 = c2 * v21 + s2 * (2.0 * v22) - ca2 * (sqrt3 * s1);
+        const double v24 = 2.0 * s1;
+        const double v25 = c1 * c3;
+        const double v26 = 2.0 * v16;
+        const double v27 = c1 * s3;
+        const double v28 = c2 * v22 - s2 * (2.0 * v21) - ca2 * (sqrt3 * c1);
+        const double v29 = sqrt3 * s3;
+        const double v30 = sqrt3 * c3;
+        const double v31 = ca2 + k3 * c2;
+        if (!(fabs(T34 - k1 * (d3 * v31)) <= pose_slack1 && (fabs(T33 - k1 * v31) <= pose_slack &&
+            (fabs(T32 - k1 * (c2 * (ca2 * v30) - s2 * v29 - sa2 * c3)) <= pose_slack && (fabs(T31 -
+            k1 * (c2 * (ca2 * v29) + s2 * v30 - sa2 * s3)) <= pose_slack && (fabs(T24 - k1 * (d3 *
+            v28)) <= pose_slack1 && (fabs(T23 - k1 * v28) <= pose_slack && (fabs(T22 - k1 * (c2 *
+            (c3 * v18 - s3 * v24) - s2 * (v27 + c3 * v26) + sa2 * (sqrt3 * v25))) <= pose_slack &&
+            (fabs(T21 - k1 * (c2 * (c3 * v24 + s3 * v18) + s2 * (v25 - s3 * v26) + sa2 * (sqrt3 *
+            v27))) <= pose_slack && (fabs(T14 + k1 * (d3 * v23)) <= pose_slack1 && (fabs(T13 - k1 *
+            -v23) <= pose_slack && (fabs(T11 - k1 * (c2 * (c3 * v15 - s3 * v16) - s2 * (v17 + s3 *
+            v19) - sa2 * (sqrt3 * v20))) <= pose_slack && fabs(T12 + k1 * (c2 * (c3 * v16 + s3 *
+            v15) + s2 * (c3 * v19 - v20) + sa2 * (sqrt3 * v17))) <= pose_slack))))))))))))
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = q1;

@@ -16,7 +16,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -47,7 +47,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -100,8 +101,8 @@ g3 = 0.3213938048432697  # ca2 * 1 / 2
 doubt_limit_squared2 = 1.0000000000000002e-08  # square of a length that fixes no angle [m^2]
 m1 = 0.383022221559489  # a coefficient of S3
 m2 = 1e-12  # doubt_limit_squared^2
-m3 = 0.6634139481689384  # a coefficient of v10
-m4 = 1.2855752193730787  # a coefficient of v18
+m3 = 0.6634139481689384  # a coefficient of v11
+m4 = 1.2855752193730787  # a coefficient of v19
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -249,29 +250,30 @@ def _solve(pose, seed, q, status):
     # theta1, type 2: U1[3, 4]
     v1 = T14 * sqrt3 * k1
     Y1 = k1 * (sqrt3 * T24)
-    Z1 = k1 * (T34 - k2)
     N1 = v1 * v1 + Y1 * Y1
-    D1 = N1 - Z1 * Z1
     free1 = N1 <= free_limit_squared2
-    v2 = 2.0 * abs(Z1)
-    apart1 = merge_slack1 * (v2 + merge_slack1) < D1
-    if not (-(reach_slack1 * (v2 + reach_slack1)) <= D1):
+    Z1 = k1 * (T34 - k2)
+    D1 = N1 - Z1 * Z1
+    v2 = abs(Z1)
+    v3 = 2.0 * v2
+    apart1 = merge_slack1 * (v3 + merge_slack1) < D1
+    if not (-(reach_slack1 * (v3 + reach_slack1)) <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else N1)
-    v3 = v1 * Z1
-    v4 = Y1 * Z1
+    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v2 * math.sqrt(N1)))
+    v4 = v1 * Z1
+    v5 = Y1 * Z1
 
     # theta3, type 3: U1[3, 2] and U1[3, 1]
-    v5 = sqrt3 * T22
-    v6 = T12 * sqrt3
-    v7 = sqrt3 * T21
-    v8 = T11 * sqrt3
+    v6 = sqrt3 * T22
+    v7 = T12 * sqrt3
+    v8 = sqrt3 * T21
+    v9 = T11 * sqrt3
 
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
-    v11 = k1 * (2.0 * T33 - ca2) * k5
-    v12 = -1.0 if -k6 < 0.0 else 1.0
-    v13 = v11 * v11
+    v12 = k1 * (2.0 * T33 - ca2) * k5
+    v13 = -1.0 if -k6 < 0.0 else 1.0
+    v14 = v12 * v12
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -279,58 +281,58 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and (free1 or not apart1):
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (v4 + v1 * root1)
-        s1 = math.sin(seed[0]) if free1 else inverse1 * (Y1 * root1 - v3)
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v5 + v1 * root1)
+        s1 = math.sin(seed[0]) if free1 else inverse1 * (Y1 * root1 - v4)
         q1 = _atan2(s1, c1)
 
         # theta3
-        S3 = sa2 * (k1 * (T31 + (s1 * v8 - c1 * v7)))
-        C3 = sa2 * (k1 * (T32 + (s1 * v6 - c1 * v5)))
+        S3 = sa2 * (k1 * (T31 + (s1 * v9 - c1 * v8)))
+        C3 = sa2 * (k1 * (T32 + (s1 * v7 - c1 * v6)))
         w3 = math.sqrt(S3 * S3 + C3 * C3)
         free3 = w3 <= free_limit_squared
-        v9 = 1.0 / (1.0 if free3 else w3)
-        c3 = math.cos(seed[2]) if free3 else -(C3 * v9)
-        s3 = math.sin(seed[2]) if free3 else -(S3 * v9)
+        v10 = 1.0 / (1.0 if free3 else w3)
+        c3 = math.cos(seed[2]) if free3 else -(C3 * v10)
+        s3 = math.sin(seed[2]) if free3 else -(S3 * v10)
         q3 = _atan2(s3, c3)
 
         # theta2
-        v10 = k4 * (T31 * c3 - T32 * s3)
-        w2 = math.sqrt(v10 * v10 + v13)
+        v11 = k4 * (T31 * c3 - T32 * s3)
+        w2 = math.sqrt(v11 * v11 + v14)
         free2 = w2 <= free_limit_squared
-        factor2 = v12 / (1.0 if free2 else w2)
-        c2 = math.cos(seed[1]) if free2 else -(v11 * factor2)
-        s2 = math.sin(seed[1]) if free2 else -(v10 * factor2)
+        factor2 = v13 / (1.0 if free2 else w2)
+        c2 = math.cos(seed[1]) if free2 else -(v12 * factor2)
+        s2 = math.sin(seed[1]) if free2 else -(v11 * factor2)
         q2 = _atan2(s2, c2)
 
         # is the pose one that the arm can take?
-        v14 = 2.0 * c1
-        v15 = ca2 * s1
-        v16 = s1 * c3
-        v17 = ca2 * c1
-        v18 = 2.0 * v17
-        v19 = s1 * s3
-        v20 = s1 * sa2
-        v21 = c1 * sa2
-        v22 = c2 * v20 + s2 * (2.0 * v21) - ca2 * (sqrt3 * s1)
-        v23 = 2.0 * s1
-        v24 = c1 * c3
-        v25 = 2.0 * v15
-        v26 = c1 * s3
-        v27 = c2 * v21 - s2 * (2.0 * v20) - ca2 * (sqrt3 * c1)
-        v28 = sqrt3 * s3
-        v29 = sqrt3 * c3
-        v30 = ca2 + k3 * c2
+        v15 = 2.0 * c1
+        v16 = ca2 * s1
+        v17 = s1 * c3
+        v18 = ca2 * c1
+        v19 = 2.0 * v18
+        v20 = s1 * s3
+        v21 = s1 * sa2
+        v22 = c1 * sa2
+        v23 = c2 * v21 + s2 * (2.0 * v22) - ca2 * (sqrt3 * s1)
+        v24 = 2.0 * s1
+        v25 = c1 * c3
+        v26 = 2.0 * v16
+        v27 = c1 * s3
+        v28 = c2 * v22 - s2 * (2.0 * v21) - ca2 * (sqrt3 * c1)
+        v29 = sqrt3 * s3
+        v30 = sqrt3 * c3
+        v31 = ca2 + k3 * c2
         if (
-            not (abs(T34 - k1 * (d3 * v30)) <= pose_slack1 and (abs(T33 - k1 * v30) <= pose_slack
-            and (abs(T32 - k1 * (c2 * (ca2 * v29) - s2 * v28 - sa2 * c3)) <= pose_slack and (abs(T31
-            - k1 * (c2 * (ca2 * v28) + s2 * v29 - sa2 * s3)) <= pose_slack and (abs(T24 - k1 * (d3 *
-            v27)) <= pose_slack1 and (abs(T23 - k1 * v27) <= pose_slack and (abs(T22 - k1 * (c2 *
-            (c3 * v17 - s3 * v23) - s2 * (v26 + c3 * v25) + sa2 * (sqrt3 * v24))) <= pose_slack and
-            (abs(T21 - k1 * (c2 * (c3 * v23 + s3 * v17) + s2 * (v24 - s3 * v25) + sa2 * (sqrt3 *
-            v26))) <= pose_slack and (abs(T14 + k1 * (d3 * v22)) <= pose_slack1 and (abs(T13 - k1 *
-            -v22) <= pose_slack and (abs(T11 - k1 * (c2 * (c3 * v14 - s3 * v15) - s2 * (v16 + s3 *
-            v18) - sa2 * (sqrt3 * v19))) <= pose_slack and abs(T12 + k1 * (c2 * (c3 * v15 + s3 *
-            v14) + s2 * (c3 * v18 - v19) + sa2 * (sqrt3 * v16))) <= pose_slack)))))))))))
+            not (abs(T34 - k1 * (d3 * v31)) <= pose_slack1 and (abs(T33 - k1 * v31) <= pose_slack
+            and (abs(T32 - k1 * (c2 * (ca2 * v30) - s2 * v29 - sa2 * c3)) <= pose_slack and (abs(T31
+            - k1 * (c2 * (ca2 * v29) + s2 * v30 - sa2 * s3)) <= pose_slack and (abs(T24 - k1 * (d3 *
+            v28)) <= pose_slack1 and (abs(T23 - k1 * v28) <= pose_slack and (abs(T22 - k1 * (c2 *
+            (c3 * v18 - s3 * v24) - s2 * (v27 + c3 * v26) + sa2 * (sqrt3 * v25))) <= pose_slack and
+            (abs(T21 - k1 * (c2 * (c3 * v24 + s3 * v18) + s2 * (v25 - s3 * v26) + sa2 * (sqrt3 *
+            v27))) <= pose_slack and (abs(T14 + k1 * (d3 * v23)) <= pose_slack1 and (abs(T13 - k1 *
+            -v23) <= pose_slack and (abs(T11 - k1 * (c2 * (c3 * v15 - s3 * v16) - s2 * (v17 + s3 *
+            v19) - sa2 * (sqrt3 * v20))) <= pose_slack and abs(T12 + k1 * (c2 * (c3 * v16 + s3 *
+            v15) + s2 * (c3 * v19 - v20) + sa2 * (sqrt3 * v17))) <= pose_slack)))))))))))
         ):
             continue  # the arm can't take this pose
         row = i1
@@ -431,11 +433,11 @@ def _regular(pose, q, status):
     # theta1, type 2: U1[3, 4]
     v1 = k1 * (sqrt3 * T14)
     Y1 = k1 * (sqrt3 * T24)
-    Z1 = k1 * (T34 - k2)
     N1 = v1 * v1 + Y1 * Y1
-    D1 = N1 - Z1 * Z1
     free1 = N1 <= doubt_limit_squared2
-    v2 = 2.0 * abs(Z1)
+    Z1 = k1 * (T34 - k2)
+    D1 = N1 - Z1 * Z1
+    v2 = abs(Z1) * 2.0
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
     v3 = v1 * Z1
@@ -569,8 +571,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v36 <= m2 or (v21 <= m2 or (v35 <= m2 or (free1 or -(reach_slack1 * (reach_slack1 + v2)) <=
-        D1 and (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1)) or v20 <= m2)))
+        v36 <= m2 or (v21 <= m2 or (v35 <= m2 or (free1 or (-(reach_slack1 * (reach_slack1 + v2)) <=
+        D1 and (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1))) or v20 <= m2)))
     )
 
     # angles, side by side
@@ -624,6 +626,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (2, 3) or status.shape != (2,):
         raise ValueError("T, q and status must be (4, 4), (2, 3) and (2,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -669,7 +676,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(3), 3)) if q_seed is None else q_seed
     if seed.shape != (3,):
@@ -823,11 +831,11 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             v1 = k1 * (sqrt3 * T14)
             Y1 = k1 * (sqrt3 * T24)
-            Z1 = k1 * (T34 - k2)
             N1 = v1 * v1 + Y1 * Y1
-            D1 = N1 - Z1 * Z1
             free1 = N1 <= doubt_limit_squared2
-            v2 = 2.0 * abs(Z1)
+            Z1 = k1 * (T34 - k2)
+            D1 = N1 - Z1 * Z1
+            v2 = abs(Z1) * 2.0
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
             v3 = v1 * Z1
@@ -953,8 +961,8 @@ def _in_tiles(T, q, status):
                 - v40 * v74 + sa2 * v27)))))))))) <= pose_slack else v79
             )
             doubt1 = (
-                v36 <= m2 or (v21 <= m2 or (v35 <= m2 or (free1 or -(reach_slack1 * (reach_slack1 +
-                v2)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1)) or v20 <=
+                v36 <= m2 or (v21 <= m2 or (v35 <= m2 or (free1 or (-(reach_slack1 * (reach_slack1 +
+                v2)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1))) or v20 <=
                 m2)))
             )
             work[544 + k] = v80
@@ -1034,6 +1042,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((2, 3)), np.empty(2, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(3))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

@@ -80,8 +80,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -106,8 +105,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -391,13 +389,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide angle3 = atan2_wide(v2, T23 * T11 - T13 * T21);
     const wide q3_m = angle3 - h1 * copysign_wide(all_wide(half_turn), v2);
 
-    q[0] = angle1;
-    q[1] = angle2;
-    q[2] = angle3;
+    q[0] = angle1; q[1] = angle2; q[2] = angle3;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_m;
-    q[4] = -angle2;
-    q[5] = q3_m;
+    q[3] = q1_m; q[4] = -angle2; q[5] = q3_m;
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -421,8 +415,7 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const four v3 = m2 * (e1 - 1.0);
 
     /* theta3 */
-    const double v4 = T13 * T22 - T23 * T12;
-    const double v5 = copysign(half_turn, v4);
+    const double v4 = T13 * T22 - T23 * T12, v5 = copysign(half_turn, v4);
 
     const four packed1 = atan2_four((four){ -T13, -sqrt(v1), v4, -T13 }, (four){ T23, T33, T23 * T11
         - T13 * T21, T23 });

@@ -85,8 +85,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -111,8 +110,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -288,6 +286,7 @@ static const double a2 = 0.2894866145437471; /* link length 2 [m] */
 static const double a3 = 0.35116; /* link length 3 [m] */
 static const double a4 = 0.076; /* link length 4 [m] */
 static const double d5 = 0.097; /* joint offset 5 [m] */
+static const double second_weight = 1.080646614543747; /* lengths count in arm sizes [m] */
 static const double free_limit1 = 1.080646614543747e-12; /* a length that fixes no angle [m] */
 static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
@@ -315,8 +314,8 @@ static const double doubt_limit_squared2 = 1.1677971055248617e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1.1677971055248613e-06; /* doubt_limit1^2 [m^2] */
 static const double m2 = 1e-12; /* doubt_limit_squared^2 */
-static const double m4 = 0.076; /* a coefficient of v6 */
-static const double m5 = 0.097; /* a coefficient of v8 */
+static const double m4 = 0.076; /* a coefficient of v9 */
+static const double m5 = 0.097; /* a coefficient of v11 */
 static const double m6 = 1.727195576168653; /* a coefficient of S2 */
 static const double m7 = 0.06824295773100271; /* a coefficient of S2 */
 static const double m8 = 1.4238523749857612; /* a coefficient of c23 */
@@ -493,177 +492,125 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = T14 * T14 + T24 * T24;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide factor1 = w1 * v2;
-    const wide c1 = T14 * factor1;
-    const wide s1 = T24 * factor1;
+    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23);
+    const wide v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
+    const wide w1 = sqrt_wide(v4);
+    const wide v5 = 1.0 / v4;
+    const wide factor1 = w1 * v5;
+    const wide c1 = v2 * factor1;
+    const wide s1 = v3 * factor1;
 
     /* theta234 */
-    const wide v3 = v2 * (T14 * T13 + T24 * T23);
-    const wide Z2_234 = w1 * v3;
-    const wide v4 = T33 * T33 + Z2_234 * Z2_234;
-    const wide factor234 = sqrt_wide(v4) * (1.0 / v4);
+    const wide v6 = v5 * (T13 * v2 + T23 * v3);
+    const wide Z2_234 = w1 * v6;
+    const wide v7 = T33 * T33 + Z2_234 * Z2_234;
+    const wide factor234 = sqrt_wide(v7) * (1.0 / v7);
     const wide angle1 = atan2_wide(-Z2_234, T33);
 
     /* theta5 */
-    const wide Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22));
-    const wide Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21));
-    const wide v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
-    const wide v6 = sqrt_wide(v5) * (1.0 / v5);
-    const wide v7 = Z1_5 * v6;
-    const wide v8 = Z2_5 * v6;
+    const wide Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22));
+    const wide Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21));
+    const wide v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v9 = sqrt_wide(v8) * (1.0 / v8), v10 = Z1_5 * v9;
+    const wide v11 = Z2_5 * v9;
     const wide angle2 = atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const wide v9 = d5 * T33;
-    const wide v10 = T34 - d1;
-    const wide v11 = w1 * (m4 * v3);
-    const wide v12 = factor234 * (v9 - v11);
-    const wide v13 = factor234 * (v9 + v11);
-    const wide Z1_3_p = v10 - v12;
-    const wide Z1_3_m = v10 - v13;
-    const wide v14 = a4 * T33;
-    const wide v15 = w1 * (m5 * v3);
-    const wide v16 = factor234 * (v14 + v15);
-    const wide v17 = factor234 * (v14 - v15);
-    const wide Z2_3_p = w1 - v16;
-    const wide v18 = w1 + v17;
-    const wide N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p;
-    const wide N3_m = Z1_3_m * Z1_3_m + v18 * v18;
+    const wide v12 = d5 * T33, v13 = T34 - d1, v14 = w1 * (m4 * v6), v15 = factor234 * (v12 - v14);
+    const wide v16 = factor234 * (v12 + v14);
+    const wide Z1_3_p = v13 - v15, Z1_3_m = v13 - v16;
+    const wide v17 = a4 * T33, v18 = T14 * c1 + T24 * s1, v19 = w1 * (m5 * v6);
+    const wide v20 = factor234 * (v17 + v19), v21 = factor234 * (v17 - v19);
+    const wide Z2_3_p = v18 - v20;
+    const wide v22 = v18 + v21;
+    const wide N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p, N3_m = Z1_3_m * Z1_3_m + v22 * v22;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v19 = w3_p - w3_p;
-    const wide v20 = w3_m - w3_m;
-    const wide angle3 = atan2_wide(w3_p, N3_p - k1);
-    const wide angle4 = atan2_wide(w3_m, N3_m - k1);
+    const wide v23 = w3_p - w3_p, v24 = w3_m - w3_m;
+    const wide angle3 = atan2_wide(w3_p, N3_p - k1), angle4 = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide v21 = m6 * N3_p - m7;
-    const wide v22 = m6 * N3_m - m7;
-    const wide v23 = Z1_3_p * v21;
-    const wide v24 = Z1_3_m * v22;
-    const wide S2_pp = v23 - w3_p * (m6 * Z2_3_p);
-    const wide S2_pm = v23 - w3_p * (m6 * -Z2_3_p);
-    const wide v25 = w3_m * (m6 * v18);
-    const wide S2_mp = v24 + v25;
-    const wide S2_mm = v24 - v25;
-    const wide v26 = Z2_3_p * v21;
-    const wide v27 = v18 * v22;
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
-    const wide angle5 = atan2_wide(S2_pp, v26 + w3_p * (m6 * Z1_3_p));
-    const wide angle6 = atan2_wide(S2_pm, v26 + w3_p * (m6 * -Z1_3_p));
-    const wide angle7 = atan2_wide(S2_mp, w3_m * (m6 * Z1_3_m) - v27);
-    const wide angle8 = atan2_wide(S2_mm, w3_m * (m6 * -Z1_3_m) - v27);
+    const wide v25 = m6 * N3_p - m7, v26 = m6 * N3_m - m7, v27 = Z1_3_p * v25, v28 = Z1_3_m * v26;
+    const wide S2_pp = v27 - w3_p * (m6 * Z2_3_p), S2_pm = v27 - w3_p * (m6 * -Z2_3_p);
+    const wide v29 = w3_m * (m6 * v22);
+    const wide S2_mp = v28 + v29, S2_mm = v28 - v29;
+    const wide v30 = Z2_3_p * v25, v31 = v22 * v26;
+    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+    const wide angle5 = atan2_wide(S2_pp, v30 + w3_p * (m6 * Z1_3_p));
+    const wide angle6 = atan2_wide(S2_pm, v30 + w3_p * (m6 * -Z1_3_p));
+    const wide angle7 = atan2_wide(S2_mp, w3_m * (m6 * Z1_3_m) - v31);
+    const wide angle8 = atan2_wide(S2_mm, w3_m * (m6 * -Z1_3_m) - v31);
 
     /* is the pose one that the arm can take? */
-    const wide v28 = c1 * T33;
-    const wide v29 = Z1_3_p * (m8 + m9 * factor2_p);
-    const wide v30 = Z1_3_m * (m8 + m9 * factor2_m);
-    const wide v31 = v16 + Z2_3_p;
-    const wide v32 = v17 - v18;
-    const wide v33 = s1 * T33;
-    const wide v34 = d1 + v12;
-    const wide v35 = d1 + v13;
-    const double v36 = sqrt(-1.0);
-    const wide v37 = pick_wide(maximum_wide(abs_wide(T12 - (s1 * v7 + factor234 * (v8 * v28))),
-        maximum_wide(abs_wide(T11 - (s1 * v8 - factor234 * (v7 * v28))), maximum_wide(abs_wide(T13 -
-        factor234 * (c1 * Z2_234)), maximum_wide(abs_wide(T21 + (c1 * v8 + factor234 * (v7 * v33))),
-        maximum_wide(abs_wide(T22 - (factor234 * (v8 * v33) - c1 * v7)), maximum_wide(abs_wide(T23 -
-        factor234 * (s1 * Z2_234)), maximum_wide(abs_wide(T31 - factor234 * (Z2_234 * v7)),
-        maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32 + factor234 * (Z2_234 *
-        v8)))))))))) <= pose_slack, all_wide(0.0), all_wide(v36));
-    const wide v38 = abs_wide(T14 - c1 * v31);
-    const wide v39 = abs_wide(T14 + c1 * v32);
-    const wide v40 = abs_wide(T24 - s1 * v31);
-    const wide v41 = abs_wide(T24 + s1 * v32);
-    const wide v42 = pick_wide(maximum_wide(v40, maximum_wide(v38, abs_wide(T34 - (a3 * (v29 + w3_p
-        * (m8 * (Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pp * factor2_p)))))) <= pose_slack1,
-        all_wide(0.0), all_wide(v36));
-    const wide v43 = pick_wide(maximum_wide(v40, maximum_wide(v38, abs_wide(T34 - (a3 * (v29 + w3_p
-        * (m8 * (-Z2_3_p * factor2_p))) + (v34 + a2 * (S2_pm * factor2_p)))))) <= pose_slack1,
-        all_wide(0.0), all_wide(v36));
-    const wide v44 = w3_m * (m8 * (v18 * factor2_m));
-    const wide v45 = pick_wide(maximum_wide(v41, maximum_wide(v39, abs_wide(T34 - (a3 * (v30 - v44)
-        + (v35 + a2 * (S2_mp * factor2_m)))))) <= pose_slack1, all_wide(0.0), all_wide(v36));
-    const wide v46 = pick_wide(maximum_wide(v41, maximum_wide(v39, abs_wide(T34 - (a3 * (v30 + v44)
-        + (v35 + a2 * (S2_mm * factor2_m)))))) <= pose_slack1, all_wide(0.0), all_wide(v36));
+    const wide v32 = c1 * T33, v33 = Z1_3_p * (m8 + m9 * factor2_p);
+    const wide v34 = Z1_3_m * (m8 + m9 * factor2_m), v35 = v20 + Z2_3_p, v36 = v21 - v22;
+    const wide v37 = s1 * T33, v38 = d1 + v15, v39 = d1 + v16;
+    const double v40 = sqrt(-1.0);
+    const wide v41 = pick_wide(maximum_wide(abs_wide(T12 - (s1 * v10 + factor234 * (v11 * v32))),
+        maximum_wide(abs_wide(T11 - (s1 * v11 - factor234 * (v10 * v32))), maximum_wide(abs_wide(T13
+        - factor234 * (c1 * Z2_234)), maximum_wide(abs_wide(T21 + (c1 * v11 + factor234 * (v10 *
+        v37))), maximum_wide(abs_wide(T22 - (factor234 * (v11 * v37) - c1 * v10)),
+        maximum_wide(abs_wide(T23 - factor234 * (s1 * Z2_234)), maximum_wide(abs_wide(T31 -
+        factor234 * (Z2_234 * v10)), maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32 +
+        factor234 * (Z2_234 * v11)))))))))) <= pose_slack, all_wide(0.0), all_wide(v40));
+    const wide v42 = abs_wide(T14 - c1 * v35), v43 = abs_wide(T14 + c1 * v36);
+    const wide v44 = abs_wide(T24 - s1 * v35), v45 = abs_wide(T24 + s1 * v36);
+    const wide v46 = pick_wide(maximum_wide(v44, maximum_wide(v42, abs_wide(T34 - (a3 * (v33 + w3_p
+        * (m8 * (Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pp * factor2_p)))))) <= pose_slack1,
+        all_wide(0.0), all_wide(v40));
+    const wide v47 = pick_wide(maximum_wide(v44, maximum_wide(v42, abs_wide(T34 - (a3 * (v33 + w3_p
+        * (m8 * (-Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pm * factor2_p)))))) <= pose_slack1,
+        all_wide(0.0), all_wide(v40)), v48 = w3_m * (m8 * (v22 * factor2_m));
+    const wide v49 = pick_wide(maximum_wide(v45, maximum_wide(v43, abs_wide(T34 - (a3 * (v34 - v48)
+        + (v39 + a2 * (S2_mp * factor2_m)))))) <= pose_slack1, all_wide(0.0), all_wide(v40));
+    const wide v50 = pick_wide(maximum_wide(v45, maximum_wide(v43, abs_wide(T34 - (a3 * (v34 + v48)
+        + (v39 + a2 * (S2_mm * factor2_m)))))) <= pose_slack1, all_wide(0.0), all_wide(v40));
 
     /* joint values */
-    const wide angle9 = atan2_wide(T24, T14);
-    const wide v47 = angle9 - offset1;
-    const wide v48 = angle9 - h1 * copysign_wide(all_wide(half_turn), T24) - offset1;
-    const wide v49 = angle5 - offset2;
-    const wide v50 = angle6 - offset2;
-    const wide v51 = angle7 - offset2;
-    const wide v52 = angle8 - offset2;
-    const wide v53 = angle3 - offset3;
-    const wide v54 = offset3 + angle3;
-    const wide v55 = angle4 - offset3;
-    const wide v56 = offset3 + angle4;
-    const wide v57 = angle1 - (angle3 + angle5) - offset4;
-    const wide v58 = angle1 - (angle6 - angle3) - offset4;
-    const wide v59 = offset4 + (angle1 + (angle4 + angle7));
-    const wide v60 = offset4 + (angle1 + (angle8 - angle4));
-    const wide v61 = v57 - only_wide(half_turn < v57, m10) + only_wide(v57 <= -half_turn, m10);
-    const wide v62 = v58 - only_wide(half_turn < v58, m10) + only_wide(v58 <= -half_turn, m10);
-    const wide v63 = only_wide(-v59 <= -half_turn, m10) - (v59 + only_wide(half_turn < -v59, m10));
-    const wide v64 = only_wide(-v60 <= -half_turn, m10) - (v60 + only_wide(half_turn < -v60, m10));
-    const wide v65 = v37 + (v19 + (v47 + only_wide(v47 <= -half_turn, m10)));
-    const wide v66 = v37 + (v20 + (v48 + only_wide(v48 <= -half_turn, m10)));
-    const wide q1_pp = v42 + v65;
-    const wide q1_pm = v43 + v65;
-    const wide q1_mp = v45 + v66;
-    const wide q1_mm = v46 + v66;
-    const wide q2_pp = v42 + (v37 + (v49 + only_wide(v49 <= -half_turn, m10)));
-    const wide q2_pm = v43 + (v37 + (v50 + only_wide(v50 <= -half_turn, m10)));
-    const wide q2_mp = v45 + (v37 + (v51 + only_wide(v51 <= -half_turn, m10)));
-    const wide q2_mm = v46 + (v37 + (v52 + only_wide(v52 <= -half_turn, m10)));
-    const wide q3_pp = v42 + (v37 + (v53 + only_wide(v53 <= -half_turn, m10)));
-    const wide q3_pm = v43 + (v37 + (only_wide(-v54 <= -half_turn, m10) - v54));
-    const wide q3_mp = v45 + (v37 + (v55 + only_wide(v55 <= -half_turn, m10)));
-    const wide q3_mm = v46 + (v37 + (only_wide(-v56 <= -half_turn, m10) - v56));
-    const wide q4_pp = v42 + (v37 + (v61 - only_wide(half_turn < v61, m10)));
-    const wide q4_pm = v43 + (v37 + (v62 - only_wide(half_turn < v62, m10)));
-    const wide q4_mp = v45 + (v37 + (v63 - only_wide(half_turn < v63, m10)));
-    const wide q4_mm = v46 + (v37 + (v64 - only_wide(half_turn < v64, m10)));
-    const wide v67 = v37 + (angle2 + v19);
-    const wide v68 = v37 + (v20 + (angle2 - copysign_wide(all_wide(half_turn), -Z2_5) * h1));
-    const wide q5_pp = v42 + v67;
-    const wide q5_pm = v43 + v67;
-    const wide q5_mp = v45 + v68;
-    const wide q5_mm = v46 + v68;
-    const wide_mask doubt1 = (v4 <= m2) | ((v1 <= m1) | ((N3_m <= doubt_limit_squared2) |
+    const wide angle9 = atan2_wide(v3, v2);
+    const wide v51 = angle9 - offset1;
+    const wide v52 = angle9 - h1 * copysign_wide(all_wide(half_turn), v3) - offset1;
+    const wide v53 = angle5 - offset2, v54 = angle6 - offset2, v55 = angle7 - offset2;
+    const wide v56 = angle8 - offset2, v57 = angle3 - offset3, v58 = offset3 + angle3;
+    const wide v59 = angle4 - offset3, v60 = offset3 + angle4;
+    const wide v61 = angle1 - (angle3 + angle5) - offset4;
+    const wide v62 = angle1 - (angle6 - angle3) - offset4;
+    const wide v63 = offset4 + (angle1 + (angle4 + angle7));
+    const wide v64 = offset4 + (angle1 + (angle8 - angle4));
+    const wide v65 = v61 - only_wide(half_turn < v61, m10) + only_wide(v61 <= -half_turn, m10);
+    const wide v66 = v62 - only_wide(half_turn < v62, m10) + only_wide(v62 <= -half_turn, m10);
+    const wide v67 = only_wide(-v63 <= -half_turn, m10) - (v63 + only_wide(half_turn < -v63, m10));
+    const wide v68 = only_wide(-v64 <= -half_turn, m10) - (v64 + only_wide(half_turn < -v64, m10));
+    const wide v69 = v41 + (v23 + (v51 + only_wide(v51 <= -half_turn, m10)));
+    const wide v70 = v41 + (v24 + (v52 + only_wide(v52 <= -half_turn, m10)));
+    const wide q1_pp = v46 + v69, q1_pm = v47 + v69, q1_mp = v49 + v70, q1_mm = v50 + v70;
+    const wide q2_pp = v46 + (v41 + (v53 + only_wide(v53 <= -half_turn, m10)));
+    const wide q2_pm = v47 + (v41 + (v54 + only_wide(v54 <= -half_turn, m10)));
+    const wide q2_mp = v49 + (v41 + (v55 + only_wide(v55 <= -half_turn, m10)));
+    const wide q2_mm = v50 + (v41 + (v56 + only_wide(v56 <= -half_turn, m10)));
+    const wide q3_pp = v46 + (v41 + (v57 + only_wide(v57 <= -half_turn, m10)));
+    const wide q3_pm = v47 + (v41 + (only_wide(-v58 <= -half_turn, m10) - v58));
+    const wide q3_mp = v49 + (v41 + (v59 + only_wide(v59 <= -half_turn, m10)));
+    const wide q3_mm = v50 + (v41 + (only_wide(-v60 <= -half_turn, m10) - v60));
+    const wide q4_pp = v46 + (v41 + (v65 - only_wide(half_turn < v65, m10)));
+    const wide q4_pm = v47 + (v41 + (v66 - only_wide(half_turn < v66, m10)));
+    const wide q4_mp = v49 + (v41 + (v67 - only_wide(half_turn < v67, m10)));
+    const wide q4_mm = v50 + (v41 + (v68 - only_wide(half_turn < v68, m10)));
+    const wide v71 = v41 + (angle2 + v23);
+    const wide v72 = v41 + (v24 + (angle2 - copysign_wide(all_wide(half_turn), -Z2_5) * h1));
+    const wide q5_pp = v46 + v71, q5_pm = v47 + v71, q5_mp = v49 + v72, q5_mm = v50 + v72;
+    const wide_mask doubt1 = (v7 <= m2) | ((v4 <= m1) | ((N3_m <= doubt_limit_squared2) |
         ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((N3_p <= doubt_limit_squared2) | ((v5 <= m2) |
+        (N3_m < longest3_apart)) == 0)) | ((N3_p <= doubt_limit_squared2) | ((v8 <= m2) |
         (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p
         < longest3_apart)) == 0)))))));
 
-    q[0] = q1_pp;
-    q[1] = q2_pp;
-    q[2] = q3_pp;
-    q[3] = q4_pp;
-    q[4] = q5_pp;
+    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_pm;
-    q[6] = q2_pm;
-    q[7] = q3_pm;
-    q[8] = q4_pm;
-    q[9] = q5_pm;
+    q[5] = q1_pm; q[6] = q2_pm; q[7] = q3_pm; q[8] = q4_pm; q[9] = q5_pm;
     kind[1] = kind_of(q[5] != q[5], 0);
-    q[10] = q1_mp;
-    q[11] = q2_mp;
-    q[12] = q3_mp;
-    q[13] = q4_mp;
-    q[14] = q5_mp;
+    q[10] = q1_mp; q[11] = q2_mp; q[12] = q3_mp; q[13] = q4_mp; q[14] = q5_mp;
     kind[2] = kind_of(q[10] != q[10], 0);
-    q[15] = q1_mm;
-    q[16] = q2_mm;
-    q[17] = q3_mm;
-    q[18] = q4_mm;
-    q[19] = q5_mm;
+    q[15] = q1_mm; q[16] = q2_mm; q[17] = q3_mm; q[18] = q4_mm; q[19] = q5_mm;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -682,77 +629,71 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = T14 * T14 + T24 * T24;
-    const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1;
-    const double factor1 = w1 * v2;
-    const double c1 = T14 * factor1;
-    const double s1 = T24 * factor1;
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1;
+    const double v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
+    const double w1 = sqrt(v4);
+    const double v5 = 1.0 / v4;
+    const double factor1 = w1 * v5;
+    const double c1 = v2 * factor1;
+    const double s1 = v3 * factor1;
 
     /* theta234 */
-    const double v3 = T14 * T13 + T24 * T23;
-    const double Z2_234 = w1 * (v2 * v3);
-    const double v4 = T33 * T33 + Z2_234 * Z2_234;
-    const double factor234 = sqrt(v4) * (1.0 / v4);
+    const double v6 = T13 * v2 + T23 * v3;
+    const double Z2_234 = w1 * (v5 * v6);
+    const double v7 = T33 * T33 + Z2_234 * Z2_234;
+    const double factor234 = sqrt(v7) * (1.0 / v7);
 
     /* theta5 */
-    const double Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22));
-    const double Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21));
-    const double v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5;
-    const double v6 = sqrt(v5) * (1.0 / v5);
-    const double v7 = Z1_5 * v6;
-    const double v8 = Z2_5 * v6;
-    const double v9 = copysign(half_turn, -Z2_5);
-    const four v10 = m3 * (e1 - 1.0);
+    const double Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22));
+    const double Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21));
+    const double v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v9 = sqrt(v8) * (1.0 / v8), v10 = Z1_5 * v9;
+    const double v11 = Z2_5 * v9, v12 = copysign(half_turn, -Z2_5);
+    const four v13 = m3 * (e1 - 1.0);
 
     /* theta3 */
-    const double v11 = d5 * T33;
-    const four v12 = v2 * (e1 * v3);
-    const double v13 = T34 - d1;
-    const four v14 = factor234 * (v11 - w1 * (m4 * v12));
-    const four Z1_3 = v13 - v14;
-    const double v15 = a4 * T33;
-    const four v16 = factor234 * (v15 + w1 * (m5 * v12));
-    const four Z2_3 = e1 * w1 - v16;
+    const double v14 = d5 * T33;
+    const four v15 = v5 * (e1 * v6);
+    const double v16 = T34 - d1;
+    const four v17 = factor234 * (v14 - w1 * (m4 * v15));
+    const four Z1_3 = v16 - v17;
+    const double v18 = a4 * T33, v19 = T14 * c1 + T24 * s1;
+    const four v20 = factor234 * (v18 + w1 * (m5 * v15));
+    const four Z2_3 = e1 * v19 - v20;
     const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v17 = w3 - w3;
+    const four v21 = w3 - w3;
 
     /* theta2 */
-    const four v18 = e2 * Z2_3;
-    const four v19 = m6 * N3 - m7;
-    const four v20 = Z1_3 * v19;
-    const four S2 = v20 - w3 * (m6 * v18);
-    const four v21 = Z2_3 * v19;
+    const four v22 = e2 * Z2_3, v23 = m6 * N3 - m7, v24 = Z1_3 * v23;
+    const four S2 = v24 - w3 * (m6 * v22);
+    const four v25 = Z2_3 * v23;
     const four factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const double v22 = c1 * T33;
-    const four v23 = Z1_3 * (m8 + m9 * factor2);
-    const four v24 = v16 + Z2_3;
-    const double v25 = s1 * T33;
-    const four v26 = d1 + v14;
-    const double v27 = sqrt(-1.0);
-    const double v28 = (maximum_double(fabs(T12 - (s1 * v7 + factor234 * (v8 * v22))),
-        maximum_double(fabs(T11 - (s1 * v8 - factor234 * (v7 * v22))), maximum_double(fabs(T13 -
-        factor234 * (c1 * Z2_234)), maximum_double(fabs(T21 + (c1 * v8 + factor234 * (v7 * v25))),
-        maximum_double(fabs(T22 - (factor234 * (v8 * v25) - c1 * v7)), maximum_double(fabs(T23 -
-        factor234 * (s1 * Z2_234)), maximum_double(fabs(T31 - factor234 * (Z2_234 * v7)),
-        maximum_double(fabs(T33 - T33 * factor234), fabs(T32 + factor234 * (Z2_234 * v8)))))))))) <=
-        pose_slack) ? 0.0 : v27;
-    const four v29 = abs_four(T14 - e1 * (c1 * v24));
-    const four v30 = abs_four(T24 - e1 * (s1 * v24));
-    const four v31 = pick_four(maximum_four(v30, maximum_four(v29, abs_four(T34 - (a3 * (v23 + w3 *
-        (m8 * (v18 * factor2))) + (v26 + a2 * (S2 * factor2)))))) <= pose_slack1, all_four(0.0),
-        all_four(v27));
+    const double v26 = c1 * T33;
+    const four v27 = Z1_3 * (m8 + m9 * factor2), v28 = v20 + Z2_3;
+    const double v29 = s1 * T33;
+    const four v30 = d1 + v17;
+    const double v31 = sqrt(-1.0);
+    const double v32 = (maximum_double(fabs(T12 - (s1 * v10 + factor234 * (v11 * v26))),
+        maximum_double(fabs(T11 - (s1 * v11 - factor234 * (v10 * v26))), maximum_double(fabs(T13 -
+        factor234 * (c1 * Z2_234)), maximum_double(fabs(T21 + (c1 * v11 + factor234 * (v10 * v29))),
+        maximum_double(fabs(T22 - (factor234 * (v11 * v29) - c1 * v10)), maximum_double(fabs(T23 -
+        factor234 * (s1 * Z2_234)), maximum_double(fabs(T31 - factor234 * (Z2_234 * v10)),
+        maximum_double(fabs(T33 - T33 * factor234), fabs(T32 + factor234 * (Z2_234 * v11))))))))))
+        <= pose_slack) ? 0.0 : v31;
+    const four v33 = abs_four(T14 - e1 * (c1 * v28)), v34 = abs_four(T24 - e1 * (s1 * v28));
+    const four v35 = pick_four(maximum_four(v34, maximum_four(v33, abs_four(T34 - (a3 * (v27 + w3 *
+        (m8 * (v22 * factor2))) + (v30 + a2 * (S2 * factor2)))))) <= pose_slack1, all_four(0.0),
+        all_four(v31));
 
     /* joint values */
-    const double v32 = copysign(half_turn, T24);
+    const double v36 = copysign(half_turn, v3);
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
-    const int doubt1 = (v4 <= m2) | ((v5 <= m2) | (v1 <= m1));
+    const int doubt1 = (v7 <= m2) | ((v8 <= m2) | (v4 <= m1));
 
-    const four angle4 = atan2_four(S2, v21 + w3 * (m6 * (e2 * Z1_3)));
+    const four angle4 = atan2_four(S2, v25 + w3 * (m6 * (e2 * Z1_3)));
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
         all_four(-Z2_234), 0, 5, 2, 3), all_four(-Z2_5), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T33), 0, 5, 2, 3),
@@ -760,22 +701,18 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four packed3 = atan2_four((four){ T24, T24, T24, T24 }, (four){ T14, T14, T14, T14 });
+    const four packed3 = atan2_four((four){ v3, v3, v3, v3 }, (four){ v2, v2, v2, v2 });
     const four angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v33 = angle5 + v10 * v32 - offset1;
-    const four v34 = angle4 - offset2;
-    const four v35 = e2 * angle3;
-    const four v36 = v35 - offset3;
-    const four v37 = e1 * angle1;
-    const four v38 = v37 - (angle4 + v35) - offset4;
-    const four v39 = v38 - only_four(half_turn < v38, m10) + only_four(v38 <= -half_turn, m10);
-    const four v40 = v28 + (v17 + (v33 + only_four(v33 <= -half_turn, m10)));
-    const four q1 = v31 + v40;
-    const four q2 = v31 + (v28 + (v34 + only_four(v34 <= -half_turn, m10)));
-    const four q3 = v31 + (v28 + (v36 + only_four(v36 <= -half_turn, m10)));
-    const four q4 = v31 + (v28 + (v39 - only_four(half_turn < v39, m10)));
-    const four v41 = v28 + (v17 + (angle2 + v9 * v10));
-    const four q5 = v31 + v41;
+    const four v37 = angle5 + v13 * v36 - offset1, v38 = angle4 - offset2, v39 = e2 * angle3;
+    const four v40 = v39 - offset3, v41 = e1 * angle1, v42 = v41 - (angle4 + v39) - offset4;
+    const four v43 = v42 - only_four(half_turn < v42, m10) + only_four(v42 <= -half_turn, m10);
+    const four v44 = v32 + (v21 + (v37 + only_four(v37 <= -half_turn, m10)));
+    const four q1 = v35 + v44;
+    const four q2 = v35 + (v32 + (v38 + only_four(v38 <= -half_turn, m10)));
+    const four q3 = v35 + (v32 + (v40 + only_four(v40 <= -half_turn, m10)));
+    const four q4 = v35 + (v32 + (v43 - only_four(half_turn < v43, m10)));
+    const four v45 = v32 + (v21 + (angle2 + v12 * v13));
+    const four q5 = v35 + v45;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -853,35 +790,38 @@ static void solve(
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
-    /* theta1, type 2: U1[3, 4] */
-    const double w1 = sqrt(T14 * T14 + T24 * T24);
+    /* theta1, type 2: U1[3, 4] and U1[3, 3] */
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23);
+    const double v2 = T14 + T13 * v1;
+    const double v3 = T24 + T23 * v1;
+    const double w1 = sqrt(v2 * v2 + v3 * v3);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
-    const double v1 = seed[0] + offset1;
+    const double v4 = seed[0] + offset1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v2 = T33 * T33;
-    const double v3 = seed[1] + offset2;
-    const double v4 = v3 + (seed[2] + offset3) + (seed[3] + offset4);
+    const double v5 = T33 * T33;
+    const double v6 = seed[1] + offset2;
+    const double v7 = v6 + (seed[2] + offset3) + (seed[3] + offset4);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v7 = T34 - d1;
+    const double v10 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(v1) : T14 * factor1;
-        const double s1 = free1 ? sin(v1) : T24 * factor1;
+        const double c1 = free1 ? cos(v4) : v2 * factor1;
+        const double s1 = free1 ? sin(v4) : v3 * factor1;
 
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
-        const double w234 = sqrt(Z2_234 * Z2_234 + v2);
+        const double w234 = sqrt(Z2_234 * Z2_234 + v5);
         const int free234 = w234 <= free_limit_squared;
         const double factor234 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v4) : T33 * factor234;
-        const double s234 = free234 ? sin(v4) : -(Z2_234 * factor234);
+        const double c234 = free234 ? cos(v7) : T33 * factor234;
+        const double s234 = free234 ? sin(v7) : -(Z2_234 * factor234);
         const double theta234 = atan2(s234, c234);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
@@ -889,16 +829,16 @@ static void solve(
         const double Z2_5 = T11 * s1 - T21 * c1;
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
         const int free5 = w5 <= free_limit_squared;
-        const double v5 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v5);
-        const double s5 = free5 ? sin(seed[4]) : -(Z2_5 * v5);
+        const double v8 = 1.0 / (free5 ? 1.0 : w5);
+        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v8);
+        const double s5 = free5 ? sin(seed[4]) : -(Z2_5 * v8);
         const double q5 = atan2(s5, c5);
 
         /* theta3 */
-        const double v6 = c234 * d5 + s234 * a4;
-        const double Z1_3 = v7 - v6;
-        const double v8 = s234 * d5 - c234 * a4;
-        const double Z2_3 = w1 * e1 + v8;
+        const double v9 = c234 * d5 + s234 * a4;
+        const double Z1_3 = v10 - v9;
+        const double v11 = s234 * d5 - c234 * a4;
+        const double Z2_3 = v11 + (T14 * c1 + T24 * s1);
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
@@ -927,18 +867,18 @@ static void solve(
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
         const double X1_2 = a2 + a3 * c3;
-        const double v9 = Z1_3 * X1_2;
-        const double v10 = Z2_3 * X1_2;
+        const double v12 = Z1_3 * X1_2;
+        const double v13 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v11 = c1 * c234;
-        const double v13 = s1 * c234;
-        const double v14 = d1 + v6;
+        const double v14 = c1 * c234;
+        const double v16 = s1 * c234;
+        const double v17 = d1 + v9;
         if (!(fabs(T33 - c234) <= pose_slack && (fabs(T32 + s234 * s5) <= pose_slack && (fabs(T31 -
             s234 * c5) <= pose_slack && (fabs(T23 + s1 * s234) <= pose_slack && (fabs(T22 - (c1 * c5
-            - s5 * v13)) <= pose_slack && (fabs(T21 - (c5 * v13 + c1 * s5)) <= pose_slack &&
-            (fabs(T13 + c1 * s234) <= pose_slack && (fabs(T11 - (c5 * v11 - s1 * s5)) <= pose_slack
-            && fabs(T12 + (s1 * c5 + s5 * v11)) <= pose_slack)))))))))
+            - s5 * v16)) <= pose_slack && (fabs(T21 - (c5 * v16 + c1 * s5)) <= pose_slack &&
+            (fabs(T13 + c1 * s234) <= pose_slack && (fabs(T11 - (c5 * v14 - s1 * s5)) <= pose_slack
+            && fabs(T12 + (s1 * c5 + s5 * v14)) <= pose_slack)))))))))
             continue; /* the arm can't take this pose */
 
         /* joint values */
@@ -953,21 +893,21 @@ static void solve(
 
             /* theta2 */
             const double Y1_2 = a3 * s3;
-            const double S2 = v9 - Z2_3 * Y1_2;
-            const double C2 = v10 + Z1_3 * Y1_2;
+            const double S2 = v12 - Z2_3 * Y1_2;
+            const double C2 = v13 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v3) : C2 * factor2;
-            const double s2 = free2 ? sin(v3) : S2 * factor2;
+            const double c2 = free2 ? cos(v6) : C2 * factor2;
+            const double s2 = free2 ? sin(v6) : S2 * factor2;
             const double theta2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2;
             const double s23 = c3 * s2 + s3 * c2;
-            const double v12 = a3 * c23 + (a2 * c2 + -v8);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 && (fabs(T14 - c1 * v12)
-                <= pose_slack1 && fabs(T24 - s1 * v12) <= pose_slack1)))
+            const double v15 = a3 * c23 + (a2 * c2 + -v11);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 && (fabs(T14 - c1 * v15)
+                <= pose_slack1 && fabs(T24 - s1 * v15) <= pose_slack1)))
                 continue; /* the arm can't take this pose */
 
             /* joint values */

@@ -15,7 +15,7 @@ import numpy as np
 
 try:
     from numba import carray, config, njit, types
-    from numba.core.cgutils import alloca_once
+    from numba.core import cgutils
     from numba.extending import intrinsic
 
     if config.DISABLE_JIT:  # for debuggers
@@ -46,7 +46,8 @@ def _room(_, size):
     """The address of room for so many numbers on the stack of the caller."""
 
     def code(context, builder, *_):
-        return alloca_once(builder, context.get_value_type(types.float64), size.literal_value)
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
 
     return types.CPointer(types.float64)(size), code
 
@@ -83,6 +84,7 @@ a2 = 0.2894866145437471  # link length 2 [m]
 a3 = 0.35116  # link length 3 [m]
 a4 = 0.076  # link length 4 [m]
 d5 = 0.097  # joint offset 5 [m]
+second_weight = 1.080646614543747  # lengths count in arm sizes [m]
 free_limit1 = 1.080646614543747e-12  # a length that fixes no angle [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 free_limit_squared = 1e-24  # square of a length that fixes no angle
@@ -104,8 +106,8 @@ doubt_limit_squared2 = 1.1677971055248617e-06  # square of a length that fixes n
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.1677971055248613e-06  # doubt_limit1^2 [m^2]
 m2 = 1e-12  # doubt_limit_squared^2
-m4 = 0.076  # a coefficient of v6
-m5 = 0.097  # a coefficient of v8
+m4 = 0.076  # a coefficient of v9
+m5 = 0.097  # a coefficient of v11
 m6 = 1.727195576168653  # a coefficient of S2
 m7 = 0.06824295773100271  # a coefficient of S2
 m8 = 1.4238523749857612  # a coefficient of c23
@@ -316,19 +318,22 @@ def _solve(pose, seed, q, status):
     """
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
-    # theta1, type 2: U1[3, 4]
-    w1 = math.sqrt(T14 * T14 + T24 * T24)
+    # theta1, type 2: U1[3, 4] and U1[3, 3]
+    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    v2 = T14 + T13 * v1
+    v3 = T24 + T23 * v1
+    w1 = math.sqrt(v2 * v2 + v3 * v3)
     free1 = w1 <= free_limit1
     divisor1 = 1.0 if free1 else w1
-    v1 = seed[0] + offset1
+    v4 = seed[0] + offset1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v2 = T33 * T33
-    v3 = seed[1] + offset2
-    v4 = v3 + (seed[2] + offset3) + (seed[3] + offset4)
+    v5 = T33 * T33
+    v6 = seed[1] + offset2
+    v7 = v6 + (seed[2] + offset3) + (seed[3] + offset4)
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v7 = T34 - d1
+    v10 = T34 - d1
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -336,16 +341,16 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and free1:
             continue  # both signs give the same
         factor1 = e1 / divisor1
-        c1 = math.cos(v1) if free1 else T14 * factor1
-        s1 = math.sin(v1) if free1 else T24 * factor1
+        c1 = math.cos(v4) if free1 else v2 * factor1
+        s1 = math.sin(v4) if free1 else v3 * factor1
 
         # theta234
         Z2_234 = T13 * c1 + T23 * s1
-        w234 = math.sqrt(Z2_234 * Z2_234 + v2)
+        w234 = math.sqrt(Z2_234 * Z2_234 + v5)
         free234 = w234 <= free_limit_squared
         factor234 = 1.0 / (1.0 if free234 else w234)
-        c234 = math.cos(v4) if free234 else T33 * factor234
-        s234 = math.sin(v4) if free234 else -(Z2_234 * factor234)
+        c234 = math.cos(v7) if free234 else T33 * factor234
+        s234 = math.sin(v7) if free234 else -(Z2_234 * factor234)
         theta234 = _atan2(s234, c234)
 
         # theta5, type 3: U1[3, 2] and U1[3, 1]
@@ -353,16 +358,16 @@ def _solve(pose, seed, q, status):
         Z2_5 = T11 * s1 - T21 * c1
         w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
         free5 = w5 <= free_limit_squared
-        v5 = 1.0 / (1.0 if free5 else w5)
-        c5 = math.cos(seed[4]) if free5 else -(Z1_5 * v5)
-        s5 = math.sin(seed[4]) if free5 else -(Z2_5 * v5)
+        v8 = 1.0 / (1.0 if free5 else w5)
+        c5 = math.cos(seed[4]) if free5 else -(Z1_5 * v8)
+        s5 = math.sin(seed[4]) if free5 else -(Z2_5 * v8)
         q5 = _atan2(s5, c5)
 
         # theta3
-        v6 = c234 * d5 + s234 * a4
-        Z1_3 = v7 - v6
-        v8 = s234 * d5 - c234 * a4
-        Z2_3 = w1 * e1 + v8
+        v9 = c234 * d5 + s234 * a4
+        Z1_3 = v10 - v9
+        v11 = s234 * d5 - c234 * a4
+        Z2_3 = v11 + (T14 * c1 + T24 * s1)
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
         D3 = (longest3 - N3) * (N3 - shortest3)
@@ -386,19 +391,19 @@ def _solve(pose, seed, q, status):
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2 = a2 + a3 * c3
-        v9 = Z1_3 * X1_2
-        v10 = Z2_3 * X1_2
+        v12 = Z1_3 * X1_2
+        v13 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v11 = c1 * c234
-        v13 = s1 * c234
-        v14 = d1 + v6
+        v14 = c1 * c234
+        v16 = s1 * c234
+        v17 = d1 + v9
         if (
             not (abs(T33 - c234) <= pose_slack and (abs(T32 + s234 * s5) <= pose_slack and (abs(T31
             - s234 * c5) <= pose_slack and (abs(T23 + s1 * s234) <= pose_slack and (abs(T22 - (c1 *
-            c5 - s5 * v13)) <= pose_slack and (abs(T21 - (c5 * v13 + c1 * s5)) <= pose_slack and
-            (abs(T13 + c1 * s234) <= pose_slack and (abs(T11 - (c5 * v11 - s1 * s5)) <= pose_slack
-            and abs(T12 + (s1 * c5 + s5 * v11)) <= pose_slack))))))))
+            c5 - s5 * v16)) <= pose_slack and (abs(T21 - (c5 * v16 + c1 * s5)) <= pose_slack and
+            (abs(T13 + c1 * s234) <= pose_slack and (abs(T11 - (c5 * v14 - s1 * s5)) <= pose_slack
+            and abs(T12 + (s1 * c5 + s5 * v14)) <= pose_slack))))))))
         ):
             continue  # the arm can't take this pose
 
@@ -415,22 +420,22 @@ def _solve(pose, seed, q, status):
 
             # theta2
             Y1_2 = a3 * s3
-            S2 = v9 - Z2_3 * Y1_2
-            C2 = v10 + Z1_3 * Y1_2
+            S2 = v12 - Z2_3 * Y1_2
+            C2 = v13 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v3) if free2 else C2 * factor2
-            s2 = math.sin(v3) if free2 else S2 * factor2
+            c2 = math.cos(v6) if free2 else C2 * factor2
+            s2 = math.sin(v6) if free2 else S2 * factor2
             theta2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v12 = a3 * c23 + (a2 * c2 + -v8)
+            v15 = a3 * c23 + (a2 * c2 + -v11)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 and (abs(T14 - c1 * v12)
-                <= pose_slack1 and abs(T24 - s1 * v12) <= pose_slack1))
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 and (abs(T14 - c1 * v15)
+                <= pose_slack1 and abs(T24 - s1 * v15) <= pose_slack1))
             ):
                 continue  # the arm can't take this pose
 
@@ -641,109 +646,114 @@ def _regular(pose, q, status):
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
     room = carray(_room(32), 32)
 
-    # theta1, type 2: U1[3, 4]
-    v1 = T14 * T14 + T24 * T24
-    w1 = math.sqrt(v1)
-    v2 = 1.0 / v1
-    factor1 = w1 * v2
-    c1 = T14 * factor1
-    s1 = T24 * factor1
+    # theta1, type 2: U1[3, 4] and U1[3, 3]
+    v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+    v2 = T14 + T13 * v1
+    v3 = T24 + T23 * v1
+    v4 = v2 * v2 + v3 * v3
+    w1 = math.sqrt(v4)
+    v5 = 1.0 / v4
+    factor1 = w1 * v5
+    c1 = v2 * factor1
+    s1 = v3 * factor1
 
     # theta234, type 3: U1[2, 3] and U1[1, 3]
-    v3 = v2 * (T14 * T13 + T24 * T23)
-    Z2_234 = w1 * v3
-    v4 = T33 * T33 + Z2_234 * Z2_234
-    factor234 = math.sqrt(v4) * (1.0 / v4)
+    v6 = v5 * (T13 * v2 + T23 * v3)
+    Z2_234 = w1 * v6
+    v7 = T33 * T33 + Z2_234 * Z2_234
+    factor234 = math.sqrt(v7) * (1.0 / v7)
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
-    Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22))
-    Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21))
-    v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-    v6 = math.sqrt(v5) * (1.0 / v5)
-    v7 = Z1_5 * v6
-    v8 = Z2_5 * v6
+    Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22))
+    Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21))
+    v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+    v9 = math.sqrt(v8) * (1.0 / v8)
+    v10 = Z1_5 * v9
+    v11 = Z2_5 * v9
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v9 = d5 * T33
-    v10 = T34 - d1
-    v11 = w1 * (m4 * v3)
-    v12 = factor234 * (v9 - v11)
-    v13 = factor234 * (v9 + v11)
-    Z1_3_p = v10 - v12
-    Z1_3_m = v10 - v13
-    v14 = a4 * T33
-    v15 = w1 * (m5 * v3)
-    v16 = factor234 * (v14 + v15)
-    v17 = factor234 * (v14 - v15)
-    Z2_3_p = w1 - v16
-    v18 = w1 + v17
+    v12 = d5 * T33
+    v13 = T34 - d1
+    v14 = w1 * (m4 * v6)
+    v15 = factor234 * (v12 - v14)
+    v16 = factor234 * (v12 + v14)
+    Z1_3_p = v13 - v15
+    Z1_3_m = v13 - v16
+    v17 = a4 * T33
+    v18 = T14 * c1 + T24 * s1
+    v19 = w1 * (m5 * v6)
+    v20 = factor234 * (v17 + v19)
+    v21 = factor234 * (v17 - v19)
+    Z2_3_p = v18 - v20
+    v22 = v18 + v21
     N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
-    N3_m = Z1_3_m * Z1_3_m + v18 * v18
+    N3_m = Z1_3_m * Z1_3_m + v22 * v22
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v19 = w3_p - w3_p
-    v20 = w3_m - w3_m
+    v23 = w3_p - w3_p
+    v24 = w3_m - w3_m
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v21 = m6 * N3_p - m7
-    v22 = m6 * N3_m - m7
-    v23 = Z1_3_p * v21
-    v24 = Z1_3_m * v22
-    S2_pp = v23 - w3_p * (m6 * Z2_3_p)
-    S2_pm = v23 - w3_p * (m6 * -Z2_3_p)
-    v25 = w3_m * (m6 * v18)
-    S2_mp = v24 + v25
-    S2_mm = v24 - v25
-    v26 = Z2_3_p * v21
-    v27 = v18 * v22
+    v25 = m6 * N3_p - m7
+    v26 = m6 * N3_m - m7
+    v27 = Z1_3_p * v25
+    v28 = Z1_3_m * v26
+    S2_pp = v27 - w3_p * (m6 * Z2_3_p)
+    S2_pm = v27 - w3_p * (m6 * -Z2_3_p)
+    v29 = w3_m * (m6 * v22)
+    S2_mp = v28 + v29
+    S2_mm = v28 - v29
+    v30 = Z2_3_p * v25
+    v31 = v22 * v26
     factor2_p = 1.0 / N3_p
     factor2_m = 1.0 / N3_m
 
     # is the pose one that the arm can take?
-    v28 = c1 * T33
-    v29 = Z1_3_p * (m8 + m9 * factor2_p)
-    v30 = Z1_3_m * (m8 + m9 * factor2_m)
-    v31 = v16 + Z2_3_p
-    v32 = v17 - v18
-    v33 = s1 * T33
-    v34 = d1 + v12
-    v35 = d1 + v13
-    v36 = math.sqrt(-1.0)
-    v37 = (
-        0.0 if max(abs(T12 - (s1 * v7 + factor234 * (v8 * v28))), max(abs(T11 - (s1 * v8 - factor234
-        * (v7 * v28))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 + (c1 * v8 + factor234
-        * (v7 * v33))), max(abs(T22 - (factor234 * (v8 * v33) - c1 * v7)), max(abs(T23 - factor234 *
-        (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 * v7)), max(abs(T33 - T33 * factor234),
-        abs(T32 + factor234 * (Z2_234 * v8)))))))))) <= pose_slack else v36
+    v32 = c1 * T33
+    v33 = Z1_3_p * (m8 + m9 * factor2_p)
+    v34 = Z1_3_m * (m8 + m9 * factor2_m)
+    v35 = v20 + Z2_3_p
+    v36 = v21 - v22
+    v37 = s1 * T33
+    v38 = d1 + v15
+    v39 = d1 + v16
+    v40 = math.sqrt(-1.0)
+    v41 = (
+        0.0 if max(abs(T12 - (s1 * v10 + factor234 * (v11 * v32))), max(abs(T11 - (s1 * v11 -
+        factor234 * (v10 * v32))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 + (c1 * v11
+        + factor234 * (v10 * v37))), max(abs(T22 - (factor234 * (v11 * v37) - c1 * v10)),
+        max(abs(T23 - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 * v10)),
+        max(abs(T33 - T33 * factor234), abs(T32 + factor234 * (Z2_234 * v11)))))))))) <= pose_slack
+        else v40
     )
-    v38 = abs(T14 - c1 * v31)
-    v39 = abs(T14 + c1 * v32)
-    v40 = abs(T24 - s1 * v31)
-    v41 = abs(T24 + s1 * v32)
-    v42 = (
-        0.0 if max(v40, max(v38, abs(T34 - (a3 * (v29 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v34 +
-        a2 * (S2_pp * factor2_p)))))) <= pose_slack1 else v36
-    )
-    v43 = (
-        0.0 if max(v40, max(v38, abs(T34 - (a3 * (v29 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v34
-        + a2 * (S2_pm * factor2_p)))))) <= pose_slack1 else v36
-    )
-    v44 = w3_m * (m8 * (v18 * factor2_m))
-    v45 = (
-        0.0 if max(v41, max(v39, abs(T34 - (a3 * (v30 - v44) + (v35 + a2 * (S2_mp * factor2_m))))))
-        <= pose_slack1 else v36
-    )
+    v42 = abs(T14 - c1 * v35)
+    v43 = abs(T14 + c1 * v36)
+    v44 = abs(T24 - s1 * v35)
+    v45 = abs(T24 + s1 * v36)
     v46 = (
-        0.0 if max(v41, max(v39, abs(T34 - (a3 * (v30 + v44) + (v35 + a2 * (S2_mm * factor2_m))))))
-        <= pose_slack1 else v36
+        0.0 if max(v44, max(v42, abs(T34 - (a3 * (v33 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v38 +
+        a2 * (S2_pp * factor2_p)))))) <= pose_slack1 else v40
+    )
+    v47 = (
+        0.0 if max(v44, max(v42, abs(T34 - (a3 * (v33 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v38
+        + a2 * (S2_pm * factor2_p)))))) <= pose_slack1 else v40
+    )
+    v48 = w3_m * (m8 * (v22 * factor2_m))
+    v49 = (
+        0.0 if max(v45, max(v43, abs(T34 - (a3 * (v34 - v48) + (v39 + a2 * (S2_mp * factor2_m))))))
+        <= pose_slack1 else v40
+    )
+    v50 = (
+        0.0 if max(v45, max(v43, abs(T34 - (a3 * (v34 + v48) + (v39 + a2 * (S2_mm * factor2_m))))))
+        <= pose_slack1 else v40
     )
 
     # joint values
     doubt1 = (
-        v4 <= m2 or (v1 <= m1 or (N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m
-        <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart) or (N3_p <=
-        doubt_limit_squared2 or (v5 <= m2 or shortest3_reach <= N3_p and N3_p <= longest3_reach and
-        not (shortest3_apart < N3_p and N3_p < longest3_apart))))))
+        v7 <= m2 or (v4 <= m1 or (N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m
+        <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
+        doubt_limit_squared2 or (v8 <= m2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and
+        not (shortest3_apart < N3_p and N3_p < longest3_apart)))))))
     )
 
     # angles, side by side
@@ -755,16 +765,16 @@ def _regular(pose, q, status):
     room[5] = S2_pm
     room[6] = S2_mp
     room[7] = S2_mm
-    room[8] = T24
+    room[8] = v3
     room[16] = T33
     room[17] = -Z1_5
     room[18] = N3_p - k1
     room[19] = N3_m - k1
-    room[20] = v26 + w3_p * (m6 * Z1_3_p)
-    room[21] = v26 + w3_p * (m6 * -Z1_3_p)
-    room[22] = w3_m * (m6 * Z1_3_m) - v27
-    room[23] = w3_m * (m6 * -Z1_3_m) - v27
-    room[24] = T14
+    room[20] = v30 + w3_p * (m6 * Z1_3_p)
+    room[21] = v30 + w3_p * (m6 * -Z1_3_p)
+    room[22] = w3_m * (m6 * Z1_3_m) - v31
+    room[23] = w3_m * (m6 * -Z1_3_m) - v31
+    room[24] = v2
     for k in range(9, 16):
         room[k] = room[k + 16] = 1.0
     for k in range(16):
@@ -780,48 +790,48 @@ def _regular(pose, q, status):
     angle9 = room[8]
 
     # joint values
-    v47 = angle9 - offset1
-    v48 = angle9 - h1 * math.copysign(half_turn, T24) - offset1
-    v49 = angle5 - offset2
-    v50 = angle6 - offset2
-    v51 = angle7 - offset2
-    v52 = angle8 - offset2
-    v53 = angle3 - offset3
-    v54 = offset3 + angle3
-    v55 = angle4 - offset3
-    v56 = offset3 + angle4
-    v57 = angle1 - (angle3 + angle5) - offset4
-    v58 = angle1 - (angle6 - angle3) - offset4
-    v59 = offset4 + (angle1 + (angle4 + angle7))
-    v60 = offset4 + (angle1 + (angle8 - angle4))
-    v61 = v57 - (m10 if half_turn < v57 else 0.0) + (m10 if v57 <= -half_turn else 0.0)
-    v62 = v58 - (m10 if half_turn < v58 else 0.0) + (m10 if v58 <= -half_turn else 0.0)
-    v63 = (m10 if -v59 <= -half_turn else 0.0) - (v59 + (m10 if half_turn < -v59 else 0.0))
-    v64 = (m10 if -v60 <= -half_turn else 0.0) - (v60 + (m10 if half_turn < -v60 else 0.0))
-    v65 = v37 + (v19 + (v47 + (m10 if v47 <= -half_turn else 0.0)))
-    v66 = v37 + (v20 + (v48 + (m10 if v48 <= -half_turn else 0.0)))
-    q1_pp = v42 + v65
-    q1_pm = v43 + v65
-    q1_mp = v45 + v66
-    q1_mm = v46 + v66
-    q2_pp = v42 + (v37 + (v49 + (m10 if v49 <= -half_turn else 0.0)))
-    q2_pm = v43 + (v37 + (v50 + (m10 if v50 <= -half_turn else 0.0)))
-    q2_mp = v45 + (v37 + (v51 + (m10 if v51 <= -half_turn else 0.0)))
-    q2_mm = v46 + (v37 + (v52 + (m10 if v52 <= -half_turn else 0.0)))
-    q3_pp = v42 + (v37 + (v53 + (m10 if v53 <= -half_turn else 0.0)))
-    q3_pm = v43 + (v37 + ((m10 if -v54 <= -half_turn else 0.0) - v54))
-    q3_mp = v45 + (v37 + (v55 + (m10 if v55 <= -half_turn else 0.0)))
-    q3_mm = v46 + (v37 + ((m10 if -v56 <= -half_turn else 0.0) - v56))
-    q4_pp = v42 + (v37 + (v61 - (m10 if half_turn < v61 else 0.0)))
-    q4_pm = v43 + (v37 + (v62 - (m10 if half_turn < v62 else 0.0)))
-    q4_mp = v45 + (v37 + (v63 - (m10 if half_turn < v63 else 0.0)))
-    q4_mm = v46 + (v37 + (v64 - (m10 if half_turn < v64 else 0.0)))
-    v67 = v37 + (angle2 + v19)
-    v68 = v37 + (v20 + (angle2 - math.copysign(half_turn, -Z2_5) * h1))
-    q5_pp = v42 + v67
-    q5_pm = v43 + v67
-    q5_mp = v45 + v68
-    q5_mm = v46 + v68
+    v51 = angle9 - offset1
+    v52 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
+    v53 = angle5 - offset2
+    v54 = angle6 - offset2
+    v55 = angle7 - offset2
+    v56 = angle8 - offset2
+    v57 = angle3 - offset3
+    v58 = offset3 + angle3
+    v59 = angle4 - offset3
+    v60 = offset3 + angle4
+    v61 = angle1 - (angle3 + angle5) - offset4
+    v62 = angle1 - (angle6 - angle3) - offset4
+    v63 = offset4 + (angle1 + (angle4 + angle7))
+    v64 = offset4 + (angle1 + (angle8 - angle4))
+    v65 = v61 - (m10 if half_turn < v61 else 0.0) + (m10 if v61 <= -half_turn else 0.0)
+    v66 = v62 - (m10 if half_turn < v62 else 0.0) + (m10 if v62 <= -half_turn else 0.0)
+    v67 = (m10 if -v63 <= -half_turn else 0.0) - (v63 + (m10 if half_turn < -v63 else 0.0))
+    v68 = (m10 if -v64 <= -half_turn else 0.0) - (v64 + (m10 if half_turn < -v64 else 0.0))
+    v69 = v41 + (v23 + (v51 + (m10 if v51 <= -half_turn else 0.0)))
+    v70 = v41 + (v24 + (v52 + (m10 if v52 <= -half_turn else 0.0)))
+    q1_pp = v46 + v69
+    q1_pm = v47 + v69
+    q1_mp = v49 + v70
+    q1_mm = v50 + v70
+    q2_pp = v46 + (v41 + (v53 + (m10 if v53 <= -half_turn else 0.0)))
+    q2_pm = v47 + (v41 + (v54 + (m10 if v54 <= -half_turn else 0.0)))
+    q2_mp = v49 + (v41 + (v55 + (m10 if v55 <= -half_turn else 0.0)))
+    q2_mm = v50 + (v41 + (v56 + (m10 if v56 <= -half_turn else 0.0)))
+    q3_pp = v46 + (v41 + (v57 + (m10 if v57 <= -half_turn else 0.0)))
+    q3_pm = v47 + (v41 + ((m10 if -v58 <= -half_turn else 0.0) - v58))
+    q3_mp = v49 + (v41 + (v59 + (m10 if v59 <= -half_turn else 0.0)))
+    q3_mm = v50 + (v41 + ((m10 if -v60 <= -half_turn else 0.0) - v60))
+    q4_pp = v46 + (v41 + (v65 - (m10 if half_turn < v65 else 0.0)))
+    q4_pm = v47 + (v41 + (v66 - (m10 if half_turn < v66 else 0.0)))
+    q4_mp = v49 + (v41 + (v67 - (m10 if half_turn < v67 else 0.0)))
+    q4_mm = v50 + (v41 + (v68 - (m10 if half_turn < v68 else 0.0)))
+    v71 = v41 + (angle2 + v23)
+    v72 = v41 + (v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1))
+    q5_pp = v46 + v71
+    q5_pm = v47 + v71
+    q5_mp = v49 + v72
+    q5_mm = v50 + v72
 
     # a joint is free, or branches meet
     if doubt1:
@@ -858,6 +868,11 @@ def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (4, 5) or status.shape != (4,):
         raise ValueError("T, q and status must be (4, 4), (4, 5) and (4,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -903,7 +918,8 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, or the seed is not finite.
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
     """
     seed = _zeros(carray(_room(5), 5)) if q_seed is None else q_seed
     if seed.shape != (5,):
@@ -1005,12 +1021,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1408, 1440, 1472, 1504, 1536],
-    [1568, 1600, 1632, 1664, 1696],
-    [1728, 1760, 1792, 1824, 1856],
-    [1888, 1920, 1952, 1984, 2016],
+    [1440, 1472, 1504, 1536, 1568],
+    [1600, 1632, 1664, 1696, 1728],
+    [1760, 1792, 1824, 1856, 1888],
+    [1920, 1952, 1984, 2016, 2048],
 ])
-_KINDS = np.array([2048, 2080, 2112, 2144])
+_KINDS = np.array([2080, 2112, 2144, 2176])
 _LEFT_OVER = 255
 
 
@@ -1021,7 +1037,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2176)
+    work = np.empty(2208)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1057,234 +1073,239 @@ def _in_tiles(T, q, status):
             T32 = work[288 + k]
             T33 = work[320 + k]
             T34 = work[352 + k]
-            v1 = T14 * T14 + T24 * T24
-            w1 = math.sqrt(v1)
-            v2 = 1.0 / v1
-            factor1 = w1 * v2
-            c1 = T14 * factor1
-            s1 = T24 * factor1
-            v3 = v2 * (T14 * T13 + T24 * T23)
-            Z2_234 = w1 * v3
-            v4 = T33 * T33 + Z2_234 * Z2_234
-            factor234 = math.sqrt(v4) * (1.0 / v4)
-            Z1_5 = w1 * (v2 * (T24 * T12 - T14 * T22))
-            Z2_5 = w1 * (v2 * (T24 * T11 - T14 * T21))
-            v5 = Z2_5 * Z2_5 + Z1_5 * Z1_5
-            v6 = math.sqrt(v5) * (1.0 / v5)
-            v7 = Z1_5 * v6
-            v8 = Z2_5 * v6
-            v9 = d5 * T33
-            v10 = T34 - d1
-            v11 = w1 * (m4 * v3)
-            v12 = factor234 * (v9 - v11)
-            v13 = factor234 * (v9 + v11)
-            Z1_3_p = v10 - v12
-            Z1_3_m = v10 - v13
-            v14 = a4 * T33
-            v15 = w1 * (m5 * v3)
-            v16 = factor234 * (v14 + v15)
-            v17 = factor234 * (v14 - v15)
-            Z2_3_p = w1 - v16
-            v18 = w1 + v17
+            v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
+            v2 = T14 + T13 * v1
+            v3 = T24 + T23 * v1
+            v4 = v2 * v2 + v3 * v3
+            w1 = math.sqrt(v4)
+            v5 = 1.0 / v4
+            factor1 = w1 * v5
+            c1 = v2 * factor1
+            s1 = v3 * factor1
+            v6 = v5 * (T13 * v2 + T23 * v3)
+            Z2_234 = w1 * v6
+            v7 = T33 * T33 + Z2_234 * Z2_234
+            factor234 = math.sqrt(v7) * (1.0 / v7)
+            Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22))
+            Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21))
+            v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5
+            v9 = math.sqrt(v8) * (1.0 / v8)
+            v10 = Z1_5 * v9
+            v11 = Z2_5 * v9
+            v12 = d5 * T33
+            v13 = T34 - d1
+            v14 = w1 * (m4 * v6)
+            v15 = factor234 * (v12 - v14)
+            v16 = factor234 * (v12 + v14)
+            Z1_3_p = v13 - v15
+            Z1_3_m = v13 - v16
+            v17 = a4 * T33
+            v18 = T14 * c1 + T24 * s1
+            v19 = w1 * (m5 * v6)
+            v20 = factor234 * (v17 + v19)
+            v21 = factor234 * (v17 - v19)
+            Z2_3_p = v18 - v20
+            v22 = v18 + v21
             N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p
-            N3_m = Z1_3_m * Z1_3_m + v18 * v18
+            N3_m = Z1_3_m * Z1_3_m + v22 * v22
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v19 = w3_p - w3_p
-            v20 = w3_m - w3_m
-            v21 = m6 * N3_p - m7
-            v22 = m6 * N3_m - m7
-            v23 = Z1_3_p * v21
-            v24 = Z1_3_m * v22
-            S2_pp = v23 - w3_p * (m6 * Z2_3_p)
-            S2_pm = v23 - w3_p * (m6 * -Z2_3_p)
-            v25 = w3_m * (m6 * v18)
-            S2_mp = v24 + v25
-            S2_mm = v24 - v25
-            v26 = Z2_3_p * v21
-            v27 = v18 * v22
+            v23 = w3_p - w3_p
+            v24 = w3_m - w3_m
+            v25 = m6 * N3_p - m7
+            v26 = m6 * N3_m - m7
+            v27 = Z1_3_p * v25
+            v28 = Z1_3_m * v26
+            S2_pp = v27 - w3_p * (m6 * Z2_3_p)
+            S2_pm = v27 - w3_p * (m6 * -Z2_3_p)
+            v29 = w3_m * (m6 * v22)
+            S2_mp = v28 + v29
+            S2_mm = v28 - v29
+            v30 = Z2_3_p * v25
+            v31 = v22 * v26
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v28 = c1 * T33
-            v29 = Z1_3_p * (m8 + m9 * factor2_p)
-            v30 = Z1_3_m * (m8 + m9 * factor2_m)
-            v31 = v16 + Z2_3_p
-            v32 = v17 - v18
-            v33 = s1 * T33
-            v34 = d1 + v12
-            v35 = d1 + v13
-            v36 = math.sqrt(-1.0)
-            v37 = (
-                0.0 if max(abs(T12 - (s1 * v7 + factor234 * (v8 * v28))), max(abs(T11 - (s1 * v8 -
-                factor234 * (v7 * v28))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 +
-                (c1 * v8 + factor234 * (v7 * v33))), max(abs(T22 - (factor234 * (v8 * v33) - c1 *
-                v7)), max(abs(T23 - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 *
-                v7)), max(abs(T33 - T33 * factor234), abs(T32 + factor234 * (Z2_234 * v8))))))))))
-                <= pose_slack else v36
+            v32 = c1 * T33
+            v33 = Z1_3_p * (m8 + m9 * factor2_p)
+            v34 = Z1_3_m * (m8 + m9 * factor2_m)
+            v35 = v20 + Z2_3_p
+            v36 = v21 - v22
+            v37 = s1 * T33
+            v38 = d1 + v15
+            v39 = d1 + v16
+            v40 = math.sqrt(-1.0)
+            v41 = (
+                0.0 if max(abs(T12 - (s1 * v10 + factor234 * (v11 * v32))), max(abs(T11 - (s1 * v11
+                - factor234 * (v10 * v32))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 +
+                (c1 * v11 + factor234 * (v10 * v37))), max(abs(T22 - (factor234 * (v11 * v37) - c1 *
+                v10)), max(abs(T23 - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 *
+                v10)), max(abs(T33 - T33 * factor234), abs(T32 + factor234 * (Z2_234 * v11))))))))))
+                <= pose_slack else v40
             )
-            v38 = abs(T14 - c1 * v31)
-            v39 = abs(T14 + c1 * v32)
-            v40 = abs(T24 - s1 * v31)
-            v41 = abs(T24 + s1 * v32)
-            v42 = (
-                0.0 if max(v40, max(v38, abs(T34 - (a3 * (v29 + w3_p * (m8 * (Z2_3_p * factor2_p)))
-                + (v34 + a2 * (S2_pp * factor2_p)))))) <= pose_slack1 else v36
-            )
-            v43 = (
-                0.0 if max(v40, max(v38, abs(T34 - (a3 * (v29 + w3_p * (m8 * (-Z2_3_p * factor2_p)))
-                + (v34 + a2 * (S2_pm * factor2_p)))))) <= pose_slack1 else v36
-            )
-            v44 = w3_m * (m8 * (v18 * factor2_m))
-            v45 = (
-                0.0 if max(v41, max(v39, abs(T34 - (a3 * (v30 - v44) + (v35 + a2 * (S2_mp *
-                factor2_m)))))) <= pose_slack1 else v36
-            )
+            v42 = abs(T14 - c1 * v35)
+            v43 = abs(T14 + c1 * v36)
+            v44 = abs(T24 - s1 * v35)
+            v45 = abs(T24 + s1 * v36)
             v46 = (
-                0.0 if max(v41, max(v39, abs(T34 - (a3 * (v30 + v44) + (v35 + a2 * (S2_mm *
-                factor2_m)))))) <= pose_slack1 else v36
+                0.0 if max(v44, max(v42, abs(T34 - (a3 * (v33 + w3_p * (m8 * (Z2_3_p * factor2_p)))
+                + (v38 + a2 * (S2_pp * factor2_p)))))) <= pose_slack1 else v40
+            )
+            v47 = (
+                0.0 if max(v44, max(v42, abs(T34 - (a3 * (v33 + w3_p * (m8 * (-Z2_3_p * factor2_p)))
+                + (v38 + a2 * (S2_pm * factor2_p)))))) <= pose_slack1 else v40
+            )
+            v48 = w3_m * (m8 * (v22 * factor2_m))
+            v49 = (
+                0.0 if max(v45, max(v43, abs(T34 - (a3 * (v34 - v48) + (v39 + a2 * (S2_mp *
+                factor2_m)))))) <= pose_slack1 else v40
+            )
+            v50 = (
+                0.0 if max(v45, max(v43, abs(T34 - (a3 * (v34 + v48) + (v39 + a2 * (S2_mm *
+                factor2_m)))))) <= pose_slack1 else v40
             )
             doubt1 = (
-                v4 <= m2 or (v1 <= m1 or (N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m
+                v7 <= m2 or (v4 <= m1 or (N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m
                 and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart) or (N3_p <= doubt_limit_squared2 or (v5 <= m2 or shortest3_reach <=
-                N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart))))))
+                longest3_apart)) or (N3_p <= doubt_limit_squared2 or (v8 <= m2 or (shortest3_reach
+                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart)))))))
             )
-            work[544 + k] = Z2_5
-            work[576 + k] = v19
-            work[608 + k] = v20
-            work[640 + k] = v37
-            work[672 + k] = v42
-            work[704 + k] = v43
-            work[736 + k] = v45
-            work[768 + k] = v46
-            work[800 + k] = doubt1
-            work[832 + k] = -Z2_234
-            work[864 + k] = -Z2_5
-            work[896 + k] = w3_p
-            work[928 + k] = w3_m
-            work[960 + k] = S2_pp
-            work[992 + k] = S2_pm
-            work[1024 + k] = S2_mp
-            work[1056 + k] = S2_mm
-            work[1088 + k] = T24
-            work[1120 + k] = T33
-            work[1152 + k] = -Z1_5
-            work[1184 + k] = N3_p - k1
-            work[1216 + k] = N3_m - k1
-            work[1248 + k] = v26 + w3_p * (m6 * Z1_3_p)
-            work[1280 + k] = v26 + w3_p * (m6 * -Z1_3_p)
-            work[1312 + k] = w3_m * (m6 * Z1_3_m) - v27
-            work[1344 + k] = w3_m * (m6 * -Z1_3_m) - v27
-            work[1376 + k] = T14
-        for k in range(832, 1120):
+            work[544 + k] = v3
+            work[576 + k] = Z2_5
+            work[608 + k] = v23
+            work[640 + k] = v24
+            work[672 + k] = v41
+            work[704 + k] = v46
+            work[736 + k] = v47
+            work[768 + k] = v49
+            work[800 + k] = v50
+            work[832 + k] = doubt1
+            work[864 + k] = -Z2_234
+            work[896 + k] = -Z2_5
+            work[928 + k] = w3_p
+            work[960 + k] = w3_m
+            work[992 + k] = S2_pp
+            work[1024 + k] = S2_pm
+            work[1056 + k] = S2_mp
+            work[1088 + k] = S2_mm
+            work[1120 + k] = v3
+            work[1152 + k] = T33
+            work[1184 + k] = -Z1_5
+            work[1216 + k] = N3_p - k1
+            work[1248 + k] = N3_m - k1
+            work[1280 + k] = v30 + w3_p * (m6 * Z1_3_p)
+            work[1312 + k] = v30 + w3_p * (m6 * -Z1_3_p)
+            work[1344 + k] = w3_m * (m6 * Z1_3_m) - v31
+            work[1376 + k] = w3_m * (m6 * -Z1_3_m) - v31
+            work[1408 + k] = v2
+        for k in range(864, 1152):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
-            T24 = work[224 + k]
-            Z2_5 = work[544 + k]
-            v19 = work[576 + k]
-            v20 = work[608 + k]
-            v37 = work[640 + k]
-            v42 = work[672 + k]
-            v43 = work[704 + k]
-            v45 = work[736 + k]
-            v46 = work[768 + k]
-            doubt1 = work[800 + k] != 0.0
-            angle1 = work[832 + k]
-            angle2 = work[864 + k]
-            angle3 = work[896 + k]
-            angle4 = work[928 + k]
-            angle5 = work[960 + k]
-            angle6 = work[992 + k]
-            angle7 = work[1024 + k]
-            angle8 = work[1056 + k]
-            angle9 = work[1088 + k]
-            v47 = angle9 - offset1
-            v48 = angle9 - h1 * math.copysign(half_turn, T24) - offset1
-            v49 = angle5 - offset2
-            v50 = angle6 - offset2
-            v51 = angle7 - offset2
-            v52 = angle8 - offset2
-            v53 = angle3 - offset3
-            v54 = offset3 + angle3
-            v55 = angle4 - offset3
-            v56 = offset3 + angle4
-            v57 = angle1 - (angle3 + angle5) - offset4
-            v58 = angle1 - (angle6 - angle3) - offset4
-            v59 = offset4 + (angle1 + (angle4 + angle7))
-            v60 = offset4 + (angle1 + (angle8 - angle4))
-            v61 = v57 - (m10 if half_turn < v57 else 0.0) + (m10 if v57 <= -half_turn else 0.0)
-            v62 = v58 - (m10 if half_turn < v58 else 0.0) + (m10 if v58 <= -half_turn else 0.0)
-            v63 = (m10 if -v59 <= -half_turn else 0.0) - (v59 + (m10 if half_turn < -v59 else 0.0))
-            v64 = (m10 if -v60 <= -half_turn else 0.0) - (v60 + (m10 if half_turn < -v60 else 0.0))
-            v65 = v37 + (v19 + (v47 + (m10 if v47 <= -half_turn else 0.0)))
-            v66 = v37 + (v20 + (v48 + (m10 if v48 <= -half_turn else 0.0)))
-            q1_pp = v42 + v65
-            q1_pm = v43 + v65
-            q1_mp = v45 + v66
-            q1_mm = v46 + v66
-            q2_pp = v42 + (v37 + (v49 + (m10 if v49 <= -half_turn else 0.0)))
-            q2_pm = v43 + (v37 + (v50 + (m10 if v50 <= -half_turn else 0.0)))
-            q2_mp = v45 + (v37 + (v51 + (m10 if v51 <= -half_turn else 0.0)))
-            q2_mm = v46 + (v37 + (v52 + (m10 if v52 <= -half_turn else 0.0)))
-            q3_pp = v42 + (v37 + (v53 + (m10 if v53 <= -half_turn else 0.0)))
-            q3_pm = v43 + (v37 + ((m10 if -v54 <= -half_turn else 0.0) - v54))
-            q3_mp = v45 + (v37 + (v55 + (m10 if v55 <= -half_turn else 0.0)))
-            q3_mm = v46 + (v37 + ((m10 if -v56 <= -half_turn else 0.0) - v56))
-            q4_pp = v42 + (v37 + (v61 - (m10 if half_turn < v61 else 0.0)))
-            q4_pm = v43 + (v37 + (v62 - (m10 if half_turn < v62 else 0.0)))
-            q4_mp = v45 + (v37 + (v63 - (m10 if half_turn < v63 else 0.0)))
-            q4_mm = v46 + (v37 + (v64 - (m10 if half_turn < v64 else 0.0)))
-            v67 = v37 + (angle2 + v19)
-            v68 = v37 + (v20 + (angle2 - math.copysign(half_turn, -Z2_5) * h1))
-            q5_pp = v42 + v67
-            q5_pm = v43 + v67
-            q5_mp = v45 + v68
-            q5_mm = v46 + v68
-            _1408 = q1_pp
-            work[1408 + k] = _1408
-            _1440 = q2_pp
+            v3 = work[544 + k]
+            Z2_5 = work[576 + k]
+            v23 = work[608 + k]
+            v24 = work[640 + k]
+            v41 = work[672 + k]
+            v46 = work[704 + k]
+            v47 = work[736 + k]
+            v49 = work[768 + k]
+            v50 = work[800 + k]
+            doubt1 = work[832 + k] != 0.0
+            angle1 = work[864 + k]
+            angle2 = work[896 + k]
+            angle3 = work[928 + k]
+            angle4 = work[960 + k]
+            angle5 = work[992 + k]
+            angle6 = work[1024 + k]
+            angle7 = work[1056 + k]
+            angle8 = work[1088 + k]
+            angle9 = work[1120 + k]
+            v51 = angle9 - offset1
+            v52 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
+            v53 = angle5 - offset2
+            v54 = angle6 - offset2
+            v55 = angle7 - offset2
+            v56 = angle8 - offset2
+            v57 = angle3 - offset3
+            v58 = offset3 + angle3
+            v59 = angle4 - offset3
+            v60 = offset3 + angle4
+            v61 = angle1 - (angle3 + angle5) - offset4
+            v62 = angle1 - (angle6 - angle3) - offset4
+            v63 = offset4 + (angle1 + (angle4 + angle7))
+            v64 = offset4 + (angle1 + (angle8 - angle4))
+            v65 = v61 - (m10 if half_turn < v61 else 0.0) + (m10 if v61 <= -half_turn else 0.0)
+            v66 = v62 - (m10 if half_turn < v62 else 0.0) + (m10 if v62 <= -half_turn else 0.0)
+            v67 = (m10 if -v63 <= -half_turn else 0.0) - (v63 + (m10 if half_turn < -v63 else 0.0))
+            v68 = (m10 if -v64 <= -half_turn else 0.0) - (v64 + (m10 if half_turn < -v64 else 0.0))
+            v69 = v41 + (v23 + (v51 + (m10 if v51 <= -half_turn else 0.0)))
+            v70 = v41 + (v24 + (v52 + (m10 if v52 <= -half_turn else 0.0)))
+            q1_pp = v46 + v69
+            q1_pm = v47 + v69
+            q1_mp = v49 + v70
+            q1_mm = v50 + v70
+            q2_pp = v46 + (v41 + (v53 + (m10 if v53 <= -half_turn else 0.0)))
+            q2_pm = v47 + (v41 + (v54 + (m10 if v54 <= -half_turn else 0.0)))
+            q2_mp = v49 + (v41 + (v55 + (m10 if v55 <= -half_turn else 0.0)))
+            q2_mm = v50 + (v41 + (v56 + (m10 if v56 <= -half_turn else 0.0)))
+            q3_pp = v46 + (v41 + (v57 + (m10 if v57 <= -half_turn else 0.0)))
+            q3_pm = v47 + (v41 + ((m10 if -v58 <= -half_turn else 0.0) - v58))
+            q3_mp = v49 + (v41 + (v59 + (m10 if v59 <= -half_turn else 0.0)))
+            q3_mm = v50 + (v41 + ((m10 if -v60 <= -half_turn else 0.0) - v60))
+            q4_pp = v46 + (v41 + (v65 - (m10 if half_turn < v65 else 0.0)))
+            q4_pm = v47 + (v41 + (v66 - (m10 if half_turn < v66 else 0.0)))
+            q4_mp = v49 + (v41 + (v67 - (m10 if half_turn < v67 else 0.0)))
+            q4_mm = v50 + (v41 + (v68 - (m10 if half_turn < v68 else 0.0)))
+            v71 = v41 + (angle2 + v23)
+            v72 = v41 + (v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1))
+            q5_pp = v46 + v71
+            q5_pm = v47 + v71
+            q5_mp = v49 + v72
+            q5_mm = v50 + v72
+            _1440 = q1_pp
             work[1440 + k] = _1440
-            _1472 = q3_pp
+            _1472 = q2_pp
             work[1472 + k] = _1472
-            _1504 = q4_pp
+            _1504 = q3_pp
             work[1504 + k] = _1504
-            _1536 = q5_pp
+            _1536 = q4_pp
             work[1536 + k] = _1536
-            _1568 = q1_pm
+            _1568 = q5_pp
             work[1568 + k] = _1568
-            _1600 = q2_pm
+            _1600 = q1_pm
             work[1600 + k] = _1600
-            _1632 = q3_pm
+            _1632 = q2_pm
             work[1632 + k] = _1632
-            _1664 = q4_pm
+            _1664 = q3_pm
             work[1664 + k] = _1664
-            _1696 = q5_pm
+            _1696 = q4_pm
             work[1696 + k] = _1696
-            _1728 = q1_mp
+            _1728 = q5_pm
             work[1728 + k] = _1728
-            _1760 = q2_mp
+            _1760 = q1_mp
             work[1760 + k] = _1760
-            _1792 = q3_mp
+            _1792 = q2_mp
             work[1792 + k] = _1792
-            _1824 = q4_mp
+            _1824 = q3_mp
             work[1824 + k] = _1824
-            _1856 = q5_mp
+            _1856 = q4_mp
             work[1856 + k] = _1856
-            _1888 = q1_mm
+            _1888 = q5_mp
             work[1888 + k] = _1888
-            _1920 = q2_mm
+            _1920 = q1_mm
             work[1920 + k] = _1920
-            _1952 = q3_mm
+            _1952 = q2_mm
             work[1952 + k] = _1952
-            _1984 = q4_mm
+            _1984 = q3_mm
             work[1984 + k] = _1984
-            _2016 = q5_mm
+            _2016 = q4_mm
             work[2016 + k] = _2016
-            work[2048 + k] = UNREACHABLE if _1408 != _1408 else OK
-            work[2080 + k] = UNREACHABLE if _1568 != _1568 else OK
-            work[2112 + k] = UNREACHABLE if _1728 != _1728 else OK
-            work[2144 + k] = UNREACHABLE if _1888 != _1888 else OK
+            _2048 = q5_mm
+            work[2048 + k] = _2048
+            work[2080 + k] = UNREACHABLE if _1440 != _1440 else OK
+            work[2112 + k] = UNREACHABLE if _1600 != _1600 else OK
+            work[2144 + k] = UNREACHABLE if _1760 != _1760 else OK
+            work[2176 + k] = UNREACHABLE if _1920 != _1920 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:
@@ -1311,6 +1332,18 @@ def ik_batch(T, *, cores=None):
         return q, status
     _share(_one_by_one, cores, T, q, status)
     return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((4, 5)), np.empty(4, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(5))
+    ik_batch(T[np.newaxis])
 
 
 def _share(solve, cores, *arrays):

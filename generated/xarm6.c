@@ -404,7 +404,7 @@ static inline xarm6_lane xarm6_with_sign(xarm6_lane x, xarm6_lane y)
 
 static inline xarm6_lane xarm6_sqrt(xarm6_lane x)
 {
-    xarm6_lane r;
+    xarm6_lane r = x;
     for (int k = 0; k < XARM6_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
@@ -1278,6 +1278,78 @@ static void xarm6_close(const double T[16], xarm6_loop *loop)
     }
 }
 
+/* a rigid transform for each lane */
+typedef xarm6_lane xarm6_rigid[3][4];
+
+/* T Rz */
+static inline void xarm6_turn(xarm6_rigid T, xarm6_lane c, xarm6_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const xarm6_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void xarm6_move(xarm6_rigid T, int joint, xarm6_lane c, xarm6_lane s)
+{
+    (void)joint;
+    xarm6_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void xarm6_follow(xarm6_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const xarm6_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void xarm6_begin(xarm6_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = xarm6_all(K[i]);
+    }
+}
+
+static inline void xarm6_to_unit(xarm6_lane *c, xarm6_lane *s)
+{
+    const xarm6_lane square = *c * *c + *s * *s, factor = 1.0 / xarm6_sqrt(square + 1e-300);
+    *c = xarm6_select(square > 1e-300, *c * factor, xarm6_all(1.0));
+    *s = xarm6_select(square > 1e-300, *s * factor, xarm6_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline xarm6_lane xarm6_reflect(xarm6_lane *const *row, int rows, int column, int columns)
+{
+    xarm6_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = xarm6_with_sign(xarm6_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        xarm6_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
  * and
  * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
@@ -1450,32 +1522,6 @@ static void xarm6_equations(const xarm6_formulation *form, double link[6][12], d
             XARM6_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
-static inline xarm6_lane xarm6_reflect(xarm6_lane *const *row, int rows, int column, int columns)
-{
-    xarm6_lane axis[6], square = {0}, length, factor;
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        square += axis[i] * axis[i];
-    }
-    length = xarm6_with_sign(xarm6_sqrt(square), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        xarm6_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
-        }
-        sum *= factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
 }
 
 /* The determinant at hidden angles, and the upper triangular factor whose null vectors are
@@ -1972,6 +2018,70 @@ static void xarm6_find_roots(const xarm6_trigonometric *f, xarm6_roots *roots)
     }
 }
 
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} xarm6_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline xarm6_lane xarm6_through(const xarm6_lens *a, xarm6_lane *c, xarm6_lane *s)
+{
+    const xarm6_lane u = *c + a->x, v = *s + a->y;
+    const xarm6_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const xarm6_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline xarm6_lane xarm6_weighted(xarm6_lane f, xarm6_lane square)
+{
+    const xarm6_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int xarm6_spread(const double samples[24], xarm6_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * xarm6_sample_c[k];
+        y += ratio * xarm6_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void xarm6_behind(const xarm6_lens *a, int count, double *cosine, double *sine)
+{
+    for (int i = 0; i < count; i += XARM6_LANES) {
+        xarm6_lane c = XARM6_LOAD(cosine + i), s = XARM6_LOAD(sine + i);
+        (void)xarm6_through(a, &c, &s);
+        XARM6_STORE(cosine + i, c);
+        XARM6_STORE(sine + i, s);
+    }
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
@@ -1980,9 +2090,6 @@ typedef struct {
     int count, groups, group[XARM6_CANDIDATES];
     double c[XARM6_CANDIDATES], s[XARM6_CANDIDATES], n[6][XARM6_CANDIDATES];
 } xarm6_candidates;
-
-/* a rigid transform for each lane */
-typedef xarm6_lane xarm6_rigid[3][4];
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
 static inline void xarm6_inverse_iteration(xarm6_lane U[6][6], const xarm6_lane inverse[6],
@@ -2165,42 +2272,6 @@ static void xarm6_null_plane(const double *E, double c, double s, xarm6_candidat
     out->groups++;
 }
 
-/* T Rz */
-static inline void xarm6_turn(xarm6_rigid T, xarm6_lane c, xarm6_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const xarm6_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void xarm6_move(xarm6_rigid T, int joint, xarm6_lane c, xarm6_lane s)
-{
-    (void)joint;
-    xarm6_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void xarm6_follow(xarm6_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const xarm6_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void xarm6_begin(xarm6_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = xarm6_all(K[i]);
-    }
-}
-
 /* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
  * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
 static void xarm6_invariants(const double K[12], const double M[12], double w[5],
@@ -2240,13 +2311,6 @@ static void xarm6_invariants(const double K[12], const double M[12], double w[5]
         solve[0][i] = (bb * a[i] - ab * b[i]) / det;
         solve[1][i] = (aa * b[i] - ab * a[i]) / det;
     }
-}
-
-static inline void xarm6_to_unit(xarm6_lane *c, xarm6_lane *s)
-{
-    const xarm6_lane square = *c * *c + *s * *s, factor = 1.0 / xarm6_sqrt(square + 1e-300);
-    *c = xarm6_select(square > 1e-300, *c * factor, xarm6_all(1.0));
-    *s = xarm6_select(square > 1e-300, *s * factor, xarm6_all(0.0));
 }
 
 /* phi_2 and phi_3 from the null vector */
@@ -2553,21 +2617,6 @@ static unsigned xarm6_offer(const xarm6_loop *loop, xarm6_lane c[6], xarm6_lane 
     return met;
 }
 
-/* Roots that nearly meet are tried as one double root too. */
-static void xarm6_close_roots(const double *E, const xarm6_roots *roots, xarm6_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                xarm6_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
-}
-
 static int xarm6_bits(unsigned set)
 {
     int count = 0;
@@ -2597,6 +2646,279 @@ static void xarm6_around(const xarm6_formulation *form, const xarm6_loop *loop,
             xarm6_invert(loop->link[joint - 1], link[i]);
         } else {
             xarm6_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Ways to solve at roots of the hidden angle, by its cosine and sine: two signs that choose among
+ * square
+ * roots; `group` is the number of the root, and `far` how many more ways it has that lead to
+ * infinity. */
+typedef struct {
+    int count, group[XARM6_CANDIDATES], far[2 * XARM6_ROOTS];
+    double c[XARM6_CANDIDATES], s[XARM6_CANDIDATES], sign[2][XARM6_CANDIDATES];
+} xarm6_ways;
+
+/* The offset wrist: axes 1 and 2 meet at right angles in S, 2 and 3 are parallel, 4 and 5 meet at
+ * right
+ * angles in W, axis 4 lies in the plane through S across axis 2. With q6 given, W and z5 are known,
+ * and
+ * S, the elbow E and W form a triangle; axis 4 has to be at right angles to z5. The signs of a way
+ * are those of the plane and of the elbow. */
+typedef struct {
+    const xarm6_loop *loop;
+    double back[12]; /* from frame 6 to frame 5 */
+} xarm6_setting;
+
+static void xarm6_prepare(xarm6_setting *set, int which, const xarm6_loop *loop)
+{
+    (void)which;
+    set->loop = loop;
+    xarm6_invert(loop->link[4], set->back);
+}
+
+/* What a sixth angle fixes: frame 5 before its own turn, W from S. */
+static inline void xarm6_wrist_at(const xarm6_setting *set, xarm6_lane c, xarm6_lane s,
+                                    xarm6_rigid frame, xarm6_lane W[3])
+{
+    xarm6_begin(frame, set->loop->link[5]);
+    xarm6_turn(frame, c, -s);
+    xarm6_follow(frame, set->back);
+    for (int i = 0; i < 3; i++) {
+        W[i] = frame[i][3] + -0.0 * frame[i][2];
+    }
+    W[2] -= 7.368497484792287e-10;
+}
+
+static inline xarm6_lane xarm6_discriminant(xarm6_lane w)
+{
+    const xarm6_lane twice = w + 0.6382520571082876 - 0.9391659770551684;
+    return 4.0 * 0.6382520571082876 * w - twice * twice;
+}
+
+/* The polynomial of q6: of degree 8. */
+static inline xarm6_lane xarm6_closed_polynomial(const xarm6_setting *set, xarm6_lane c6, xarm6_lane
+    s6)
+{
+    xarm6_rigid frame;
+    xarm6_lane W[3];
+    xarm6_wrist_at(set, c6, s6, frame, W);
+    const xarm6_lane z5[3] = {frame[0][2], frame[1][2], frame[2][2]};
+    const xarm6_lane w = W[0] * W[0] + W[1] * W[1] + W[2] * W[2];
+    const xarm6_lane along = W[0] * z5[0] + W[1] * z5[1] + W[2] * z5[2];
+    const xarm6_lane m = z5[2] * w - W[2] * along, D = xarm6_discriminant(w);
+    const xarm6_lane part = w - 0.6382520571082876 + 0.9391659770551684;
+    const xarm6_lane first = along * along * (W[0] * W[0] + W[1] * W[1]), second = m * m;
+    const double C = -0.9753422209915128, S = -0.22069787482289702;
+    const xarm6_lane U = first * (C * C * part * part + S * S * D) -
+                     second * (S * S * part * part + C * C * D);
+    const xarm6_lane V = 2.0 * C * S * part * (first + second);
+    return (U * U - V * V * D) / (w * w + 1e-300);
+}
+
+/* The ways at a root for which axis 4 is nearly at right angles to z5. */
+static void xarm6_add_ways(const xarm6_setting *set, double c, double s, int group, xarm6_ways *out)
+{
+    xarm6_rigid frame;
+    xarm6_lane W[3], D;
+    double v[3], z5[3], w, along, m, across, part, root;
+    xarm6_wrist_at(set, xarm6_all(c), xarm6_all(s), frame, W);
+    D = xarm6_discriminant(W[0] * W[0] + W[1] * W[1] + W[2] * W[2]);
+    for (int i = 0; i < 3; i++) {
+        v[i] = xarm6_largest(W[i]);
+        z5[i] = xarm6_largest(frame[i][2]);
+    }
+    w = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    along = v[0] * z5[0] + v[1] * z5[1] + v[2] * z5[2];
+    m = z5[2] * w - v[2] * along;
+    across = sqrt(v[0] * v[0] + v[1] * v[1]);
+    if (across < 1e-12) {
+        return; /* W is on axis 1 */
+    }
+    part = w - 0.6382520571082876 + 0.9391659770551684;
+    root = xarm6_largest(D);
+    root = root > 0.0 ? sqrt(root) : 0.0;
+    for (int way = 0; way < 4; way++) {
+        const double tau = way & 1 ? 1.0 : -1.0, elbow = way & 2 ? 1.0 : -1.0;
+        const double C = -0.9753422209915128, S = -0.22069787482289702, r = 0.9691057615426545;
+        const double one = along * across * (C * part + S * elbow * root);
+        const double other = tau * m * (S * part - C * elbow * root);
+        if (fabs(one + other) < 2.0 * w * r * across * 0.01 &&
+            out->count < XARM6_CANDIDATES) {
+            out->group[out->count] = group;
+            out->c[out->count] = c;
+            out->s[out->count] = s;
+            out->sign[0][out->count] = tau;
+            out->sign[1][out->count] = elbow;
+            out->count++;
+        }
+    }
+}
+
+/* Turn from (x, y), a constant, to (u, v), as cosine and sine. */
+static inline void xarm6_turn_to(double x, double y, xarm6_lane u, xarm6_lane v, xarm6_lane *c,
+                                   xarm6_lane *s)
+{
+    *c = x * u + y * v;
+    *s = x * v - y * u;
+    xarm6_to_unit(c, s);
+}
+
+/* The cosines and sines of all joints, from q6 and the way. */
+static inline void xarm6_way_joints(const xarm6_setting *set, xarm6_lane c6, xarm6_lane s6,
+    xarm6_lane tau,
+                                      xarm6_lane elbow, xarm6_lane c[6], xarm6_lane s[6])
+{
+    static const double source[8] = { 0.0, 1.0, 0.7851450463681914, 0.1476459050288163,
+        -0.945209765838684, 0.21387958205108903, 0.0, 1.0 };
+    static const double identity[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
+    xarm6_rigid frame, T;
+    xarm6_lane W[3], target[4][3], x[2], up[3], w, rho, part, side;
+    xarm6_wrist_at(set, c6, s6, frame, W);
+    rho = W[0] * W[0] + W[1] * W[1];
+    w = rho + W[2] * W[2];
+    rho = xarm6_sqrt(rho);
+    x[0] = tau * W[0] / rho;
+    x[1] = tau * W[1] / rho;
+    part = 0.5 * (w - 0.6382520571082876 + 0.9391659770551684) / w;
+    side = xarm6_sqrt(xarm6_max(xarm6_discriminant(w), xarm6_all(0.0))) * elbow * 0.5 / w;
+    up[0] = -W[2] * x[0]; /* W turned about axis 3 */
+    up[1] = -W[2] * x[1];
+    up[2] = tau * rho;
+    target[0][0] = 1.0 * x[1];
+    target[0][1] = 1.0 * -x[0];
+    target[0][2] = xarm6_all(0.0);
+    for (int i = 0; i < 3; i++) {
+        const xarm6_lane shoulder = xarm6_all(i == 2 ? 7.368497484792287e-10 : 0.0);
+        target[2][i] = W[i] + shoulder;
+        target[1][i] = target[2][i] - part * W[i] + side * up[i];
+        target[3][i] = frame[i][2];
+    }
+    xarm6_begin(T, identity);
+    for (int k = 0; k < 4; k++) {
+        xarm6_lane v[3], local[2];
+        for (int i = 0; i < 3; i++) {
+            v[i] = k == 1 || k == 2 ? target[k][i] - T[i][3] : target[k][i];
+        }
+        for (int j = 0; j < 2; j++) {
+            local[j] = T[0][j] * v[0] + T[1][j] * v[1] + T[2][j] * v[2];
+        }
+        xarm6_turn_to(source[2 * k], source[2 * k + 1], local[0], local[1], &c[k], &s[k]);
+        xarm6_turn(T, c[k], s[k]);
+        xarm6_follow(T, set->loop->link[k]);
+    }
+    c[4] = s[4] = xarm6_all(0.0);
+    for (int i = 0; i < 3; i++) {
+        c[4] += T[i][0] * frame[i][0] + T[i][1] * frame[i][1];
+        s[4] += T[i][1] * frame[i][0] - T[i][0] * frame[i][1];
+    }
+    xarm6_to_unit(&c[4], &s[4]);
+    c[5] = c6;
+    s[5] = s6;
+}
+
+static void xarm6_find_ways(const xarm6_setting *set, const double *c, const double *s, int count,
+    int group,
+                              xarm6_ways *out)
+{
+    for (int i = 0; i < count; i++) {
+        xarm6_add_ways(set, c[i], s[i], group + i, out);
+    }
+}
+
+/* Polish the ways; the certificate is that of the formulations, with 1 solution(s) a root. */
+static int xarm6_settle_ways(const xarm6_loop *loop, const xarm6_setting *set, const xarm6_ways
+    *ways,
+                               int simple, int doubles, xarm6_found *found)
+{
+    unsigned met = 0, of_group[2 * XARM6_ROOTS] = {0};
+    int complete = 1, expected = 0;
+    for (int from = 0; from < ways->count; from += XARM6_LANES) {
+        const int count = ways->count - from < XARM6_LANES ? ways->count - from : XARM6_LANES;
+        double in[4][XARM6_LANES];
+        xarm6_lane c[6], s[6];
+        int place[XARM6_LANES];
+        for (int k = 0; k < XARM6_LANES; k++) {
+            const int i = k < count ? from + k : from;
+            in[0][k] = ways->c[i];
+            in[1][k] = ways->s[i];
+            in[2][k] = ways->sign[0][i];
+            in[3][k] = ways->sign[1][i];
+        }
+        xarm6_way_joints(set, XARM6_LOAD(in[0]), XARM6_LOAD(in[1]), XARM6_LOAD(in[2]),
+            XARM6_LOAD(in[3]), c, s);
+        met |= xarm6_offer(loop, c, s, count, 4, doubles > 0, found, place);
+        for (int k = 0; k < count; k++) {
+            if (place[k] >= 0) {
+                of_group[ways->group[from + k]] |= 1u << place[k];
+            }
+        }
+    }
+    for (int i = 0; i < simple + doubles; i++) {
+        if (ways->far[i] && !of_group[i]) {
+            continue;
+        }
+        complete &= xarm6_bits(of_group[i]) >= 1;
+        expected += i < simple || of_group[i] & found->singular ? 1 : 2;
+        expected -= ways->far[i];
+    }
+    return complete && xarm6_bits(met) >= expected && xarm6_paired(found);
+}
+
+/* The polynomial at the sample angles, through a lens. */
+static void xarm6_sample_closed(const xarm6_setting *set, const xarm6_lens *lens, double
+    samples[24])
+{
+    for (int k = 0; k < 24; k += XARM6_LANES) {
+        xarm6_lane c = XARM6_LOAD(xarm6_sample_c + k), s = XARM6_LOAD(xarm6_sample_s + k);
+        const xarm6_lane square = xarm6_through(lens, &c, &s);
+        XARM6_STORE(samples + k, xarm6_weighted(xarm6_closed_polynomial(set, c, s), square));
+    }
+}
+
+/* Find what a polynomial in closed form finds; whether that is certainly everything. */
+static int xarm6_attempt_closed(int which, const xarm6_loop *loop, xarm6_found *found)
+{
+    double samples[24];
+    xarm6_setting set;
+    xarm6_trigonometric f;
+    xarm6_roots roots;
+    xarm6_ways ways;
+    xarm6_lens lens = {0.0, 0.0};
+    xarm6_prepare(&set, which, loop);
+    xarm6_sample_closed(&set, &lens, samples);
+    if (xarm6_spread(samples, &lens)) {
+        xarm6_sample_closed(&set, &lens, samples);
+    }
+    xarm6_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    xarm6_find_roots(&f, &roots);
+    xarm6_behind(&lens, roots.simple, roots.c, roots.s);
+    xarm6_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
+    ways.count = 0;
+    for (int i = 0; i < 2 * XARM6_ROOTS; i++) {
+        ways.far[i] = 0;
+    }
+    xarm6_find_ways(&set, roots.c, roots.s, roots.simple, 0, &ways);
+    xarm6_find_ways(&set, roots.double_c, roots.double_s, roots.doubles, roots.simple, &ways);
+    found->doubles += roots.doubles;
+    return xarm6_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
+        roots.complete;
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void xarm6_close_roots(const double *E, const xarm6_roots *roots, xarm6_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                xarm6_null_plane(E, c * factor, s * factor, out);
+            }
         }
     }
 }
@@ -2643,6 +2965,17 @@ static int xarm6_settle(const xarm6_formulation *form, const xarm6_loop *loop,
     return complete && xarm6_bits(met) >= expected && xarm6_paired(found);
 }
 
+/* The determinant at the sample angles, through a lens. */
+static void xarm6_sample(const double *E, const xarm6_lens *lens, double samples[24])
+{
+    for (int k = 0; k < 24; k += XARM6_LANES) {
+        xarm6_lane factor[6][6];
+        xarm6_lane c = XARM6_LOAD(xarm6_sample_c + k), s = XARM6_LOAD(xarm6_sample_s + k);
+        const xarm6_lane square = xarm6_through(lens, &c, &s);
+        XARM6_STORE(samples + k, xarm6_weighted(xarm6_fold(E, c, s, factor), square));
+    }
+}
+
 /* Find what a formulation finds; whether that is certainly everything. */
 static int xarm6_attempt(const xarm6_formulation *form, const xarm6_loop *loop,
                            xarm6_found *found)
@@ -2651,18 +2984,20 @@ static int xarm6_attempt(const xarm6_formulation *form, const xarm6_loop *loop,
     xarm6_trigonometric f;
     xarm6_roots roots;
     xarm6_candidates all;
+    xarm6_lens lens = {0.0, 0.0};
     xarm6_around(form, loop, link);
     xarm6_equations(form, link, E);
-    for (int k = 0; k < 24; k += XARM6_LANES) {
-        xarm6_lane factor[6][6];
-        XARM6_STORE(samples + k, xarm6_fold(E, XARM6_LOAD(xarm6_sample_c + k),
-                                   XARM6_LOAD(xarm6_sample_s + k), factor));
+    xarm6_sample(E, &lens, samples);
+    if (xarm6_spread(samples, &lens)) {
+        xarm6_sample(E, &lens, samples);
     }
     xarm6_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }
     xarm6_find_roots(&f, &roots);
+    xarm6_behind(&lens, roots.simple, roots.c, roots.s);
+    xarm6_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     xarm6_null_vectors(E, &roots, &all);
     xarm6_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
@@ -2673,228 +3008,13 @@ static int xarm6_attempt(const xarm6_formulation *form, const xarm6_loop *loop,
         roots.complete;
 }
 
-/* The offset wrist: axes 1 and 2 meet at right angles in S, 2 and 3 are parallel, 4 and 5 meet at
- * right
- * angles in W, axis 4 lies in the plane through S across axis 2. With q6 given, W and z5 are known,
- * and
- * S, the elbow E and W form a triangle; axis 4 has to be at right angles to z5. */
-
-/* Ways to place plane and elbow at roots; `group` is the number of the root. */
-typedef struct {
-    int count, group[XARM6_CANDIDATES];
-    double c[XARM6_CANDIDATES], s[XARM6_CANDIDATES]; /* of q6 */
-    double tau[XARM6_CANDIDATES], elbow[XARM6_CANDIDATES];
-} xarm6_ways;
-
-/* What a sixth angle fixes: frame 5 before its own turn, W from S. */
-static inline void xarm6_wrist_at(const xarm6_loop *loop, const double back[12], xarm6_lane c,
-                                    xarm6_lane s, xarm6_rigid frame, xarm6_lane W[3])
-{
-    xarm6_begin(frame, loop->link[5]);
-    xarm6_turn(frame, c, -s);
-    xarm6_follow(frame, back);
-    for (int i = 0; i < 3; i++) {
-        W[i] = frame[i][3] + -0.0 * frame[i][2];
-    }
-    W[2] -= 7.368497484792287e-10;
-}
-
-static inline xarm6_lane xarm6_discriminant(xarm6_lane w)
-{
-    const xarm6_lane twice = w + 0.6382520571082876 - 0.9391659770551684;
-    return 4.0 * 0.6382520571082876 * w - twice * twice;
-}
-
-/* The polynomial of q6: of degree 8. */
-static inline xarm6_lane xarm6_wrist_polynomial(const xarm6_lane W[3], const xarm6_lane z5[3])
-{
-    const xarm6_lane w = W[0] * W[0] + W[1] * W[1] + W[2] * W[2];
-    const xarm6_lane along = W[0] * z5[0] + W[1] * z5[1] + W[2] * z5[2];
-    const xarm6_lane m = z5[2] * w - W[2] * along, D = xarm6_discriminant(w);
-    const xarm6_lane part = w - 0.6382520571082876 + 0.9391659770551684;
-    const xarm6_lane first = along * along * (W[0] * W[0] + W[1] * W[1]), second = m * m;
-    const double C = -0.9753422209915128, S = -0.22069787482289702;
-    const xarm6_lane U = first * (C * C * part * part + S * S * D) -
-                     second * (S * S * part * part + C * C * D);
-    const xarm6_lane V = 2.0 * C * S * part * (first + second);
-    return (U * U - V * V * D) / (w * w + 1e-300);
-}
-
-/* The ways at a root for which axis 4 is nearly at right angles to z5. */
-static void xarm6_add_ways(const xarm6_loop *loop, const double back[12], double c, double s, int
-    group,
-                             xarm6_ways *out)
-{
-    xarm6_rigid frame;
-    xarm6_lane W[3], D;
-    double v[3], z5[3], w, along, m, across, part, root;
-    xarm6_wrist_at(loop, back, xarm6_all(c), xarm6_all(s), frame, W);
-    D = xarm6_discriminant(W[0] * W[0] + W[1] * W[1] + W[2] * W[2]);
-    for (int i = 0; i < 3; i++) {
-        v[i] = xarm6_largest(W[i]);
-        z5[i] = xarm6_largest(frame[i][2]);
-    }
-    w = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    along = v[0] * z5[0] + v[1] * z5[1] + v[2] * z5[2];
-    m = z5[2] * w - v[2] * along;
-    across = sqrt(v[0] * v[0] + v[1] * v[1]);
-    if (across < 1e-12) {
-        return; /* W is on axis 1 */
-    }
-    part = w - 0.6382520571082876 + 0.9391659770551684;
-    root = xarm6_largest(D);
-    root = root > 0.0 ? sqrt(root) : 0.0;
-    for (int way = 0; way < 4; way++) {
-        const double tau = way & 1 ? 1.0 : -1.0, elbow = way & 2 ? 1.0 : -1.0;
-        const double C = -0.9753422209915128, S = -0.22069787482289702, r = 0.9691057615426545;
-        const double one = along * across * (C * part + S * elbow * root);
-        const double other = tau * m * (S * part - C * elbow * root);
-        if (fabs(one + other) < 2.0 * w * r * across * 0.01 &&
-            out->count < XARM6_CANDIDATES) {
-            out->group[out->count] = group;
-            out->c[out->count] = c;
-            out->s[out->count] = s;
-            out->tau[out->count] = tau;
-            out->elbow[out->count] = elbow;
-            out->count++;
-        }
-    }
-}
-
-/* Turn from (x, y), a constant, to (u, v), as cosine and sine. */
-static inline void xarm6_turn_to(double x, double y, xarm6_lane u, xarm6_lane v, xarm6_lane *c,
-                                   xarm6_lane *s)
-{
-    *c = x * u + y * v;
-    *s = x * v - y * u;
-    xarm6_to_unit(c, s);
-}
-
-/* The cosines and sines of all joints, from q6 and the way. */
-static inline void xarm6_wrist_angles(const xarm6_loop *loop, const double back[12], xarm6_lane tau,
-                                        xarm6_lane elbow, xarm6_lane c[6], xarm6_lane s[6])
-{
-    static const double source[8] = { 0.0, 1.0, 0.7851450463681914, 0.1476459050288163,
-        -0.945209765838684, 0.21387958205108903, 0.0, 1.0 };
-    static const double identity[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
-    xarm6_rigid frame, T;
-    xarm6_lane W[3], target[4][3], x[2], up[3], w, rho, part, side;
-    xarm6_wrist_at(loop, back, c[5], s[5], frame, W);
-    rho = W[0] * W[0] + W[1] * W[1];
-    w = rho + W[2] * W[2];
-    rho = xarm6_sqrt(rho);
-    x[0] = tau * W[0] / rho;
-    x[1] = tau * W[1] / rho;
-    part = 0.5 * (w - 0.6382520571082876 + 0.9391659770551684) / w;
-    side = xarm6_sqrt(xarm6_max(xarm6_discriminant(w), xarm6_all(0.0))) * elbow * 0.5 / w;
-    up[0] = -W[2] * x[0]; /* W turned about axis 3 */
-    up[1] = -W[2] * x[1];
-    up[2] = tau * rho;
-    target[0][0] = 1.0 * x[1];
-    target[0][1] = 1.0 * -x[0];
-    target[0][2] = xarm6_all(0.0);
-    for (int i = 0; i < 3; i++) {
-        const xarm6_lane shoulder = xarm6_all(i == 2 ? 7.368497484792287e-10 : 0.0);
-        target[2][i] = W[i] + shoulder;
-        target[1][i] = target[2][i] - part * W[i] + side * up[i];
-        target[3][i] = frame[i][2];
-    }
-    xarm6_begin(T, identity);
-    for (int k = 0; k < 4; k++) {
-        xarm6_lane v[3], local[2];
-        for (int i = 0; i < 3; i++) {
-            v[i] = k == 1 || k == 2 ? target[k][i] - T[i][3] : target[k][i];
-        }
-        for (int j = 0; j < 2; j++) {
-            local[j] = T[0][j] * v[0] + T[1][j] * v[1] + T[2][j] * v[2];
-        }
-        xarm6_turn_to(source[2 * k], source[2 * k + 1], local[0], local[1], &c[k], &s[k]);
-        xarm6_turn(T, c[k], s[k]);
-        xarm6_follow(T, loop->link[k]);
-    }
-    c[4] = s[4] = xarm6_all(0.0);
-    for (int i = 0; i < 3; i++) {
-        c[4] += T[i][0] * frame[i][0] + T[i][1] * frame[i][1];
-        s[4] += T[i][1] * frame[i][0] - T[i][0] * frame[i][1];
-    }
-    xarm6_to_unit(&c[4], &s[4]);
-}
-
-/* Polish the ways; the certificate is that of the formulations, with 1 solution(s) a root. */
-static int xarm6_settle_wrist(const xarm6_loop *loop, const double back[12], const xarm6_ways *ways,
-                                int simple, int doubles, xarm6_found *found)
-{
-    unsigned met = 0, of_group[2 * XARM6_ROOTS] = {0};
-    int complete = 1, expected = 1 * simple;
-    for (int from = 0; from < ways->count; from += XARM6_LANES) {
-        const int count = ways->count - from < XARM6_LANES ? ways->count - from : XARM6_LANES;
-        double in[4][XARM6_LANES];
-        xarm6_lane c[6], s[6];
-        int place[XARM6_LANES];
-        for (int k = 0; k < XARM6_LANES; k++) {
-            const int i = k < count ? from + k : from;
-            in[0][k] = ways->c[i];
-            in[1][k] = ways->s[i];
-            in[2][k] = ways->tau[i];
-            in[3][k] = ways->elbow[i];
-        }
-        c[5] = XARM6_LOAD(in[0]);
-        s[5] = XARM6_LOAD(in[1]);
-        xarm6_wrist_angles(loop, back, XARM6_LOAD(in[2]), XARM6_LOAD(in[3]), c, s);
-        met |= xarm6_offer(loop, c, s, count, 4, doubles > 0, found, place);
-        for (int k = 0; k < count; k++) {
-            if (place[k] >= 0) {
-                of_group[ways->group[from + k]] |= 1u << place[k];
-            }
-        }
-    }
-    for (int i = 0; i < simple + doubles; i++) {
-        complete &= xarm6_bits(of_group[i]) >= 1;
-        if (i >= simple) {
-            expected += of_group[i] & found->singular ? 1 : 2;
-        }
-    }
-    return complete && xarm6_bits(met) >= expected && xarm6_paired(found);
-}
-
-static int xarm6_attempt_wrist(const xarm6_loop *loop, xarm6_found *found)
-{
-    double samples[24], back[12];
-    xarm6_trigonometric f;
-    xarm6_roots roots;
-    xarm6_ways ways;
-    xarm6_invert(loop->link[4], back);
-    for (int k = 0; k < 24; k += XARM6_LANES) {
-        xarm6_rigid frame;
-        xarm6_lane W[3], z5[3];
-        xarm6_wrist_at(loop, back, XARM6_LOAD(xarm6_sample_c + k), XARM6_LOAD(xarm6_sample_s + k),
-                         frame, W);
-        for (int i = 0; i < 3; i++) {
-            z5[i] = frame[i][2];
-        }
-        XARM6_STORE(samples + k, xarm6_wrist_polynomial(W, z5));
-    }
-    xarm6_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
-        return 0;
-    }
-    xarm6_find_roots(&f, &roots);
-    ways.count = 0;
-    for (int i = 0; i < roots.simple; i++) {
-        xarm6_add_ways(loop, back, roots.c[i], roots.s[i], i, &ways);
-    }
-    for (int i = 0; i < roots.doubles; i++) {
-        xarm6_add_ways(loop, back, roots.double_c[i], roots.double_s[i], roots.simple + i, &ways);
-    }
-    found->doubles += roots.doubles;
-    return xarm6_settle_wrist(loop, back, &ways, roots.simple, roots.doubles, found) &&
-        roots.complete;
-}
-
 /* Find what the methods find, one after the other, until that is certainly everything. */
 static int xarm6_try(const xarm6_loop *loop, xarm6_found *found)
 {
-    int complete = xarm6_attempt_wrist(loop, found);
+    int complete = 0;
+    for (int i = 0; i < 1 && !complete; i++) {
+        complete = xarm6_attempt_closed(i, loop, found);
+    }
     for (int i = 0; i < 2 && !complete; i++) {
         complete = xarm6_attempt(&xarm6_formulations[i], loop, found);
     }
@@ -2965,7 +3085,7 @@ static int xarm6_from_nearby(const xarm6_loop *loop, xarm6_found *found)
 static void xarm6_from_anywhere(const xarm6_loop *loop, xarm6_found *found)
 {
     unsigned long long seed = 1;
-    for (int batch = 0; batch < 8; batch++) {
+    for (int batch = 0; batch < 16; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
@@ -3020,7 +3140,8 @@ static int xarm6_before(const double a[6], const double b[6])
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
  * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
-static int xarm6_general(const double T[16], double q[16][6], double residual[16])
+static int xarm6_general(const double T[16], double q[16][6],
+                         double residual[16])
 {
     xarm6_found found;
     xarm6_loop whole;

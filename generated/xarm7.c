@@ -404,7 +404,7 @@ static inline xarm7_lane xarm7_with_sign(xarm7_lane x, xarm7_lane y)
 
 static inline xarm7_lane xarm7_sqrt(xarm7_lane x)
 {
-    xarm7_lane r;
+    xarm7_lane r = x;
     for (int k = 0; k < XARM7_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
@@ -502,8 +502,8 @@ typedef struct {
 } xarm7_formulation;
 
 static const xarm7_formulation xarm7_formulations[2] = {
-    { { 3, 4, 5, 0, 1, 2 }, 1.0 },
-    { { 0, 5, 4, 3, 2, 1 }, -1.0 },
+    { { 3, 2, 1, 0, 5, 4 }, -1.0 },
+    { { 0, 1, 2, 3, 4, 5 }, 1.0 },
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
@@ -1293,6 +1293,78 @@ static void xarm7_close(const double T[16], const double free_joints[1], xarm7_l
     }
 }
 
+/* a rigid transform for each lane */
+typedef xarm7_lane xarm7_rigid[3][4];
+
+/* T Rz */
+static inline void xarm7_turn(xarm7_rigid T, xarm7_lane c, xarm7_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const xarm7_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void xarm7_move(xarm7_rigid T, int joint, xarm7_lane c, xarm7_lane s)
+{
+    (void)joint;
+    xarm7_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void xarm7_follow(xarm7_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const xarm7_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void xarm7_begin(xarm7_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = xarm7_all(K[i]);
+    }
+}
+
+static inline void xarm7_to_unit(xarm7_lane *c, xarm7_lane *s)
+{
+    const xarm7_lane square = *c * *c + *s * *s, factor = 1.0 / xarm7_sqrt(square + 1e-300);
+    *c = xarm7_select(square > 1e-300, *c * factor, xarm7_all(1.0));
+    *s = xarm7_select(square > 1e-300, *s * factor, xarm7_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline xarm7_lane xarm7_reflect(xarm7_lane *const *row, int rows, int column, int columns)
+{
+    xarm7_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = xarm7_with_sign(xarm7_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        xarm7_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
  * and
  * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
@@ -1465,32 +1537,6 @@ static void xarm7_equations(const xarm7_formulation *form, double link[6][12], d
             XARM7_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
-static inline xarm7_lane xarm7_reflect(xarm7_lane *const *row, int rows, int column, int columns)
-{
-    xarm7_lane axis[6], square = {0}, length, factor;
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        square += axis[i] * axis[i];
-    }
-    length = xarm7_with_sign(xarm7_sqrt(square), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        xarm7_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
-        }
-        sum *= factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
 }
 
 /* The determinant at hidden angles, and the upper triangular factor whose null vectors are
@@ -1987,6 +2033,70 @@ static void xarm7_find_roots(const xarm7_trigonometric *f, xarm7_roots *roots)
     }
 }
 
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} xarm7_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline xarm7_lane xarm7_through(const xarm7_lens *a, xarm7_lane *c, xarm7_lane *s)
+{
+    const xarm7_lane u = *c + a->x, v = *s + a->y;
+    const xarm7_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const xarm7_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline xarm7_lane xarm7_weighted(xarm7_lane f, xarm7_lane square)
+{
+    const xarm7_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int xarm7_spread(const double samples[24], xarm7_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * xarm7_sample_c[k];
+        y += ratio * xarm7_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void xarm7_behind(const xarm7_lens *a, int count, double *cosine, double *sine)
+{
+    for (int i = 0; i < count; i += XARM7_LANES) {
+        xarm7_lane c = XARM7_LOAD(cosine + i), s = XARM7_LOAD(sine + i);
+        (void)xarm7_through(a, &c, &s);
+        XARM7_STORE(cosine + i, c);
+        XARM7_STORE(sine + i, s);
+    }
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
@@ -1995,9 +2105,6 @@ typedef struct {
     int count, groups, group[XARM7_CANDIDATES];
     double c[XARM7_CANDIDATES], s[XARM7_CANDIDATES], n[6][XARM7_CANDIDATES];
 } xarm7_candidates;
-
-/* a rigid transform for each lane */
-typedef xarm7_lane xarm7_rigid[3][4];
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
 static inline void xarm7_inverse_iteration(xarm7_lane U[6][6], const xarm7_lane inverse[6],
@@ -2180,42 +2287,6 @@ static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidat
     out->groups++;
 }
 
-/* T Rz */
-static inline void xarm7_turn(xarm7_rigid T, xarm7_lane c, xarm7_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const xarm7_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void xarm7_move(xarm7_rigid T, int joint, xarm7_lane c, xarm7_lane s)
-{
-    (void)joint;
-    xarm7_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void xarm7_follow(xarm7_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const xarm7_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void xarm7_begin(xarm7_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = xarm7_all(K[i]);
-    }
-}
-
 /* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
  * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
 static void xarm7_invariants(const double K[12], const double M[12], double w[5],
@@ -2255,13 +2326,6 @@ static void xarm7_invariants(const double K[12], const double M[12], double w[5]
         solve[0][i] = (bb * a[i] - ab * b[i]) / det;
         solve[1][i] = (aa * b[i] - ab * a[i]) / det;
     }
-}
-
-static inline void xarm7_to_unit(xarm7_lane *c, xarm7_lane *s)
-{
-    const xarm7_lane square = *c * *c + *s * *s, factor = 1.0 / xarm7_sqrt(square + 1e-300);
-    *c = xarm7_select(square > 1e-300, *c * factor, xarm7_all(1.0));
-    *s = xarm7_select(square > 1e-300, *s * factor, xarm7_all(0.0));
 }
 
 /* phi_2 and phi_3 from the null vector */
@@ -2568,21 +2632,6 @@ static unsigned xarm7_offer(const xarm7_loop *loop, xarm7_lane c[6], xarm7_lane 
     return met;
 }
 
-/* Roots that nearly meet are tried as one double root too. */
-static void xarm7_close_roots(const double *E, const xarm7_roots *roots, xarm7_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                xarm7_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
-}
-
 static int xarm7_bits(unsigned set)
 {
     int count = 0;
@@ -2612,6 +2661,21 @@ static void xarm7_around(const xarm7_formulation *form, const xarm7_loop *loop,
             xarm7_invert(loop->link[joint - 1], link[i]);
         } else {
             xarm7_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void xarm7_close_roots(const double *E, const xarm7_roots *roots, xarm7_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                xarm7_null_plane(E, c * factor, s * factor, out);
+            }
         }
     }
 }
@@ -2658,6 +2722,17 @@ static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
     return complete && xarm7_bits(met) >= expected && xarm7_paired(found);
 }
 
+/* The determinant at the sample angles, through a lens. */
+static void xarm7_sample(const double *E, const xarm7_lens *lens, double samples[24])
+{
+    for (int k = 0; k < 24; k += XARM7_LANES) {
+        xarm7_lane factor[6][6];
+        xarm7_lane c = XARM7_LOAD(xarm7_sample_c + k), s = XARM7_LOAD(xarm7_sample_s + k);
+        const xarm7_lane square = xarm7_through(lens, &c, &s);
+        XARM7_STORE(samples + k, xarm7_weighted(xarm7_fold(E, c, s, factor), square));
+    }
+}
+
 /* Find what a formulation finds; whether that is certainly everything. */
 static int xarm7_attempt(const xarm7_formulation *form, const xarm7_loop *loop,
                            xarm7_found *found)
@@ -2666,18 +2741,20 @@ static int xarm7_attempt(const xarm7_formulation *form, const xarm7_loop *loop,
     xarm7_trigonometric f;
     xarm7_roots roots;
     xarm7_candidates all;
+    xarm7_lens lens = {0.0, 0.0};
     xarm7_around(form, loop, link);
     xarm7_equations(form, link, E);
-    for (int k = 0; k < 24; k += XARM7_LANES) {
-        xarm7_lane factor[6][6];
-        XARM7_STORE(samples + k, xarm7_fold(E, XARM7_LOAD(xarm7_sample_c + k),
-                                   XARM7_LOAD(xarm7_sample_s + k), factor));
+    xarm7_sample(E, &lens, samples);
+    if (xarm7_spread(samples, &lens)) {
+        xarm7_sample(E, &lens, samples);
     }
     xarm7_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }
     xarm7_find_roots(&f, &roots);
+    xarm7_behind(&lens, roots.simple, roots.c, roots.s);
+    xarm7_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     xarm7_null_vectors(E, &roots, &all);
     xarm7_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
@@ -2762,7 +2839,7 @@ static int xarm7_from_nearby(const xarm7_loop *loop, xarm7_found *found)
 static void xarm7_from_anywhere(const xarm7_loop *loop, xarm7_found *found)
 {
     unsigned long long seed = 1;
-    for (int batch = 0; batch < 8; batch++) {
+    for (int batch = 0; batch < 16; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
@@ -2817,8 +2894,8 @@ static int xarm7_before(const double a[6], const double b[6])
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
  * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
-static int xarm7_general(const double T[16], const double free_joints[1], double q[16][6], double
-    residual[16])
+static int xarm7_general(const double T[16], const double free_joints[1], double q[16][6],
+                         double residual[16])
 {
     xarm7_found found;
     xarm7_loop whole;

@@ -86,8 +86,7 @@ HELPER v atan2_##v(v y, v x) \
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 typedef double four __attribute__((vector_size(8 * 4)));
-typedef double four_at
-    __attribute__((vector_size(8 * 4), aligned(8), may_alias)); /* in memory */
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
 
 HELPER four all_four(double x)
@@ -112,8 +111,7 @@ HELPER four abs_four(four x)
 }
 
 typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef double wide_at
-    __attribute__((vector_size(8 * LANES), aligned(8), may_alias)); /* in memory */
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
 typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
 
 HELPER wide all_wide(double x)
@@ -538,82 +536,48 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v3 = a1 + w1;
-    const wide v4 = a1 - w1;
-    const wide v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3;
-    const wide N3_m = v5 + v4 * v4;
+    const wide v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3;
+    const wide N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4;
     const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
     const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle2 = atan2_wide(w3_p, N3_p - k3);
-    const wide angle3 = atan2_wide(w3_m, N3_m - k3);
+    const wide angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3);
     const wide q3__pp = angle2 - turn1;
     const wide v6 = turn1 + angle2;
     const wide q3__mp = angle3 - turn1;
     const wide v7 = turn1 + angle3;
 
     /* theta2 */
-    const wide Y1_2_p = m4 + m3 * N3_p;
-    const wide Y1_2_m = m4 + m3 * N3_m;
-    const wide v8 = Z1_3 * Y1_2_p;
-    const wide v9 = Z1_3 * Y1_2_m;
-    const wide v10 = v3 * Y1_2_p;
-    const wide v11 = v4 * Y1_2_m;
-    const wide v12 = m3 * Z1_3;
-    const wide v13 = m3 * -Z1_3;
-    const wide factor2_p = 1.0 / N3_p;
-    const wide factor2_m = 1.0 / N3_m;
+    const wide Y1_2_p = m4 + m3 * N3_p, Y1_2_m = m4 + m3 * N3_m;
+    const wide v8 = Z1_3 * Y1_2_p, v9 = Z1_3 * Y1_2_m, v10 = v3 * Y1_2_p, v11 = v4 * Y1_2_m;
+    const wide v12 = m3 * Z1_3, v13 = m3 * -Z1_3;
+    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v14 = m5 * Z1_3;
-    const wide v15 = m6 * v3 - v14;
-    const wide v16 = m6 * v4 - v14;
-    const wide v17 = m7 * factor2_p - m6;
-    const wide v18 = m7 * factor2_m - m6;
-    const wide v19 = m8 * factor2_p - m5;
-    const wide v20 = m8 * factor2_m - m5;
-    const wide v21 = Z1_3 * v17 + v3 * v19;
-    const wide v22 = Z1_3 * v18 + v4 * v20;
-    const wide c2m3_pp = v21 + w3_p * (factor2_p * v15);
-    const wide c2m3_pm = v21 + w3_p * (factor2_p * -v15);
-    const wide c2m3_mp = v22 + w3_m * (factor2_m * v16);
-    const wide c2m3_mm = v22 + w3_m * (factor2_m * -v16);
-    const wide v23 = m6 * Z1_3;
-    const wide v24 = Z1_3 * v19 + v3 * -v17;
-    const wide v25 = Z1_3 * v20 + v4 * -v18;
+    const wide v14 = m5 * Z1_3, v15 = m6 * v3 - v14, v16 = m6 * v4 - v14, v17 = m7 * factor2_p - m6;
+    const wide v18 = m7 * factor2_m - m6, v19 = m8 * factor2_p - m5, v20 = m8 * factor2_m - m5;
+    const wide v21 = Z1_3 * v17 + v3 * v19, v22 = Z1_3 * v18 + v4 * v20;
+    const wide c2m3_pp = v21 + w3_p * (factor2_p * v15), c2m3_pm = v21 + w3_p * (factor2_p * -v15);
+    const wide c2m3_mp = v22 + w3_m * (factor2_m * v16), c2m3_mm = v22 + w3_m * (factor2_m * -v16);
+    const wide v23 = m6 * Z1_3, v24 = Z1_3 * v19 + v3 * -v17, v25 = Z1_3 * v20 + v4 * -v18;
     const wide v26 = w3_p * (factor2_p * (v23 + m5 * v3));
-    const wide s2m3_pp = v24 + v26;
-    const wide s2m3_pm = v24 - v26;
+    const wide s2m3_pp = v24 + v26, s2m3_pm = v24 - v26;
     const wide v27 = w3_m * (factor2_m * (v23 + m5 * v4));
-    const wide s2m3_mp = v25 + v27;
-    const wide s2m3_mm = v25 - v27;
+    const wide s2m3_mp = v25 + v27, s2m3_mm = v25 - v27;
     const wide v28 = w1 * (v2 * (T23 * Y1 - T13 * wx));
-    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v28;
-    const wide X4_pm = T33 * s2m3_pm - c2m3_pm * v28;
-    const wide X4_mp = T33 * s2m3_mp + c2m3_mp * v28;
-    const wide X4_mm = T33 * s2m3_mm + c2m3_mm * v28;
-    const wide v29 = w1 * (v2 * (T13 * Y1 + wx * T23));
-    const wide v30 = v29 * v29;
-    const wide v31 = v30 + X4_pp * X4_pp;
-    const wide v32 = v30 + X4_pm * X4_pm;
-    const wide v33 = v30 + X4_mp * X4_mp;
-    const wide v34 = v30 + X4_mm * X4_mm;
-    const wide angle4 = atan2_wide(-v29, -X4_pp);
-    const wide angle5 = atan2_wide(-v29, -X4_pm);
-    const wide angle6 = atan2_wide(v29, -X4_mp);
-    const wide angle7 = atan2_wide(v29, -X4_mm);
+    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v28, X4_pm = T33 * s2m3_pm - c2m3_pm * v28;
+    const wide X4_mp = T33 * s2m3_mp + c2m3_mp * v28, X4_mm = T33 * s2m3_mm + c2m3_mm * v28;
+    const wide v29 = w1 * (v2 * (T13 * Y1 + wx * T23)), v30 = v29 * v29, v31 = v30 + X4_pp * X4_pp;
+    const wide v32 = v30 + X4_pm * X4_pm, v33 = v30 + X4_mp * X4_mp, v34 = v30 + X4_mm * X4_mm;
+    const wide angle4 = atan2_wide(-v29, -X4_pp), angle5 = atan2_wide(-v29, -X4_pm);
+    const wide angle6 = atan2_wide(v29, -X4_mp), angle7 = atan2_wide(v29, -X4_mm);
     const wide v35 = h1 * copysign_wide(all_wide(half_turn), -v29);
     const wide v36 = h1 * copysign_wide(all_wide(half_turn), v29);
-    const wide q4_ppm = angle4 - v35;
-    const wide q4_pmm = angle5 - v35;
-    const wide q4_mpm = angle6 - v36;
+    const wide q4_ppm = angle4 - v35, q4_pmm = angle5 - v35, q4_mpm = angle6 - v36;
     const wide q4_mmm = angle7 - v36;
 
     /* theta6 */
-    const wide v37 = w1 * (v2 * (wx * T22 + Y1 * T12));
-    const wide v38 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const wide v39 = w1 * (v2 * (wx * T21 + Y1 * T11));
-    const wide v40 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const wide v37 = w1 * (v2 * (wx * T22 + Y1 * T12)), v38 = w1 * (v2 * (Y1 * T22 - wx * T12));
+    const wide v39 = w1 * (v2 * (wx * T21 + Y1 * T11)), v40 = w1 * (v2 * (Y1 * T21 - wx * T11));
 
     /* joint values */
     const wide v41 = w3_p * (m3 * v3);
@@ -633,14 +597,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle13 = atan2_wide(-sqrt_wide(v32), T33 * c2m3_pm + s2m3_pm * v28);
     const wide angle14 = atan2_wide(-sqrt_wide(v33), T33 * c2m3_mp - s2m3_mp * v28);
     const wide angle15 = atan2_wide(-sqrt_wide(v34), T33 * c2m3_mm - s2m3_mm * v28);
-    const wide v46 = angle12 - offset5;
-    const wide v47 = offset5 + angle12;
-    const wide v48 = angle13 - offset5;
-    const wide v49 = offset5 + angle13;
-    const wide v50 = angle14 - offset5;
-    const wide v51 = offset5 + angle14;
-    const wide v52 = angle15 - offset5;
-    const wide v53 = offset5 + angle15;
+    const wide v46 = angle12 - offset5, v47 = offset5 + angle12, v48 = angle13 - offset5;
+    const wide v49 = offset5 + angle13, v50 = angle14 - offset5, v51 = offset5 + angle14;
+    const wide v52 = angle15 - offset5, v53 = offset5 + angle15;
     const wide q5_ppp = v46 + only_wide(v46 <= -half_turn, m10);
     const wide q5_ppm = only_wide(-v47 <= -half_turn, m10) - v47;
     const wide q5_pmp = v48 + only_wide(v48 <= -half_turn, m10);
@@ -683,16 +642,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v73 = only_wide(-v67 < low3, whole_turn) - v67;
     const wide v74 = v68 + only_wide(v68 < low3, whole_turn);
     const wide v75 = only_wide(-v69 < low3, whole_turn) - v69;
-    const wide_mask v76 = (v72 < low3) | (high3 < v72);
-    const wide_mask v77 = (v73 < low3) | (high3 < v73);
-    const wide_mask v78 = (v74 < low3) | (high3 < v74);
-    const wide_mask v79 = (v75 < low3) | (high3 < v75);
-    const wide q3_ppp = pick_wide(v76, v66, v72);
-    const wide q3_pmp = pick_wide(v77, -v67, v73);
-    const wide q3_mpp = pick_wide(v78, v68, v74);
-    const wide q3_mmp = pick_wide(v79, -v69, v75);
-    const wide q1_ppp = angle1 + (w3_p - w3_p);
-    const wide q1_mpp = q1__m + (w3_m - w3_m);
+    const wide_mask v76 = (v72 < low3) | (high3 < v72), v77 = (v73 < low3) | (high3 < v73);
+    const wide_mask v78 = (v74 < low3) | (high3 < v74), v79 = (v75 < low3) | (high3 < v75);
+    const wide q3_ppp = pick_wide(v76, v66, v72), q3_pmp = pick_wide(v77, -v67, v73);
+    const wide q3_mpp = pick_wide(v78, v68, v74), q3_mmp = pick_wide(v79, -v69, v75);
+    const wide q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
     const wide_mask v80 = v76 | (v70 | ((q2_ppp < low2) | (high2 < q2_ppp)));
     const wide_mask v81 = v77 | (v70 | ((q2_pmp < low2) | (high2 < q2_pmp)));
     const wide_mask v82 = v78 | (v71 | ((q2_mpp < low2) | (high2 < q2_mpp)));
@@ -711,61 +665,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v34 <= m9) | ((v33 <= m9) |
         ((v32 <= m9) | ((v1 <= m1) | (v31 <= m9))))))));
 
-    q[0] = q1_ppp;
-    q[1] = q2_ppp;
-    q[2] = q3_ppp;
-    q[3] = angle4;
-    q[4] = q5_ppp;
-    q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp;
-    q[7] = q2_ppp;
-    q[8] = q3_ppp;
-    q[9] = q4_ppm;
-    q[10] = q5_ppm;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp;
-    q[13] = q2_pmp;
-    q[14] = q3_pmp;
-    q[15] = angle5;
-    q[16] = q5_pmp;
-    q[17] = q6_pmp;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp;
-    q[19] = q2_pmp;
-    q[20] = q3_pmp;
-    q[21] = q4_pmm;
-    q[22] = q5_pmm;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp;
-    q[25] = q2_mpp;
-    q[26] = q3_mpp;
-    q[27] = angle6;
-    q[28] = q5_mpp;
-    q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp;
-    q[31] = q2_mpp;
-    q[32] = q3_mpp;
-    q[33] = q4_mpm;
-    q[34] = q5_mpm;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp;
-    q[37] = q2_mmp;
-    q[38] = q3_mmp;
-    q[39] = angle7;
-    q[40] = q5_mmp;
-    q[41] = q6_mmp;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp;
-    q[43] = q2_mmp;
-    q[44] = q3_mmp;
-    q[45] = q4_mmm;
-    q[46] = q5_mmm;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -789,8 +703,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v1 = wx * wx + Y1 * Y1;
     const double w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1;
-    const double v3 = copysign(half_turn, Y1);
+    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
@@ -801,35 +714,27 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta2 */
     const four Y1_2 = m4 + m3 * N3;
-    const four v6 = Z1_3 * Y1_2;
-    const four v7 = v4 * Y1_2;
-    const four v8 = m3 * (e2 * Z1_3);
+    const four v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m3 * (e2 * Z1_3);
     const four factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m5 * Z1_3;
-    const four v10 = m6 * v4 - v9;
-    const four v11 = m7 * factor2 - m6;
-    const four v12 = m8 * factor2 - m5;
+    const four v10 = m6 * v4 - v9, v11 = m7 * factor2 - m6, v12 = m8 * factor2 - m5;
     const four v13 = Z1_3 * v11 + v4 * v12;
     const four c2m3 = v13 + w3 * (factor2 * (e2 * v10));
     const double v14 = m6 * Z1_3;
-    const four v15 = v14 + m5 * v4;
-    const four v16 = Z1_3 * v12 + v4 * -v11;
+    const four v15 = v14 + m5 * v4, v16 = Z1_3 * v12 + v4 * -v11;
     const four s2m3 = v16 + w3 * (factor2 * (e2 * v15));
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s2m3 - e1 * (c2m3 * v17);
-    const double v18 = w1 * (v2 * (T13 * Y1 + wx * T23));
-    const double v19 = v18 * v18;
+    const double v18 = w1 * (v2 * (T13 * Y1 + wx * T23)), v19 = v18 * v18;
     const four v20 = v19 + X4 * X4;
     const four_mask doubt3 = v20 <= m9;
     const four v21 = copysign_four(all_four(half_turn), -(e1 * v18)) * h1;
 
     /* theta6 */
-    const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12));
-    const double v23 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const double v24 = w1 * (v2 * (wx * T21 + Y1 * T11));
-    const double v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12));
+    const double v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
 
     /* joint values */
     const four v29 = e1 * (-X4 * v24 - v18 * (e1 * (c2m3 * v25) - s2m3 * T31));
@@ -849,8 +754,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q4_m = angle3 - v21;
     const four v26 = angle4 - offset2;
     const four q2_p = v26 - only_four(half_turn < v26, m10);
-    const four v27 = angle5 - offset5;
-    const four v28 = offset5 + angle5;
+    const four v27 = angle5 - offset5, v28 = offset5 + angle5;
     const four q5_p = v27 + only_four(v27 <= -half_turn, m10);
     const four q5_m = only_four(-v28 <= -half_turn, m10) - v28;
     const four v30 = angle6 - offset6;

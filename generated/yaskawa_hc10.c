@@ -406,7 +406,7 @@ static inline yaskawa_hc10_lane yaskawa_hc10_with_sign(yaskawa_hc10_lane x, yask
 
 static inline yaskawa_hc10_lane yaskawa_hc10_sqrt(yaskawa_hc10_lane x)
 {
-    yaskawa_hc10_lane r;
+    yaskawa_hc10_lane r = x;
     for (int k = 0; k < YASKAWA_HC10_LANES; k++) {
         r[k] = sqrt(x[k]);
     }
@@ -1281,6 +1281,81 @@ static void yaskawa_hc10_close(const double T[16], yaskawa_hc10_loop *loop)
     }
 }
 
+/* a rigid transform for each lane */
+typedef yaskawa_hc10_lane yaskawa_hc10_rigid[3][4];
+
+/* T Rz */
+static inline void yaskawa_hc10_turn(yaskawa_hc10_rigid T, yaskawa_hc10_lane c, yaskawa_hc10_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const yaskawa_hc10_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void yaskawa_hc10_move(yaskawa_hc10_rigid T, int joint, yaskawa_hc10_lane c,
+    yaskawa_hc10_lane s)
+{
+    (void)joint;
+    yaskawa_hc10_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void yaskawa_hc10_follow(yaskawa_hc10_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const yaskawa_hc10_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void yaskawa_hc10_begin(yaskawa_hc10_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = yaskawa_hc10_all(K[i]);
+    }
+}
+
+static inline void yaskawa_hc10_to_unit(yaskawa_hc10_lane *c, yaskawa_hc10_lane *s)
+{
+    const yaskawa_hc10_lane square = *c * *c + *s * *s, factor = 1.0 / yaskawa_hc10_sqrt(square +
+        1e-300);
+    *c = yaskawa_hc10_select(square > 1e-300, *c * factor, yaskawa_hc10_all(1.0));
+    *s = yaskawa_hc10_select(square > 1e-300, *s * factor, yaskawa_hc10_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline yaskawa_hc10_lane yaskawa_hc10_reflect(yaskawa_hc10_lane *const *row, int rows, int
+    column, int columns)
+{
+    yaskawa_hc10_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = yaskawa_hc10_with_sign(yaskawa_hc10_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        yaskawa_hc10_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
 /* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
  * and
  * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
@@ -1458,33 +1533,6 @@ static void yaskawa_hc10_equations(const yaskawa_hc10_formulation *form, double 
             YASKAWA_HC10_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
         }
     }
-}
-
-/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
- * zero; row[i] points to the i-th of them. Returns the new diagonal. */
-static inline yaskawa_hc10_lane yaskawa_hc10_reflect(yaskawa_hc10_lane *const *row, int rows, int
-    column, int columns)
-{
-    yaskawa_hc10_lane axis[6], square = {0}, length, factor;
-    for (int i = 0; i < rows; i++) {
-        axis[i] = row[i][column];
-        square += axis[i] * axis[i];
-    }
-    length = yaskawa_hc10_with_sign(yaskawa_hc10_sqrt(square), axis[0]);
-    axis[0] += length;
-    factor = 1.0 / (length * axis[0] + 1e-300);
-    for (int j = column + 1; j < columns; j++) {
-        yaskawa_hc10_lane sum = axis[0] * row[0][j];
-        for (int i = 1; i < rows; i++) {
-            sum += axis[i] * row[i][j];
-        }
-        sum *= factor;
-        for (int i = 0; i < rows; i++) {
-            row[i][j] -= axis[i] * sum;
-        }
-    }
-    row[0][column] = -length;
-    return -length;
 }
 
 /* The determinant at hidden angles, and the upper triangular factor whose null vectors are
@@ -1994,6 +2042,71 @@ static void yaskawa_hc10_find_roots(const yaskawa_hc10_trigonometric *f, yaskawa
     }
 }
 
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} yaskawa_hc10_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline yaskawa_hc10_lane yaskawa_hc10_through(const yaskawa_hc10_lens *a, yaskawa_hc10_lane
+    *c, yaskawa_hc10_lane *s)
+{
+    const yaskawa_hc10_lane u = *c + a->x, v = *s + a->y;
+    const yaskawa_hc10_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const yaskawa_hc10_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline yaskawa_hc10_lane yaskawa_hc10_weighted(yaskawa_hc10_lane f, yaskawa_hc10_lane square)
+{
+    const yaskawa_hc10_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int yaskawa_hc10_spread(const double samples[24], yaskawa_hc10_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * yaskawa_hc10_sample_c[k];
+        y += ratio * yaskawa_hc10_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void yaskawa_hc10_behind(const yaskawa_hc10_lens *a, int count, double *cosine, double *sine)
+{
+    for (int i = 0; i < count; i += YASKAWA_HC10_LANES) {
+        yaskawa_hc10_lane c = YASKAWA_HC10_LOAD(cosine + i), s = YASKAWA_HC10_LOAD(sine + i);
+        (void)yaskawa_hc10_through(a, &c, &s);
+        YASKAWA_HC10_STORE(cosine + i, c);
+        YASKAWA_HC10_STORE(sine + i, s);
+    }
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
@@ -2002,9 +2115,6 @@ typedef struct {
     int count, groups, group[YASKAWA_HC10_CANDIDATES];
     double c[YASKAWA_HC10_CANDIDATES], s[YASKAWA_HC10_CANDIDATES], n[6][YASKAWA_HC10_CANDIDATES];
 } yaskawa_hc10_candidates;
-
-/* a rigid transform for each lane */
-typedef yaskawa_hc10_lane yaskawa_hc10_rigid[3][4];
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
 static inline void yaskawa_hc10_inverse_iteration(yaskawa_hc10_lane U[6][6], const yaskawa_hc10_lane
@@ -2191,43 +2301,6 @@ static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa
     out->groups++;
 }
 
-/* T Rz */
-static inline void yaskawa_hc10_turn(yaskawa_hc10_rigid T, yaskawa_hc10_lane c, yaskawa_hc10_lane s)
-{
-    for (int i = 0; i < 3; i++) {
-        const yaskawa_hc10_lane x = T[i][0];
-        T[i][0] = x * c + T[i][1] * s;
-        T[i][1] = T[i][1] * c - x * s;
-    }
-}
-
-/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
-static inline void yaskawa_hc10_move(yaskawa_hc10_rigid T, int joint, yaskawa_hc10_lane c,
-    yaskawa_hc10_lane s)
-{
-    (void)joint;
-    yaskawa_hc10_turn(T, c, s);
-}
-
-/* T K, the same K for every lane */
-static inline void yaskawa_hc10_follow(yaskawa_hc10_rigid T, const double K[12])
-{
-    for (int i = 0; i < 3; i++) {
-        const yaskawa_hc10_lane x = T[i][0], y = T[i][1], z = T[i][2];
-        for (int j = 0; j < 3; j++) {
-            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
-        }
-        T[i][3] += x * K[3] + y * K[7] + z * K[11];
-    }
-}
-
-static inline void yaskawa_hc10_begin(yaskawa_hc10_rigid T, const double K[12])
-{
-    for (int i = 0; i < 12; i++) {
-        T[i / 4][i % 4] = yaskawa_hc10_all(K[i]);
-    }
-}
-
 /* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
  * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
 static void yaskawa_hc10_invariants(const double K[12], const double M[12], double w[5],
@@ -2267,14 +2340,6 @@ static void yaskawa_hc10_invariants(const double K[12], const double M[12], doub
         solve[0][i] = (bb * a[i] - ab * b[i]) / det;
         solve[1][i] = (aa * b[i] - ab * a[i]) / det;
     }
-}
-
-static inline void yaskawa_hc10_to_unit(yaskawa_hc10_lane *c, yaskawa_hc10_lane *s)
-{
-    const yaskawa_hc10_lane square = *c * *c + *s * *s, factor = 1.0 / yaskawa_hc10_sqrt(square +
-        1e-300);
-    *c = yaskawa_hc10_select(square > 1e-300, *c * factor, yaskawa_hc10_all(1.0));
-    *s = yaskawa_hc10_select(square > 1e-300, *s * factor, yaskawa_hc10_all(0.0));
 }
 
 /* phi_2 and phi_3 from the null vector */
@@ -2589,22 +2654,6 @@ static unsigned yaskawa_hc10_offer(const yaskawa_hc10_loop *loop, yaskawa_hc10_l
     return met;
 }
 
-/* Roots that nearly meet are tried as one double root too. */
-static void yaskawa_hc10_close_roots(const double *E, const yaskawa_hc10_roots *roots,
-    yaskawa_hc10_candidates *out)
-{
-    for (int i = 0; i < roots->simple; i++) {
-        for (int j = 0; j < i; j++) {
-            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
-            const double square = c * c + s * s;
-            if (square > 3.999999) {
-                const double factor = 1.0 / sqrt(square);
-                yaskawa_hc10_null_plane(E, c * factor, s * factor, out);
-            }
-        }
-    }
-}
-
 static int yaskawa_hc10_bits(unsigned set)
 {
     int count = 0;
@@ -2634,6 +2683,287 @@ static void yaskawa_hc10_around(const yaskawa_hc10_formulation *form, const yask
             yaskawa_hc10_invert(loop->link[joint - 1], link[i]);
         } else {
             yaskawa_hc10_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Ways to solve at roots of the hidden angle, by its cosine and sine: two signs that choose among
+ * square
+ * roots; `group` is the number of the root, and `far` how many more ways it has that lead to
+ * infinity. */
+typedef struct {
+    int count, group[YASKAWA_HC10_CANDIDATES], far[2 * YASKAWA_HC10_ROOTS];
+    double c[YASKAWA_HC10_CANDIDATES], s[YASKAWA_HC10_CANDIDATES], sign[2][YASKAWA_HC10_CANDIDATES];
+} yaskawa_hc10_ways;
+
+/* The offset wrist: axes 1 and 2 meet at right angles in S, 2 and 3 are parallel, 4 and 5 meet at
+ * right
+ * angles in W, axis 4 lies in the plane through S across axis 2. With q6 given, W and z5 are known,
+ * and
+ * S, the elbow E and W form a triangle; axis 4 has to be at right angles to z5. The signs of a way
+ * are those of the plane and of the elbow. */
+typedef struct {
+    const yaskawa_hc10_loop *loop;
+    double back[12]; /* from frame 6 to frame 5 */
+} yaskawa_hc10_setting;
+
+static void yaskawa_hc10_prepare(yaskawa_hc10_setting *set, int which, const yaskawa_hc10_loop
+    *loop)
+{
+    (void)which;
+    set->loop = loop;
+    yaskawa_hc10_invert(loop->link[4], set->back);
+}
+
+/* What a sixth angle fixes: frame 5 before its own turn, W from S. */
+static inline void yaskawa_hc10_wrist_at(const yaskawa_hc10_setting *set, yaskawa_hc10_lane c,
+    yaskawa_hc10_lane s,
+                                    yaskawa_hc10_rigid frame, yaskawa_hc10_lane W[3])
+{
+    yaskawa_hc10_begin(frame, set->loop->link[5]);
+    yaskawa_hc10_turn(frame, c, -s);
+    yaskawa_hc10_follow(frame, set->back);
+    for (int i = 0; i < 3; i++) {
+        W[i] = frame[i][3] + 0.1252130750182901 * frame[i][2];
+    }
+    W[2] -= 4.251061542752476e-10;
+}
+
+static inline yaskawa_hc10_lane yaskawa_hc10_discriminant(yaskawa_hc10_lane w)
+{
+    const yaskawa_hc10_lane twice = w + 1.1709150958535262 - 0.5974056611497583;
+    return 4.0 * 1.1709150958535262 * w - twice * twice;
+}
+
+/* The polynomial of q6: of degree 4. */
+static inline yaskawa_hc10_lane yaskawa_hc10_closed_polynomial(const yaskawa_hc10_setting *set,
+    yaskawa_hc10_lane c6, yaskawa_hc10_lane s6)
+{
+    yaskawa_hc10_rigid frame;
+    yaskawa_hc10_lane W[3];
+    yaskawa_hc10_wrist_at(set, c6, s6, frame, W);
+    const yaskawa_hc10_lane z5[3] = {frame[0][2], frame[1][2], frame[2][2]};
+    const yaskawa_hc10_lane w = W[0] * W[0] + W[1] * W[1] + W[2] * W[2];
+    const yaskawa_hc10_lane along = W[0] * z5[0] + W[1] * z5[1] + W[2] * z5[2];
+    const yaskawa_hc10_lane m = z5[2] * w - W[2] * along, D = yaskawa_hc10_discriminant(w);
+    const yaskawa_hc10_lane part = w - 1.1709150958535262 + 0.5974056611497583;
+    const yaskawa_hc10_lane first = along * along * (W[0] * W[0] + W[1] * W[1]), second = m * m;
+    return (first * part * part - second * D) / (w + 1e-300);
+}
+
+/* The ways at a root for which axis 4 is nearly at right angles to z5. */
+static void yaskawa_hc10_add_ways(const yaskawa_hc10_setting *set, double c, double s, int group,
+    yaskawa_hc10_ways *out)
+{
+    yaskawa_hc10_rigid frame;
+    yaskawa_hc10_lane W[3], D;
+    double v[3], z5[3], w, along, m, across, part, root;
+    yaskawa_hc10_wrist_at(set, yaskawa_hc10_all(c), yaskawa_hc10_all(s), frame, W);
+    D = yaskawa_hc10_discriminant(W[0] * W[0] + W[1] * W[1] + W[2] * W[2]);
+    for (int i = 0; i < 3; i++) {
+        v[i] = yaskawa_hc10_largest(W[i]);
+        z5[i] = yaskawa_hc10_largest(frame[i][2]);
+    }
+    w = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    along = v[0] * z5[0] + v[1] * z5[1] + v[2] * z5[2];
+    m = z5[2] * w - v[2] * along;
+    across = sqrt(v[0] * v[0] + v[1] * v[1]);
+    if (across < 1e-12) {
+        return; /* W is on axis 1 */
+    }
+    part = w - 1.1709150958535262 + 0.5974056611497583;
+    root = yaskawa_hc10_largest(D);
+    root = root > 0.0 ? sqrt(root) : 0.0;
+    for (int way = 0; way < 4; way++) {
+        const double tau = way & 1 ? 1.0 : -1.0, elbow = way & 2 ? 1.0 : -1.0;
+        const double C = -1.0, S = 0.0, r = 0.7729202165487447;
+        const double one = along * across * (C * part + S * elbow * root);
+        const double other = tau * m * (S * part - C * elbow * root);
+        if (fabs(one + other) < 2.0 * w * r * across * 0.01 &&
+            out->count < YASKAWA_HC10_CANDIDATES) {
+            out->group[out->count] = group;
+            out->c[out->count] = c;
+            out->s[out->count] = s;
+            out->sign[0][out->count] = tau;
+            out->sign[1][out->count] = elbow;
+            out->count++;
+        }
+    }
+}
+
+/* Turn from (x, y), a constant, to (u, v), as cosine and sine. */
+static inline void yaskawa_hc10_turn_to(double x, double y, yaskawa_hc10_lane u, yaskawa_hc10_lane
+    v, yaskawa_hc10_lane *c,
+                                   yaskawa_hc10_lane *s)
+{
+    *c = x * u + y * v;
+    *s = x * v - y * u;
+    yaskawa_hc10_to_unit(c, s);
+}
+
+/* The cosines and sines of all joints, from q6 and the way. */
+static inline void yaskawa_hc10_way_joints(const yaskawa_hc10_setting *set, yaskawa_hc10_lane c6,
+    yaskawa_hc10_lane s6, yaskawa_hc10_lane tau,
+                                      yaskawa_hc10_lane elbow, yaskawa_hc10_lane c[6],
+                                          yaskawa_hc10_lane s[6])
+{
+    static const double source[8] = { 0.0, -1.0, 1.0820883031682424, 0.0, 0.0, 0.7729202165487447,
+        0.0, -1.0 };
+    static const double identity[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
+    yaskawa_hc10_rigid frame, T;
+    yaskawa_hc10_lane W[3], target[4][3], x[2], up[3], w, rho, part, side;
+    yaskawa_hc10_wrist_at(set, c6, s6, frame, W);
+    rho = W[0] * W[0] + W[1] * W[1];
+    w = rho + W[2] * W[2];
+    rho = yaskawa_hc10_sqrt(rho);
+    x[0] = tau * W[0] / rho;
+    x[1] = tau * W[1] / rho;
+    part = 0.5 * (w - 1.1709150958535262 + 0.5974056611497583) / w;
+    side = yaskawa_hc10_sqrt(yaskawa_hc10_max(yaskawa_hc10_discriminant(w), yaskawa_hc10_all(0.0)))
+        * elbow * 0.5 / w;
+    up[0] = -W[2] * x[0]; /* W turned about axis 3 */
+    up[1] = -W[2] * x[1];
+    up[2] = tau * rho;
+    target[0][0] = -1.0 * x[1];
+    target[0][1] = -1.0 * -x[0];
+    target[0][2] = yaskawa_hc10_all(0.0);
+    for (int i = 0; i < 3; i++) {
+        const yaskawa_hc10_lane shoulder = yaskawa_hc10_all(i == 2 ? 4.251061542752476e-10 : 0.0);
+        target[2][i] = W[i] + shoulder;
+        target[1][i] = target[2][i] - part * W[i] + side * up[i];
+        target[3][i] = frame[i][2];
+    }
+    yaskawa_hc10_begin(T, identity);
+    for (int k = 0; k < 4; k++) {
+        yaskawa_hc10_lane v[3], local[2];
+        for (int i = 0; i < 3; i++) {
+            v[i] = k == 1 || k == 2 ? target[k][i] - T[i][3] : target[k][i];
+        }
+        for (int j = 0; j < 2; j++) {
+            local[j] = T[0][j] * v[0] + T[1][j] * v[1] + T[2][j] * v[2];
+        }
+        yaskawa_hc10_turn_to(source[2 * k], source[2 * k + 1], local[0], local[1], &c[k], &s[k]);
+        yaskawa_hc10_turn(T, c[k], s[k]);
+        yaskawa_hc10_follow(T, set->loop->link[k]);
+    }
+    c[4] = s[4] = yaskawa_hc10_all(0.0);
+    for (int i = 0; i < 3; i++) {
+        c[4] += T[i][0] * frame[i][0] + T[i][1] * frame[i][1];
+        s[4] += T[i][1] * frame[i][0] - T[i][0] * frame[i][1];
+    }
+    yaskawa_hc10_to_unit(&c[4], &s[4]);
+    c[5] = c6;
+    s[5] = s6;
+}
+
+static void yaskawa_hc10_find_ways(const yaskawa_hc10_setting *set, const double *c, const double
+    *s, int count, int group,
+                              yaskawa_hc10_ways *out)
+{
+    for (int i = 0; i < count; i++) {
+        yaskawa_hc10_add_ways(set, c[i], s[i], group + i, out);
+    }
+}
+
+/* Polish the ways; the certificate is that of the formulations, with 2 solution(s) a root. */
+static int yaskawa_hc10_settle_ways(const yaskawa_hc10_loop *loop, const yaskawa_hc10_setting *set,
+    const yaskawa_hc10_ways *ways,
+                               int simple, int doubles, yaskawa_hc10_found *found)
+{
+    unsigned met = 0, of_group[2 * YASKAWA_HC10_ROOTS] = {0};
+    int complete = 1, expected = 0;
+    for (int from = 0; from < ways->count; from += YASKAWA_HC10_LANES) {
+        const int count = ways->count - from < YASKAWA_HC10_LANES ? ways->count - from :
+            YASKAWA_HC10_LANES;
+        double in[4][YASKAWA_HC10_LANES];
+        yaskawa_hc10_lane c[6], s[6];
+        int place[YASKAWA_HC10_LANES];
+        for (int k = 0; k < YASKAWA_HC10_LANES; k++) {
+            const int i = k < count ? from + k : from;
+            in[0][k] = ways->c[i];
+            in[1][k] = ways->s[i];
+            in[2][k] = ways->sign[0][i];
+            in[3][k] = ways->sign[1][i];
+        }
+        yaskawa_hc10_way_joints(set, YASKAWA_HC10_LOAD(in[0]), YASKAWA_HC10_LOAD(in[1]),
+            YASKAWA_HC10_LOAD(in[2]), YASKAWA_HC10_LOAD(in[3]), c, s);
+        met |= yaskawa_hc10_offer(loop, c, s, count, 4, doubles > 0, found, place);
+        for (int k = 0; k < count; k++) {
+            if (place[k] >= 0) {
+                of_group[ways->group[from + k]] |= 1u << place[k];
+            }
+        }
+    }
+    for (int i = 0; i < simple + doubles; i++) {
+        if (ways->far[i] && !of_group[i]) {
+            continue;
+        }
+        complete &= yaskawa_hc10_bits(of_group[i]) >= 2;
+        expected += i < simple || of_group[i] & found->singular ? 2 : 4;
+        expected -= ways->far[i];
+    }
+    return complete && yaskawa_hc10_bits(met) >= expected && yaskawa_hc10_paired(found);
+}
+
+/* The polynomial at the sample angles, through a lens. */
+static void yaskawa_hc10_sample_closed(const yaskawa_hc10_setting *set, const yaskawa_hc10_lens
+    *lens, double samples[24])
+{
+    for (int k = 0; k < 24; k += YASKAWA_HC10_LANES) {
+        yaskawa_hc10_lane c = YASKAWA_HC10_LOAD(yaskawa_hc10_sample_c + k), s =
+            YASKAWA_HC10_LOAD(yaskawa_hc10_sample_s + k);
+        const yaskawa_hc10_lane square = yaskawa_hc10_through(lens, &c, &s);
+        YASKAWA_HC10_STORE(samples + k, yaskawa_hc10_weighted(yaskawa_hc10_closed_polynomial(set, c,
+            s), square));
+    }
+}
+
+/* Find what a polynomial in closed form finds; whether that is certainly everything. */
+static int yaskawa_hc10_attempt_closed(int which, const yaskawa_hc10_loop *loop, yaskawa_hc10_found
+    *found)
+{
+    double samples[24];
+    yaskawa_hc10_setting set;
+    yaskawa_hc10_trigonometric f;
+    yaskawa_hc10_roots roots;
+    yaskawa_hc10_ways ways;
+    yaskawa_hc10_lens lens = {0.0, 0.0};
+    yaskawa_hc10_prepare(&set, which, loop);
+    yaskawa_hc10_sample_closed(&set, &lens, samples);
+    if (yaskawa_hc10_spread(samples, &lens)) {
+        yaskawa_hc10_sample_closed(&set, &lens, samples);
+    }
+    yaskawa_hc10_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    yaskawa_hc10_find_roots(&f, &roots);
+    yaskawa_hc10_behind(&lens, roots.simple, roots.c, roots.s);
+    yaskawa_hc10_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
+    ways.count = 0;
+    for (int i = 0; i < 2 * YASKAWA_HC10_ROOTS; i++) {
+        ways.far[i] = 0;
+    }
+    yaskawa_hc10_find_ways(&set, roots.c, roots.s, roots.simple, 0, &ways);
+    yaskawa_hc10_find_ways(&set, roots.double_c, roots.double_s, roots.doubles, roots.simple,
+        &ways);
+    found->doubles += roots.doubles;
+    return yaskawa_hc10_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
+        roots.complete;
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void yaskawa_hc10_close_roots(const double *E, const yaskawa_hc10_roots *roots,
+    yaskawa_hc10_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                yaskawa_hc10_null_plane(E, c * factor, s * factor, out);
+            }
         }
     }
 }
@@ -2681,6 +3011,19 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
     return complete && yaskawa_hc10_bits(met) >= expected && yaskawa_hc10_paired(found);
 }
 
+/* The determinant at the sample angles, through a lens. */
+static void yaskawa_hc10_sample(const double *E, const yaskawa_hc10_lens *lens, double samples[24])
+{
+    for (int k = 0; k < 24; k += YASKAWA_HC10_LANES) {
+        yaskawa_hc10_lane factor[6][6];
+        yaskawa_hc10_lane c = YASKAWA_HC10_LOAD(yaskawa_hc10_sample_c + k), s =
+            YASKAWA_HC10_LOAD(yaskawa_hc10_sample_s + k);
+        const yaskawa_hc10_lane square = yaskawa_hc10_through(lens, &c, &s);
+        YASKAWA_HC10_STORE(samples + k, yaskawa_hc10_weighted(yaskawa_hc10_fold(E, c, s, factor),
+            square));
+    }
+}
+
 /* Find what a formulation finds; whether that is certainly everything. */
 static int yaskawa_hc10_attempt(const yaskawa_hc10_formulation *form, const yaskawa_hc10_loop *loop,
                            yaskawa_hc10_found *found)
@@ -2689,19 +3032,20 @@ static int yaskawa_hc10_attempt(const yaskawa_hc10_formulation *form, const yask
     yaskawa_hc10_trigonometric f;
     yaskawa_hc10_roots roots;
     yaskawa_hc10_candidates all;
+    yaskawa_hc10_lens lens = {0.0, 0.0};
     yaskawa_hc10_around(form, loop, link);
     yaskawa_hc10_equations(form, link, E);
-    for (int k = 0; k < 24; k += YASKAWA_HC10_LANES) {
-        yaskawa_hc10_lane factor[6][6];
-        YASKAWA_HC10_STORE(samples + k, yaskawa_hc10_fold(E, YASKAWA_HC10_LOAD(yaskawa_hc10_sample_c
-            + k),
-                                   YASKAWA_HC10_LOAD(yaskawa_hc10_sample_s + k), factor));
+    yaskawa_hc10_sample(E, &lens, samples);
+    if (yaskawa_hc10_spread(samples, &lens)) {
+        yaskawa_hc10_sample(E, &lens, samples);
     }
     yaskawa_hc10_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }
     yaskawa_hc10_find_roots(&f, &roots);
+    yaskawa_hc10_behind(&lens, roots.simple, roots.c, roots.s);
+    yaskawa_hc10_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     yaskawa_hc10_null_vectors(E, &roots, &all);
     yaskawa_hc10_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
@@ -2712,236 +3056,13 @@ static int yaskawa_hc10_attempt(const yaskawa_hc10_formulation *form, const yask
         roots.complete;
 }
 
-/* The offset wrist: axes 1 and 2 meet at right angles in S, 2 and 3 are parallel, 4 and 5 meet at
- * right
- * angles in W, axis 4 lies in the plane through S across axis 2. With q6 given, W and z5 are known,
- * and
- * S, the elbow E and W form a triangle; axis 4 has to be at right angles to z5. */
-
-/* Ways to place plane and elbow at roots; `group` is the number of the root. */
-typedef struct {
-    int count, group[YASKAWA_HC10_CANDIDATES];
-    double c[YASKAWA_HC10_CANDIDATES], s[YASKAWA_HC10_CANDIDATES]; /* of q6 */
-    double tau[YASKAWA_HC10_CANDIDATES], elbow[YASKAWA_HC10_CANDIDATES];
-} yaskawa_hc10_ways;
-
-/* What a sixth angle fixes: frame 5 before its own turn, W from S. */
-static inline void yaskawa_hc10_wrist_at(const yaskawa_hc10_loop *loop, const double back[12],
-    yaskawa_hc10_lane c,
-                                    yaskawa_hc10_lane s, yaskawa_hc10_rigid frame, yaskawa_hc10_lane
-                                        W[3])
-{
-    yaskawa_hc10_begin(frame, loop->link[5]);
-    yaskawa_hc10_turn(frame, c, -s);
-    yaskawa_hc10_follow(frame, back);
-    for (int i = 0; i < 3; i++) {
-        W[i] = frame[i][3] + 0.1252130750182901 * frame[i][2];
-    }
-    W[2] -= 4.251061542752476e-10;
-}
-
-static inline yaskawa_hc10_lane yaskawa_hc10_discriminant(yaskawa_hc10_lane w)
-{
-    const yaskawa_hc10_lane twice = w + 1.1709150958535262 - 0.5974056611497583;
-    return 4.0 * 1.1709150958535262 * w - twice * twice;
-}
-
-/* The polynomial of q6: of degree 4. */
-static inline yaskawa_hc10_lane yaskawa_hc10_wrist_polynomial(const yaskawa_hc10_lane W[3], const
-    yaskawa_hc10_lane z5[3])
-{
-    const yaskawa_hc10_lane w = W[0] * W[0] + W[1] * W[1] + W[2] * W[2];
-    const yaskawa_hc10_lane along = W[0] * z5[0] + W[1] * z5[1] + W[2] * z5[2];
-    const yaskawa_hc10_lane m = z5[2] * w - W[2] * along, D = yaskawa_hc10_discriminant(w);
-    const yaskawa_hc10_lane part = w - 1.1709150958535262 + 0.5974056611497583;
-    const yaskawa_hc10_lane first = along * along * (W[0] * W[0] + W[1] * W[1]), second = m * m;
-    return (first * part * part - second * D) / (w + 1e-300);
-}
-
-/* The ways at a root for which axis 4 is nearly at right angles to z5. */
-static void yaskawa_hc10_add_ways(const yaskawa_hc10_loop *loop, const double back[12], double c,
-    double s, int group,
-                             yaskawa_hc10_ways *out)
-{
-    yaskawa_hc10_rigid frame;
-    yaskawa_hc10_lane W[3], D;
-    double v[3], z5[3], w, along, m, across, part, root;
-    yaskawa_hc10_wrist_at(loop, back, yaskawa_hc10_all(c), yaskawa_hc10_all(s), frame, W);
-    D = yaskawa_hc10_discriminant(W[0] * W[0] + W[1] * W[1] + W[2] * W[2]);
-    for (int i = 0; i < 3; i++) {
-        v[i] = yaskawa_hc10_largest(W[i]);
-        z5[i] = yaskawa_hc10_largest(frame[i][2]);
-    }
-    w = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    along = v[0] * z5[0] + v[1] * z5[1] + v[2] * z5[2];
-    m = z5[2] * w - v[2] * along;
-    across = sqrt(v[0] * v[0] + v[1] * v[1]);
-    if (across < 1e-12) {
-        return; /* W is on axis 1 */
-    }
-    part = w - 1.1709150958535262 + 0.5974056611497583;
-    root = yaskawa_hc10_largest(D);
-    root = root > 0.0 ? sqrt(root) : 0.0;
-    for (int way = 0; way < 4; way++) {
-        const double tau = way & 1 ? 1.0 : -1.0, elbow = way & 2 ? 1.0 : -1.0;
-        const double C = -1.0, S = 0.0, r = 0.7729202165487447;
-        const double one = along * across * (C * part + S * elbow * root);
-        const double other = tau * m * (S * part - C * elbow * root);
-        if (fabs(one + other) < 2.0 * w * r * across * 0.01 &&
-            out->count < YASKAWA_HC10_CANDIDATES) {
-            out->group[out->count] = group;
-            out->c[out->count] = c;
-            out->s[out->count] = s;
-            out->tau[out->count] = tau;
-            out->elbow[out->count] = elbow;
-            out->count++;
-        }
-    }
-}
-
-/* Turn from (x, y), a constant, to (u, v), as cosine and sine. */
-static inline void yaskawa_hc10_turn_to(double x, double y, yaskawa_hc10_lane u, yaskawa_hc10_lane
-    v, yaskawa_hc10_lane *c,
-                                   yaskawa_hc10_lane *s)
-{
-    *c = x * u + y * v;
-    *s = x * v - y * u;
-    yaskawa_hc10_to_unit(c, s);
-}
-
-/* The cosines and sines of all joints, from q6 and the way. */
-static inline void yaskawa_hc10_wrist_angles(const yaskawa_hc10_loop *loop, const double back[12],
-    yaskawa_hc10_lane tau,
-                                        yaskawa_hc10_lane elbow, yaskawa_hc10_lane c[6],
-                                            yaskawa_hc10_lane s[6])
-{
-    static const double source[8] = { 0.0, -1.0, 1.0820883031682424, 0.0, 0.0, 0.7729202165487447,
-        0.0, -1.0 };
-    static const double identity[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
-    yaskawa_hc10_rigid frame, T;
-    yaskawa_hc10_lane W[3], target[4][3], x[2], up[3], w, rho, part, side;
-    yaskawa_hc10_wrist_at(loop, back, c[5], s[5], frame, W);
-    rho = W[0] * W[0] + W[1] * W[1];
-    w = rho + W[2] * W[2];
-    rho = yaskawa_hc10_sqrt(rho);
-    x[0] = tau * W[0] / rho;
-    x[1] = tau * W[1] / rho;
-    part = 0.5 * (w - 1.1709150958535262 + 0.5974056611497583) / w;
-    side = yaskawa_hc10_sqrt(yaskawa_hc10_max(yaskawa_hc10_discriminant(w), yaskawa_hc10_all(0.0)))
-        * elbow * 0.5 / w;
-    up[0] = -W[2] * x[0]; /* W turned about axis 3 */
-    up[1] = -W[2] * x[1];
-    up[2] = tau * rho;
-    target[0][0] = -1.0 * x[1];
-    target[0][1] = -1.0 * -x[0];
-    target[0][2] = yaskawa_hc10_all(0.0);
-    for (int i = 0; i < 3; i++) {
-        const yaskawa_hc10_lane shoulder = yaskawa_hc10_all(i == 2 ? 4.251061542752476e-10 : 0.0);
-        target[2][i] = W[i] + shoulder;
-        target[1][i] = target[2][i] - part * W[i] + side * up[i];
-        target[3][i] = frame[i][2];
-    }
-    yaskawa_hc10_begin(T, identity);
-    for (int k = 0; k < 4; k++) {
-        yaskawa_hc10_lane v[3], local[2];
-        for (int i = 0; i < 3; i++) {
-            v[i] = k == 1 || k == 2 ? target[k][i] - T[i][3] : target[k][i];
-        }
-        for (int j = 0; j < 2; j++) {
-            local[j] = T[0][j] * v[0] + T[1][j] * v[1] + T[2][j] * v[2];
-        }
-        yaskawa_hc10_turn_to(source[2 * k], source[2 * k + 1], local[0], local[1], &c[k], &s[k]);
-        yaskawa_hc10_turn(T, c[k], s[k]);
-        yaskawa_hc10_follow(T, loop->link[k]);
-    }
-    c[4] = s[4] = yaskawa_hc10_all(0.0);
-    for (int i = 0; i < 3; i++) {
-        c[4] += T[i][0] * frame[i][0] + T[i][1] * frame[i][1];
-        s[4] += T[i][1] * frame[i][0] - T[i][0] * frame[i][1];
-    }
-    yaskawa_hc10_to_unit(&c[4], &s[4]);
-}
-
-/* Polish the ways; the certificate is that of the formulations, with 2 solution(s) a root. */
-static int yaskawa_hc10_settle_wrist(const yaskawa_hc10_loop *loop, const double back[12], const
-    yaskawa_hc10_ways *ways,
-                                int simple, int doubles, yaskawa_hc10_found *found)
-{
-    unsigned met = 0, of_group[2 * YASKAWA_HC10_ROOTS] = {0};
-    int complete = 1, expected = 2 * simple;
-    for (int from = 0; from < ways->count; from += YASKAWA_HC10_LANES) {
-        const int count = ways->count - from < YASKAWA_HC10_LANES ? ways->count - from :
-            YASKAWA_HC10_LANES;
-        double in[4][YASKAWA_HC10_LANES];
-        yaskawa_hc10_lane c[6], s[6];
-        int place[YASKAWA_HC10_LANES];
-        for (int k = 0; k < YASKAWA_HC10_LANES; k++) {
-            const int i = k < count ? from + k : from;
-            in[0][k] = ways->c[i];
-            in[1][k] = ways->s[i];
-            in[2][k] = ways->tau[i];
-            in[3][k] = ways->elbow[i];
-        }
-        c[5] = YASKAWA_HC10_LOAD(in[0]);
-        s[5] = YASKAWA_HC10_LOAD(in[1]);
-        yaskawa_hc10_wrist_angles(loop, back, YASKAWA_HC10_LOAD(in[2]), YASKAWA_HC10_LOAD(in[3]), c,
-            s);
-        met |= yaskawa_hc10_offer(loop, c, s, count, 4, doubles > 0, found, place);
-        for (int k = 0; k < count; k++) {
-            if (place[k] >= 0) {
-                of_group[ways->group[from + k]] |= 1u << place[k];
-            }
-        }
-    }
-    for (int i = 0; i < simple + doubles; i++) {
-        complete &= yaskawa_hc10_bits(of_group[i]) >= 2;
-        if (i >= simple) {
-            expected += of_group[i] & found->singular ? 2 : 4;
-        }
-    }
-    return complete && yaskawa_hc10_bits(met) >= expected && yaskawa_hc10_paired(found);
-}
-
-static int yaskawa_hc10_attempt_wrist(const yaskawa_hc10_loop *loop, yaskawa_hc10_found *found)
-{
-    double samples[24], back[12];
-    yaskawa_hc10_trigonometric f;
-    yaskawa_hc10_roots roots;
-    yaskawa_hc10_ways ways;
-    yaskawa_hc10_invert(loop->link[4], back);
-    for (int k = 0; k < 24; k += YASKAWA_HC10_LANES) {
-        yaskawa_hc10_rigid frame;
-        yaskawa_hc10_lane W[3], z5[3];
-        yaskawa_hc10_wrist_at(loop, back, YASKAWA_HC10_LOAD(yaskawa_hc10_sample_c + k),
-            YASKAWA_HC10_LOAD(yaskawa_hc10_sample_s + k),
-                         frame, W);
-        for (int i = 0; i < 3; i++) {
-            z5[i] = frame[i][2];
-        }
-        YASKAWA_HC10_STORE(samples + k, yaskawa_hc10_wrist_polynomial(W, z5));
-    }
-    yaskawa_hc10_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
-        return 0;
-    }
-    yaskawa_hc10_find_roots(&f, &roots);
-    ways.count = 0;
-    for (int i = 0; i < roots.simple; i++) {
-        yaskawa_hc10_add_ways(loop, back, roots.c[i], roots.s[i], i, &ways);
-    }
-    for (int i = 0; i < roots.doubles; i++) {
-        yaskawa_hc10_add_ways(loop, back, roots.double_c[i], roots.double_s[i], roots.simple + i,
-            &ways);
-    }
-    found->doubles += roots.doubles;
-    return yaskawa_hc10_settle_wrist(loop, back, &ways, roots.simple, roots.doubles, found) &&
-        roots.complete;
-}
-
 /* Find what the methods find, one after the other, until that is certainly everything. */
 static int yaskawa_hc10_try(const yaskawa_hc10_loop *loop, yaskawa_hc10_found *found)
 {
-    int complete = yaskawa_hc10_attempt_wrist(loop, found);
+    int complete = 0;
+    for (int i = 0; i < 1 && !complete; i++) {
+        complete = yaskawa_hc10_attempt_closed(i, loop, found);
+    }
     for (int i = 0; i < 2 && !complete; i++) {
         complete = yaskawa_hc10_attempt(&yaskawa_hc10_formulations[i], loop, found);
     }
@@ -3015,7 +3136,7 @@ static int yaskawa_hc10_from_nearby(const yaskawa_hc10_loop *loop, yaskawa_hc10_
 static void yaskawa_hc10_from_anywhere(const yaskawa_hc10_loop *loop, yaskawa_hc10_found *found)
 {
     unsigned long long seed = 1;
-    for (int batch = 0; batch < 8; batch++) {
+    for (int batch = 0; batch < 16; batch++) {
         double start[8][6];
         int lost = 0;
         for (int i = 0; i < 48; i++) {
@@ -3070,7 +3191,8 @@ static int yaskawa_hc10_before(const double a[6], const double b[6])
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
  * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
-static int yaskawa_hc10_general(const double T[16], double q[16][6], double residual[16])
+static int yaskawa_hc10_general(const double T[16], double q[16][6],
+                         double residual[16])
 {
     yaskawa_hc10_found found;
     yaskawa_hc10_loop whole;

@@ -1,1 +1,1 @@
-"""Arms without three concurrent or parallel axes: the general 6R algorithm, up to 16 solutions."""
+"""Arms that no order of steps solves: the general algorithms for 6R, 5R1P and 4R2P."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.general.kernel import SLIDES_OF_FOUR_TURNS
 from dhgen.general.links import Held, Link
 from dhgen.general.loop import JOINTS
 from dhgen.general.rigid import IDENTITY
@@ -21,47 +22,62 @@ if TYPE_CHECKING:
     from dhgen.general.rigid import Matrix
     from dhgen.kinematics.chain import Chain, ChainJoint
 
-MOST_SLIDES = 1
-
 
 def general_kernel(chain: Chain) -> GeneralKernel | None:
-    """The kernel of an arm with six joints that are asked for, at most one of them a slide.
+    """The kernel of an arm with six joints that are asked for, at most two of them slides.
 
-    The others are held at the values that the caller gives. None for arms of other kinds, for
-    tasks other than poses, and where every elimination vanishes.
+    The others are held at the values that the caller gives. Where the tool only points, five are
+    enough: its turn about its own axis is the sixth, whose value nobody needs. None for arms of
+    other kinds, for tasks other than these, and where every elimination vanishes.
     """
     if not is_general(chain):
         return None
-    solved = _solved(chain)
-    slides = [place for place, joint in enumerate(solved) if joint.kind is JointKind.PRISMATIC]
     given = tuple((joint.sign, joint.offset) for joint in (chain.joints[n - 1] for n in chain.free))
-    kernel = setup(loop_constants(chain), slides[0] if slides else None)
-    numbers = tuple(joint.number for joint in solved)
-    return None if kernel is None else replace(kernel, numbers=numbers, given=given)
+    kernel = setup(loop_constants(chain), slides_of(chain))
+    if kernel is None:
+        return None
+    pointing = chain.task.kind is TaskKind.POINTING
+    numbers = (*(joint.number for joint in chain.solved), *([chain.dof + 1] if pointing else []))
+    return replace(kernel, numbers=numbers, given=given, pointing=pointing)
 
 
 def is_general(chain: Chain) -> bool:
-    """Whether there are six joints to be solved for, at most one of them a slide, from poses."""
-    solved = _solved(chain)
-    slides = [joint for joint in solved if joint.kind is JointKind.PRISMATIC]
-    whole = chain.task.kind is TaskKind.POSE
-    return len(solved) == JOINTS and len(slides) <= MOST_SLIDES and whole
+    """Whether there are six joints to be solved for from poses, at most two of them slides.
+
+    Or five from where the tool is and points to.
+    """
+    needed = {TaskKind.POSE: JOINTS, TaskKind.POINTING: JOINTS - 1}.get(chain.task.kind)
+    return len(chain.solved) == needed and len(slides_of(chain)) <= SLIDES_OF_FOUR_TURNS
 
 
-def _solved(chain: Chain) -> list[ChainJoint]:
-    return [joint for joint in chain.joints if joint.number not in chain.free]
+def is_better_polished(chain: Chain) -> bool:
+    """Whether the general algorithm is to be preferred to a quartic without Newton steps.
+
+    Where the tool only points, or two joints slide, a quartic's roots meet in fours at right
+    angles; rounding then leaves four of sixteen digits, and every step after it inherits that.
+    """
+    pointing = chain.task.kind is TaskKind.POINTING
+    of_four_turns = len(slides_of(chain)) == SLIDES_OF_FOUR_TURNS
+    return is_general(chain) and (pointing or of_four_turns)
+
+
+def slides_of(chain: Chain) -> tuple[int, ...]:
+    """Which of the joints that are solved for slide, from 0."""
+    kinds = enumerate(joint.kind for joint in chain.solved)
+    return tuple(place for place, kind in kinds if kind is JointKind.PRISMATIC)
 
 
 def joint_values(angles: NDArray[np.float64], chain: Chain) -> NDArray[np.float64]:
-    """The values (k, 6) of the joints that are solved for, from the loop's angles and lengths."""
-    solved = _solved(chain)
+    """The values (k, n) of the joints that are solved for, from the loop's angles and lengths."""
+    solved = chain.solved
     signs = np.array([joint.sign for joint in solved])
-    return np.asarray(signs * (angles - [joint.offset for joint in solved]))
+    return np.asarray(signs * (angles[:, : len(solved)] - [joint.offset for joint in solved]))
 
 
 def loop_constants(chain: Chain) -> list[Link]:
     """C0 ... C6 of T = C0 J1 C1 ... J6 C6, base and tool included, J of joints that are solved for.
 
+    The last one is the tool's turn about its own axis where it only points.
     Multiplied one after the other in plain floating point, so that every machine gets the same.
     """
     arm = numeric_arm(chain)
@@ -76,6 +92,8 @@ def loop_constants(chain: Chain) -> list[Link]:
         else:
             links.append(Link(IDENTITY))
     links[-1] = links[-1].between(IDENTITY, _matrix(arm.tool))
+    if chain.task.kind is TaskKind.POINTING:
+        links.append(Link(IDENTITY))
     return links
 
 

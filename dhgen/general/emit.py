@@ -6,10 +6,11 @@ from math import isinf, pi
 from textwrap import indent
 from typing import TYPE_CHECKING
 
-from dhgen.general import circle, polish, reference
+from dhgen.general import circle, lens, polish, reference
 from dhgen.general.determinant import TINY
 from dhgen.general.digits import HALF_CELLS, grid, harmonics
 from dhgen.general.formulation import PARTNERS
+from dhgen.general.four_turns import NEARLY_FLAT, PARALLEL
 from dhgen.general.loop import LINKS, reach
 from dhgen.general.offset_wrist import BARELY, NEARLY_RIGHT
 from dhgen.numerical.kernel import FEW_STARTS
@@ -46,9 +47,9 @@ def c_rows(kernel: GeneralKernel, chain: Chain, name: str) -> str:
         "c/general6r_rows.c.jinja",
         p=name,
         dof=chain.dof,
-        n=_descent(chain),
-        facing=indent(c_array("static const double facing[6]", facing), "    "),
-        zero=indent(c_array("static const double zero[6]", zero), "    "),
+        n=_descent(chain, kernel),
+        facing=indent(c_array(f"static const double facing[{len(facing)}]", facing), "    "),
+        zero=indent(c_array(f"static const double zero[{len(zero)}]", zero), "    "),
         **_c_free(kernel),
     )
 
@@ -60,15 +61,19 @@ def python_rows(kernel: GeneralKernel, chain: Chain, name: str) -> str:
         "python/general6r_rows.py.jinja",
         p=name,
         dof=chain.dof,
-        n=_descent(chain),
+        n=_descent(chain, kernel),
         facing=python_array("_FACING = np.array", facing),
         zero=python_array("_ZERO = np.array", zero),
         **_python_free(kernel),
     )
 
 
-def _descent(chain: Chain) -> dict[str, object]:
+def _descent(chain: Chain, kernel: GeneralKernel) -> dict[str, object]:
     return {
+        "rows": kernel.rows,
+        "solved": str(chain.dof - chain.given),
+        "pointing": kernel.pointing,
+        "pose": "whole" if kernel.pointing else "T",
         "residual": repr(reference.RESIDUAL),
         "starts": str(FEW_STARTS),
         "given": [number - 1 for number in chain.free],
@@ -77,8 +82,8 @@ def _descent(chain: Chain) -> dict[str, object]:
 
 def _behind(chain: Chain) -> tuple[list[str], list[str]]:
     """Signs and offsets of the joint values behind the loop's angles and lengths."""
-    solved = [joint for joint in chain.joints if joint.number not in chain.free]
-    return _numbers(float(j.sign) for j in solved), _numbers(j.offset for j in solved)
+    signs = _numbers(float(joint.sign) for joint in chain.solved)
+    return signs, _numbers(joint.offset for joint in chain.solved)
 
 
 def _c_free(kernel: GeneralKernel) -> dict[str, str]:
@@ -95,11 +100,11 @@ def _python_free(kernel: GeneralKernel) -> dict[str, str]:
 
 def _c_values(kernel: GeneralKernel, name: str) -> dict[str, object]:
     places = [f"loop->link[{i}]" for i in range(LINKS)]
-    slide = kernel.loop.slide
+    slides = kernel.loop.slides
     partners = {f"partner_{place + 1}": f"{name}_tangents" for place in PARTNERS}
-    if slide is not None:
+    if slides and not kernel.slides_on_the_right:
         for place in PARTNERS:
-            choice = f"form->joint[{place}] == {slide} ? {name}_lengths : {name}_tangents"
+            choice = f"{name}_slides(form->joint[{place}]) ? {name}_lengths : {name}_tangents"
             partners[f"partner_{place + 1}"] = choice
     return {
         **_values(kernel),
@@ -109,31 +114,27 @@ def _c_values(kernel: GeneralKernel, name: str) -> dict[str, object]:
         "has_turned": any(not held.slides for held in _held(kernel)),
         "has_slid": any(held.slides for held in _held(kernel)),
         "links": _links(kernel, [*places, "P", "right"]),
-        "sine_of_start": "sin(angle)" if slide is None else f"i == {slide} ? angle : sin(angle)",
+        "is_slide": " || ".join(f"joint == {place}" for place in slides),
+        "sine_of_start": f"{name}_slides(i) ? angle : sin(angle)" if slides else "sin(angle)",
     }
 
 
 def _python_values(kernel: GeneralKernel) -> dict[str, object]:
-    places = [f"links[{i}]" for i in range(LINKS)]
-    slide = kernel.loop.slide
+    places = [f"links[{i}]" for i in range(LINKS + 2)]
+    slides = kernel.loop.slides
     return {
         **_values(kernel),
         **_python_free(kernel),
         "given": _given(kernel, "q_free"),
-        "links": _links(kernel, [*places, "left", "right"]),
-        "circular_gap": _circular_gap(slide),
-        "sine_of_start": "math.sin(q[i])" if slide is None else _sine_or_length(slide),
+        "links": _links(kernel, places),
+        "circular_gap": _unless_slide("gap", f"min(gap, {2 * pi!r} - gap)", slides),
+        "sine_of_start": _unless_slide("q[i]", "math.sin(q[i])", slides),
     }
 
 
-def _sine_or_length(slide: int) -> str:
-    return f"q[i] if i == {slide} else math.sin(q[i])"
-
-
-def _circular_gap(slide: int | None) -> str:
-    """Of two angles, or lengths, that differ by `gap`."""
-    shorter = f"min(gap, {2 * pi!r} - gap)"
-    return shorter if slide is None else f"gap if i == {slide} else {shorter}"
+def _unless_slide(length: str, angle: str, slides: tuple[int, ...]) -> str:
+    """What is written for joint i: one thing where it slides, another where it turns."""
+    return f"{length} if i in {slides!r} else {angle}" if slides else angle
 
 
 def _given(kernel: GeneralKernel, array: str) -> list[dict[str, object]]:
@@ -198,7 +199,14 @@ def _values(kernel: GeneralKernel) -> dict[str, object]:
     farthest = reach(loop)
     return {
         "constants": _constants(kernel),
-        "slide": loop.slide,
+        "slides": loop.slides,
+        **_lengths(kernel),
+        "most": kernel.rows,
+        "closed": len(kernel.closed),
+        "eliminations": len(kernel.eliminations),
+        "ways": 4 if kernel.wrist else 2,
+        "per_root": kernel.closed[0].solutions_per_root if kernel.closed else 0,
+        "per_double_root": 2 * kernel.closed[0].solutions_per_root if kernel.closed else 0,
         "advance_c": _numbers(c for c, _ in loop.advances),
         "advance_s": _numbers(s for _, s in loop.advances),
         "size": repr(loop.size),
@@ -219,6 +227,22 @@ def _values(kernel: GeneralKernel) -> dict[str, object]:
         "roots": ROOTS,
         "candidates": CANDIDATES,
         **_tolerances(),
+    }
+
+
+def _lengths(kernel: GeneralKernel) -> dict[str, object]:
+    """On which side the slide stands, and where the powers of its length stand."""
+    right = kernel.slides_on_the_right
+    return {
+        "right_slide": right,
+        "left_slide": bool(kernel.loop.slides) and not right,
+        "powers": "1, d and d^2" if right else "d^2, d and 1",
+        # a turn next to the left side leaves two of the eight monomials to some features alone
+        "monomials": 8 if right else 6,
+        "mixed": 14 if right else 8,
+        "invariants": 3 if right else 5,
+        "one": 0 if right else 2,
+        "square": 2 if right else 0,
     }
 
 
@@ -245,6 +269,10 @@ def _tolerances() -> dict[str, object]:
         "noise_factor": repr(circle.NOISE_FACTOR),
         # the value of a parabola over its bend
         "lifted": repr(0.5 * circle.LIFTED**2),
+        # its square
+        "crowded": repr(lens.CROWDED**2),
+        "strongest": repr(lens.STRONGEST),
+        "mean_per_harmonic": repr(lens.MEAN_PER_HARMONIC),
         "noise": repr(reference.NOISE),
         "residual": repr(reference.RESIDUAL),
         "together": repr(reference.TOGETHER),
@@ -253,11 +281,13 @@ def _tolerances() -> dict[str, object]:
         "close": repr(4.0 - reference.CLOSE**2),
         "steps": reference.STEPS,
         "steps_from_afar": reference.STEPS_FROM_AFAR,
-        "batches": 8,
+        "batches": 16,
         "tie": repr(1e-9),
         "rank": repr(1e-9),
         "singular": repr(1e-6),
         "good_enough": repr(1e-29),
+        "nearly_flat": repr(NEARLY_FLAT),
+        "parallel": repr(PARALLEL),
         "smallest": repr(1e-15),
         "smallest_square": repr(1e-30),
         "damping": repr(polish.DAMPING),
@@ -296,7 +326,6 @@ def _wrist(kernel: GeneralKernel) -> dict[str, object] | None:
         "sine": repr(arm.sine),
         "flip": repr(arm.flip),
         "bent": bool(arm.sine),
-        "per_root": arm.solutions_per_root,
         # what the turns of joints 1 ... 4 bring into line with axis 3, E, W and z5
         "sources": _numbers([K0[0][2], K0[1][2], *elbow, *wrist, K3[0][2], K3[1][2]]),
         "nearly_right": repr(NEARLY_RIGHT),

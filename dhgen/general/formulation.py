@@ -11,7 +11,9 @@ have to divide a factor out; with the outer one the determinant has degree 8 to 
 
 A joint may slide: its features are linear in (1, d, d²) as those of a turn are in (1 + x²,
 1 − x², 2 x) with x = tan(φ/2), and d takes the place of x. It can't be hidden, because the
-polynomial would not be one on the circle, nor be φ4.
+polynomial would not be one on the circle, nor be φ4. It is φ2 or φ3 as a rule; where axes
+side by side are parallel, or meet, at several places, the determinants of that kind may all vanish,
+but not those where it is φ5 or φ6.
 """
 
 from __future__ import annotations
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
 
 PARTNERS = (1, 2)
+OTHERS = (4, 5)  # the two on the right side
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,9 +54,9 @@ class Formulation:
             return [inverses(P) if j == 5 else around[j] for j in self.joints]
         return [P if j == 0 else inverses(around[j - 1]) for j in self.joints]
 
-    def slides(self, slide: int | None) -> tuple[bool, ...]:
+    def slides(self, slides: tuple[int, ...]) -> tuple[bool, ...]:
         """Which of φ1 ... φ6 is a length."""
-        return tuple(joint == slide for joint in self.joints)
+        return tuple(joint in slides for joint in self.joints)
 
     def angles(self, phi: Sequence[float]) -> FloatArray:
         """θ1 ... θ6 from φ1 ... φ6."""
@@ -62,13 +65,16 @@ class Formulation:
         return theta
 
 
-def formulations(slide: int | None = None) -> tuple[Formulation, ...]:
-    """All twelve: six beginnings forwards, six backwards; with a slide those where it is a partner.
+def formulations(
+    slides: tuple[int, ...] = (), places: tuple[int, ...] = PARTNERS
+) -> tuple[Formulation, ...]:
+    """All twelve: six beginnings forwards, six backwards; with a slide those where it has a place.
 
     Args:
-        slide: Which of the six joints slides, from 0.
+        slides: Which of the six joints slide, from 0, one at most.
+        places: Which of φ1 ... φ6 it may be, from 0.
     """
     orders = [[(start + i) % 6 for i in range(6)] for start in range(6)]
     every = [Formulation(tuple(order), 1) for order in orders]
     every += [Formulation(tuple(5 - i for i in order), -1) for order in orders]
-    return tuple(f for f in every if slide is None or f.joints.index(slide) in PARTNERS)
+    return tuple(f for f in every if all(f.joints.index(j) in places for j in slides))

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from math import cos, sin
 from typing import TYPE_CHECKING
 
+from dhgen.general.formulation import OTHERS
+from dhgen.general.four_turns import FourTurns
 from dhgen.general.links import Value
 
 if TYPE_CHECKING:
@@ -17,11 +19,28 @@ if TYPE_CHECKING:
 
 
 MOST = 16  # solutions
+SLIDES_OF_FOUR_TURNS = 2
+# Harmonics beyond the eighth that are not rounding: the determinant vanishes identically, or the
+# formulation has another degree.
+NOISE_LIMIT = 1e-9
+# A true angle that is displaced by more is no root at all: rounding moves even a triple one less.
+NO_ROOT = 1e-3
 
 
-def method_name(*, slides: bool) -> str:
-    """What the method is called, of an arm without and with a slide to be solved for."""
-    return "general 5R1P" if slides else "general 6R"
+MOST_OF_FOUR_TURNS = 8
+
+
+def method_name(slides: int) -> str:
+    """What the method is called, by how many of the joints to be solved for slide."""
+    return ("general 6R", "general 5R1P", "general 4R2P")[slides]
+
+
+def most_solutions(slides: int) -> int:
+    """How many solutions an arm may have, by how many of its joints slide.
+
+    16 with one at most (M. Raghavan, B. Roth, 1990), 8 with two.
+    """
+    return MOST_OF_FOUR_TURNS if slides == SLIDES_OF_FOUR_TURNS else MOST
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +59,11 @@ class Score:
     typical: float
     worst: float
 
+    @property
+    def vanishes(self) -> bool:
+        """Whether there is no polynomial to speak of, or none that has the true angles as roots."""
+        return self.noise >= NOISE_LIMIT or self.typical >= NO_ROOT
+
 
 @dataclass(frozen=True, slots=True)
 class GeneralKernel:
@@ -47,39 +71,64 @@ class GeneralKernel:
 
     Attributes:
         loop: The arm as a loop of six joints, in arm sizes.
-        first: The formulation that is tried first.
-        second: One with another hidden joint, for poses where the first one fails; None when
-            the arm's structure leaves only one.
-        scores: Of `first` and `second`.
+        formulations: In the order in which they are tried; the second one, for poses where the
+            first one fails, with another hidden joint, unless the arm's structure leaves only one;
+            after these such as serve at values of held joints at which the former vanish.
+        scores: Of the formulations.
         wrist: When the arm has an offset wrist, whose polynomial is known in closed form: it is
             tried before the formulations.
         numbers: The joints' numbers in the arm, from 1.
         given: Sign and offset of every joint whose value the caller gives: its angle or length is
             sign q + offset.
+        pointing: Whether the last joint of the loop is not one of the arm's, but the tool's turn
+            about its own axis, which the task leaves open.
     """
 
     loop: Loop
-    first: Formulation
-    second: Formulation | None
+    formulations: tuple[Formulation, ...]
     scores: tuple[Score, ...]
     wrist: OffsetWrist | None = None
     numbers: tuple[int, ...] = (1, 2, 3, 4, 5, 6)
     given: tuple[tuple[int, float], ...] = ()
+    pointing: bool = False
 
     @property
     def rows(self) -> int:
-        """How many solutions an arm may have (M. Raghavan, B. Roth, 1990)."""
-        return MOST
+        """How many solutions an arm may have."""
+        return most_solutions(len(self.loop.slides))
+
+    @property
+    def degree(self) -> int:
+        """Of the trigonometric polynomial: it has twice as many roots."""
+        return self.rows // 2
 
     @property
     def method(self) -> str:
         """What the method is called."""
-        return method_name(slides=self.loop.slide is not None)
+        return method_name(len(self.loop.slides))
 
     @property
-    def formulations(self) -> tuple[Formulation, ...]:
-        """The one or two formulations in the order in which they are tried."""
-        return (self.first,) if self.second is None else (self.first, self.second)
+    def first(self) -> Formulation:
+        """The formulation that is tried first."""
+        return self.formulations[0]
+
+    @property
+    def closed(self) -> tuple[OffsetWrist | FourTurns, ...]:
+        """What has its polynomial in closed form, in the order in which it is tried."""
+        if len(self.loop.slides) == SLIDES_OF_FOUR_TURNS:
+            return tuple(FourTurns(f, self.loop.slides) for f in self.formulations)
+        return () if self.wrist is None else (self.wrist,)
+
+    @property
+    def eliminations(self) -> tuple[Formulation, ...]:
+        """The formulations whose polynomial is a determinant, tried after that."""
+        return () if len(self.loop.slides) == SLIDES_OF_FOUR_TURNS else self.formulations
+
+    @property
+    def slides_on_the_right(self) -> bool:
+        """Whether the formulations have a slide on the right side: all of them, or none."""
+        every = [f.slides(self.loop.slides) for f in self.eliminations]
+        return any(slides[place] for slides in every for place in OTHERS)
 
     def held(self, free: Sequence[float]) -> tuple[Value, ...]:
         """Angles and lengths of the joints whose values the caller gives."""

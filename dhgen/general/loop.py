@@ -1,11 +1,11 @@
 """The arm as a closed loop of six joints, in a form that only its axes decide.
 
 T = C0 J1(θ1) C1 J2(θ2) ... J6(θ6) C6 becomes J1(θ1) K0 J2(θ2) ... K4 J6(θ6) = P with P = L T R in
-units of the arm's size; a joint turns about z, and one of the six may slide along z instead. The
-frames slide along their axes until the links are as short as they can be, so that where the caller
-put them changes neither choices nor accuracy. They also turn about their axes, by angles that mean
-nothing: otherwise an arm at right angles would have joints half a turn away from zero, with
-infinite tangents of the half angle, and double roots on the borders of cells.
+units of the arm's size; a joint turns about z, and one or two of the six may slide along z
+instead. The frames slide along their axes until the links are as short as they can be, so that
+where the caller put them changes neither choices nor accuracy. They also turn about their axes, by
+angles that mean nothing: otherwise an arm at right angles would have joints half a turn away from
+zero, with infinite tangents of the half angle, and double roots on the borders of cells.
 """
 
 from __future__ import annotations
@@ -26,6 +26,8 @@ JOINTS = 6
 LINKS = 5  # the sixth link of the loop is the pose
 # Parallel axes leave a common slide open: this much weight on the slides themselves closes it.
 RIDGE = 1e-9
+# What the ridge leaves of lengths that cancel, over the numbers that they come from.
+NO_LENGTH = 1e-8
 # Held joints at which a link's length is averaged; with the four quarters of a turn the average of
 # a square is that over the whole turn.
 # Cosine and sine by which each joint is turned in advance.
@@ -54,7 +56,7 @@ class Loop:
         left: L in P = L T R, in the file's length unit.
         right: R in P = L T R, in the file's length unit.
         size: The arm's size, the unit length of the links [file's unit].
-        slide: Which of the six joints slides, from 0; None when all turn.
+        slides: Which of the six joints slide, from 0.
         given: How many joint values the caller gives.
         advances: Cosine and sine of what is to be added to each joint's angle in the loop.
     """
@@ -63,17 +65,17 @@ class Loop:
     left: Link
     right: Link
     size: float
-    slide: int | None = None
+    slides: tuple[int, ...] = ()
     given: int = 0
     advances: tuple[tuple[float, float], ...] = ADVANCES
 
 
-def close_loop(constants: Sequence[Link], slide: int | None = None) -> Loop:
+def close_loop(constants: Sequence[Link], slides: tuple[int, ...] = ()) -> Loop:
     """Build the loop.
 
     Args:
         constants: C0 ... C6, seven rigid transforms [file's unit].
-        slide: Which of the six joints slides, from 0, if one does.
+        slides: Which of the six joints slide, from 0.
 
     Raises:
         ValueError: There are not seven, or the arm has no lengths.
@@ -83,27 +85,29 @@ def close_loop(constants: Sequence[Link], slide: int | None = None) -> Loop:
     fixed = [_orthonormal(C) for C in constants]
     given = 1 + max((held.place for C in fixed for held, _ in C.rest), default=-1)
     samples = [_at_once(fixed[1:JOINTS], [quarter] * given) for quarter in QUARTERS]
-    slides = _slides(samples if given else samples[:1])
-    advances = tuple((1.0, 0.0) if i == slide else ADVANCES[i] for i in range(JOINTS))
-    after = [multiply(along_z(slides[i]), turn(*advances[i])) for i in range(JOINTS)]
-    links = tuple(fixed[i + 1].between(along_z(-slides[i]), after[i + 1]) for i in range(LINKS))
+    shifts = _shifts(samples if given else samples[:1])
+    advances = tuple((1.0, 0.0) if i in slides else ADVANCES[i] for i in range(JOINTS))
+    after = [multiply(along_z(shifts[i]), turn(*advances[i])) for i in range(JOINTS)]
+    links = tuple(fixed[i + 1].between(along_z(-shifts[i]), after[i + 1]) for i in range(LINKS))
     lengths = [
         sum(sqrt(dot(_origin(K), _origin(K))) for K in _at_once(links, [quarter] * given))
         for quarter in QUARTERS
     ]
     size = max(lengths) / 2
+    if slides and size <= NO_LENGTH * max(abs(x) for C in fixed for x in _origin(C.first)):
+        size = 1.0  # slides have no length of their own: the file's unit serves
     if not size > 0.0:
         raise ValueError("the six axes meet in one point")
     left = fixed[0].between(IDENTITY, after[0]).inverse()
-    right = fixed[JOINTS].between(along_z(-slides[5]), IDENTITY).inverse()
+    right = fixed[JOINTS].between(along_z(-shifts[5]), IDENTITY).inverse()
     links = tuple(K.scaled(1.0 / size) for K in links)
-    return Loop(links, left, right, size, slide, given, advances)
+    return Loop(links, left, right, size, slides, given, advances)
 
 
 def reach(loop: Loop) -> float:
     """The length of all links in line [arm sizes]; infinite where there is a slide."""
     lengths = [K.longest for K in loop.links]
-    if loop.slide is not None:
+    if loop.slides:
         return inf
     return sum(inf if length is None else length for length in lengths)
 
@@ -124,7 +128,7 @@ def _origin(K: Matrix) -> list[float]:
     return [K[i][3] for i in range(3)]
 
 
-def _slides(samples: Sequence[Sequence[Matrix]]) -> list[float]:
+def _shifts(samples: Sequence[Sequence[Matrix]]) -> list[float]:
     """How far each frame moves along its axis so that the squares of the links add up least.
 
     Args:

@@ -63,10 +63,39 @@ class OffsetWrist:
         """How many of the four ways share each root."""
         return 1 if self.sine else 2
 
+    def values(
+        self, links: Sequence[FloatArray], P: FloatArray, cosines: FloatArray, sines: FloatArray
+    ) -> FloatArray:
+        """The polynomial, (N,), from cosines and sines of the sixth angle."""
+        every = zip(cosines, sines, strict=True)
+        return np.array([polynomial(self, *wrist_at(self, links[4], P, *x)[1:]) for x in every])
+
+    def candidates(
+        self, links: Sequence[FloatArray], P: FloatArray, angle: float
+    ) -> Iterator[FloatArray | None]:
+        """Joint angles (6,) near solutions whose sixth angle is a root."""
+        frame, W, z5 = wrist_at(self, links[4], P, np.cos(angle), np.sin(angle))
+        w, rho = float(W @ W), _hypot(W[0], W[1])
+        if rho < BARELY:
+            return
+        D = 4 * self.upper**2 * w - (self.upper**2 - self.lower**2 + w) ** 2
+        part, side = (w - self.upper**2 + self.lower**2) / (2 * w), np.sqrt(max(D, 0.0)) / (2 * w)
+        for tau in (1.0, -1.0):
+            x = tau * np.array([W[0], W[1], 0.0]) / rho
+            across = np.array([0.0, 0.0, tau * rho]) - W[2] * x  # W turned about axis 3
+            for elbow in (1.0, -1.0):
+                # E→W and the same turned
+                reach, turned = part * W - elbow * side * across, part * across + elbow * side * W
+                z4 = (self.cosine * reach + self.sine * turned) / self.lower
+                if abs(z4 @ z5) < NEARLY_RIGHT:
+                    S = np.array([0.0, 0.0, self.shoulder])
+                    normal = np.array([x[1], -x[0], 0.0])
+                    yield _angles(self, links, frame, (S + W - reach, S + W, normal), angle)
+
 
 def offset_wrist(loop: Loop) -> OffsetWrist | None:
     """The arm as one with an offset wrist, or None when it isn't."""
-    if loop.slide is not None or any(link.rest for link in loop.links):
+    if loop.slides or any(link.rest for link in loop.links):
         return None
     K0, K1, K2, K3, _ = (link.first for link in loop.links)
     flip = 1.0 if K1[2][2] > 0.0 else -1.0
@@ -129,29 +158,6 @@ def polynomial(arm: OffsetWrist, W: FloatArray, z5: FloatArray) -> float:
         return float(U / w)
     V = 2 * C * S * P * (first + second)
     return float((U * U - V * V * D) / (w * w))
-
-
-def candidates(
-    arm: OffsetWrist, links: Sequence[FloatArray], P: FloatArray, angle: float
-) -> Iterator[FloatArray]:
-    """Joint angles (6,) near solutions whose sixth angle is a root."""
-    frame, W, z5 = wrist_at(arm, links[4], P, np.cos(angle), np.sin(angle))
-    w, rho = float(W @ W), _hypot(W[0], W[1])
-    if rho < BARELY:
-        return
-    D = 4 * arm.upper**2 * w - (arm.upper**2 - arm.lower**2 + w) ** 2
-    part, side = (w - arm.upper**2 + arm.lower**2) / (2 * w), np.sqrt(max(D, 0.0)) / (2 * w)
-    for tau in (1.0, -1.0):
-        x = tau * np.array([W[0], W[1], 0.0]) / rho
-        across = np.array([0.0, 0.0, tau * rho]) - W[2] * x  # W turned about axis 3
-        for elbow in (1.0, -1.0):
-            # E→W and the same turned
-            reach, turned = part * W - elbow * side * across, part * across + elbow * side * W
-            z4 = (arm.cosine * reach + arm.sine * turned) / arm.lower
-            if abs(z4 @ z5) < NEARLY_RIGHT:
-                S = np.array([0.0, 0.0, arm.shoulder])
-                normal = np.array([x[1], -x[0], 0.0])
-                yield _angles(arm, links, frame, (S + W - reach, S + W, normal), angle)
 
 
 def _angles(

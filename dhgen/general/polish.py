@@ -22,12 +22,12 @@ class Target:
     Attributes:
         links: K0 ... K4 [arm sizes], (4, 4) each.
         P: The pose of the loop, (4, 4).
-        slide: Which of the six joints slides, from 0, if one does.
+        slides: Which of the six joints slide, from 0.
     """
 
     links: tuple[FloatArray, ...]
     P: FloatArray
-    slide: int | None = None
+    slides: tuple[int, ...] = ()
 
 
 SINGULAR = 1e-6  # the smallest singular value of the Jacobian over the largest
@@ -82,13 +82,13 @@ def _linearised(target: Target, theta: FloatArray) -> tuple[FloatArray, FloatArr
             T = T @ target.links[i - 1]
         axes.append(T[:3, :3] @ EZ)
         points.append(T[:3, 3])
-        T = T @ motion(value, slides=i == target.slide)
+        T = T @ motion(value, slides=i in target.slides)
     spin = P[:3, :3] @ T[:3, :3].T
     rotation = [spin[2, 1] - spin[1, 2], spin[0, 2] - spin[2, 0], spin[1, 0] - spin[0, 1]]
     half = np.array(rotation) / 2
     # half a turn away the skew part vanishes too: the trace tells
     half = half + np.where(np.trace(spin[:3, :3]) < 0, 1.0, 0.0)
     J = np.array([[*np.cross(z, T[:3, 3] - o), *z] for z, o in zip(axes, points, strict=True)]).T
-    if target.slide is not None:
-        J[:, target.slide] = [*axes[target.slide], 0.0, 0.0, 0.0]
+    for place in target.slides:
+        J[:, place] = [*axes[place], 0.0, 0.0, 0.0]
     return np.concatenate([P[:3, 3] - T[:3, 3], half]), J

@@ -1,7 +1,8 @@
 """From a root of the determinant to all six angles.
 
 A null vector gives φ2 and φ3; then B = Rz(φ4) L3 Rz(φ5) L4 Rz(φ6) is known, and what does not
-depend on φ4 and φ6 is linear in cos φ5 and sin φ5: the invariants of axis 4 and axis 6 in B.
+depend on φ4 and φ6 is linear in cos φ5 and sin φ5: the invariants of axis 4 and axis 6 in B. Where
+φ5 is a length, some of these are linear in it; where φ6 is one, directions give φ4 and φ5.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ from math import atan2
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from dhgen.general.formulation import OTHERS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -108,8 +111,12 @@ def remaining_angles(
     A = turn(phi[0]) @ links[0] @ motion(phi[1], slides=slides[1]) @ links[1]
     A = A @ motion(phi[2], slides=slides[2]) @ links[2]
     B = rigid_inverse(links[5] @ A)
-    phi_5 = _middle_angle(B, links[3], links[4])
-    C = links[3] @ turn(phi_5) @ links[4]
+    inner, outer = (slides[place] for place in OTHERS)
+    if outer:
+        return (*phi, *_before_a_slide(B, links[3], links[4]))
+    middle = _middle_length if inner else _middle_angle
+    phi_5 = middle(B, links[3], links[4])
+    C = links[3] @ motion(phi_5, slides=inner) @ links[4]
     # Rz(φ4) takes the x, y components of C's third and fourth column to those of B
     (cx, cy), (bx, by) = C[:2, 2:], B[:2, 2:]
     phi_4 = atan2(float(cx @ by - cy @ bx), float(cx @ bx + cy @ by))
@@ -135,3 +142,26 @@ def _middle_angle(B: FloatArray, K: FloatArray, M: FloatArray) -> float:
     target = [value - sum(a[2] * b[2] for a, b in sides) for sides, value in terms]
     (c, s), *_ = np.linalg.lstsq(np.array(matrix).T, np.array(target), rcond=None)
     return atan2(s, c)
+
+
+def _middle_length(B: FloatArray, K: FloatArray, M: FloatArray) -> float:
+    """d of B = Rz(φ4) K Tz(d) M Rz(φ6), by least squares on three invariants."""
+    l, p = B[:3, 2], B[:3, 3]
+    R, t, e, u = K[:3, :3], K[:3, 3], M[:3, 2], M[:3, 3]
+    axis = R.T @ EZ
+    slope = np.array([axis @ EZ, EZ @ e, axis @ np.cross(EZ, e)])
+    start, direction = t + R @ u, R @ e
+    rest = [p[2] - start[2], p @ l - start @ direction]
+    rest.append((np.cross(p, l) - np.cross(start, direction))[2])
+    return float(slope @ rest / (slope @ slope + TINY))
+
+
+def _before_a_slide(B: FloatArray, K: FloatArray, M: FloatArray) -> tuple[float, float, float]:
+    """φ4, φ5 and d of B = Rz(φ4) K Rz(φ5) M Tz(d)."""
+    axis, row = K[2, :2], (B[2, :3] @ M[:3, :3].T)[:2]  # K's third row, turned by φ5
+    phi_5 = atan2(float(axis[1] * row[0] - axis[0] * row[1]), float(axis @ row))
+    C = K @ turn(phi_5) @ M
+    # Rz(φ4) takes the x, y components of C's columns to those of B
+    (cx, cy), (bx, by) = C[:2, :3], B[:2, :3]
+    phi_4 = atan2(float(cx @ by - cy @ bx), float(cx @ bx + cy @ by))
+    return phi_4, phi_5, float((rigid_inverse(turn(phi_4) @ C) @ B)[2, 3])

@@ -1,7 +1,8 @@
 """All solutions of a general arm, in NumPy: the algorithm in its clearest form.
 
 M. Raghavan and B. Roth, Inverse kinematics of the general 6R manipulator and related linkages
-(1993), with the determinant sampled on the circle instead of a characteristic polynomial.
+(1993), with the determinant sampled on the circle instead of a characteristic polynomial; with two
+slides, and for offset wrists, the polynomial in closed form instead.
 """
 
 from __future__ import annotations
@@ -12,11 +13,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.circle import roots, sample_cosines, trigonometric
+from dhgen.general.circle import roots, trigonometric
 from dhgen.general.determinant import equations, fold
-from dhgen.general.kernel import MOST
+from dhgen.general.lens import sampled
 from dhgen.general.loop import reach
-from dhgen.general.offset_wrist import candidates, polynomial, wrist_at
+from dhgen.general.pointing import any_turn
 from dhgen.general.polish import Target, is_singular, polish
 from dhgen.general.recover import null_vectors, partner_values, remaining_angles
 
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from dhgen.general.formulation import Formulation
+    from dhgen.general.four_turns import FourTurns
     from dhgen.general.kernel import GeneralKernel
     from dhgen.general.loop import Loop
     from dhgen.general.offset_wrist import OffsetWrist
@@ -74,17 +76,20 @@ def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> So
     """All solutions of T = C0 J1(θ1) C1 ... J6(θ6) C6.
 
     Args:
-        T: A rigid transform (4, 4).
+        T: A rigid transform (4, 4); of a tool that only points, position and z axis count.
         kernel: What is known of the arm.
         free: Values of the joints that the caller gives.
     """
     loop, held = kernel.loop, kernel.held(free)
-    P = np.array(loop.left.at(held)) @ np.asarray(T, dtype=float) @ np.array(loop.right.at(held))
+    pose = np.asarray(T, dtype=float)
+    if kernel.pointing:
+        pose = any_turn(pose)
+    P = np.array(loop.left.at(held)) @ pose @ np.array(loop.right.at(held))
     P[:3, 3] /= loop.size
     if np.linalg.norm(P[:3, 3]) > (1.0 + 1e-9) * reach(loop):
         return Solved(np.empty((0, 6)), np.empty(0), complete=True)
     links = tuple(np.array(K.at(held)) for K in loop.links)
-    search = _Search(Target(links, P, loop.slide))
+    search = _Search(Target(links, P, loop.slides), kernel.rows)
     complete = _attempt(kernel, search)
     if not complete:
         complete = _from_nearby(kernel, search)
@@ -98,9 +103,9 @@ def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> So
 class _Search:
     """The solutions found so far, a slide's length in arm sizes."""
 
-    def __init__(self, target: Target) -> None:
-        self.target = target
-        self.turns = np.array([place != target.slide for place in range(6)])
+    def __init__(self, target: Target, most: int) -> None:
+        self.target, self.most = target, most
+        self.turns = np.array([place not in target.slides for place in range(6)])
         self.found: list[FloatArray] = []
         self.residuals: list[float] = []
         self.singular: set[int | None] = set()
@@ -121,7 +126,7 @@ class _Search:
             return None
         theta = np.where(self.turns, np.pi - np.remainder(np.pi - theta, 2 * np.pi), theta)
         place = self._place(theta)
-        if place == MOST:
+        if place == self.most:
             return None
         if place == len(self.found):
             self.found.append(theta)
@@ -168,21 +173,17 @@ class _Search:
 
 def _attempt(kernel: GeneralKernel, search: _Search) -> bool:
     """Offer what the closed form and the formulations find, until that is certainly everything."""
-    if kernel.wrist is not None and _certified_wrist(kernel.wrist, search):
+    if any(_certified_closed(arm, search) for arm in kernel.closed):
         return True
-    return any(_certified(formulation, search) for formulation in kernel.formulations)
+    return any(_certified(formulation, search) for formulation in kernel.eliminations)
 
 
-def _certified_wrist(arm: OffsetWrist, search: _Search) -> bool:
-    """The same as `_certified` for an offset wrist."""
-    cosines, sines = sample_cosines()
+def _certified_closed(arm: OffsetWrist | FourTurns, search: _Search) -> bool:
+    """The same as `_certified` where the polynomial is known in closed form."""
     links, P = search.target.links, search.target.P
-    samples = [
-        polynomial(arm, *wrist_at(arm, links[4], P, c, s)[1:])
-        for c, s in zip(cosines, sines, strict=True)
-    ]
-    f = trigonometric(np.array(samples))
-    if f.noise > NOISE or f.scale == 0.0:
+    samples, lens = sampled(lambda cosines, sines: arm.values(links, P, cosines, sines))
+    f = trigonometric(samples)
+    if not f.noise <= NOISE or f.scale == 0.0:
         return False
     found = roots(f)
     search.doubles += len(found.double)
@@ -191,13 +192,16 @@ def _certified_wrist(arm: OffsetWrist, search: _Search) -> bool:
     complete = found.complete
     for angle in (*found.simple, *found.double):
         double = angle in found.double
-        starts = candidates(arm, links, P, angle)
-        places = {search.offer(theta, doubtful=double) for theta in starts} - {None}
-        expected += arm.solutions_per_root
-        if double and not places & search.singular:
-            expected += arm.solutions_per_root
-        complete = complete and len(places) >= arm.solutions_per_root
+        starts = list(arm.candidates(links, P, lens.angle(angle)))
+        near = [theta for theta in starts if theta is not None]
+        places = {search.offer(theta, doubtful=double) for theta in near} - {None}
         met |= places
+        if len(near) < len(starts) and not places:
+            continue
+        own = arm.solutions_per_root
+        expected += own if not double or places & search.singular else 2 * own
+        expected -= len(starts) - len(near)
+        complete = complete and len(places) >= own
     return complete and len(met) >= expected and search.paired
 
 
@@ -209,26 +213,27 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     """
     target = search.target
     around = formulation.links(target.links, target.P)
-    slides = formulation.slides(target.slide)
+    slides = formulation.slides(target.slides)
     E = equations([link[None] for link in around], slides)
-    cosines, sines = sample_cosines()
-    f = trigonometric(fold(E, np.array(cosines), np.array(sines))[0])
+    samples, lens = sampled(lambda cosines, sines: fold(E, cosines, sines)[0])
+    f = trigonometric(samples)
     if f.noise > NOISE or f.scale == 0.0:
         return False
     found = roots(f)
     search.doubles += len(found.double)
     met: set[int | None] = set()
-    expected = len(found.simple)
+    simple, double = (tuple(map(lens.angle, some)) for some in (found.simple, found.double))
+    expected = len(simple)
     complete = found.complete
-    for angle in found.simple:
+    for angle in simple:
         (phi,) = _candidates(E, around, slides, (angle, 1))
         place = search.offer(formulation.angles(phi))
         complete = complete and place is not None
         met |= {place} - {None}
-    for angle in (*_nearly_double(found.simple), *found.double):
+    for angle in (*_nearly_double(simple), *double):
         starts = [formulation.angles(phi) for phi in _candidates(E, around, slides, (angle, 2))]
         places = {search.offer(theta, doubtful=True) for theta in starts} - {None}
-        if angle in found.double:
+        if angle in double:
             expected += 1 if places & search.singular else 2
         met |= places
     return complete and len(met) >= expected and search.paired
@@ -265,7 +270,7 @@ def _from_nearby(kernel: GeneralKernel, search: _Search) -> bool:
     before = -1
     for number, motion in enumerate(nudges()):
         moved = search.target.P @ np.array(motion)
-        nearby = _Search(replace(search.target, P=moved))
+        nearby = _Search(replace(search.target, P=moved), search.most)
         complete = _attempt(kernel, nearby)
         places = {search.offer(theta, STEPS_FROM_AFAR, doubtful=True) for theta in nearby.found}
         count = -1

@@ -1,4 +1,9 @@
-"""Once for each robot: the twelve formulations on trial, and the choice of the best two."""
+"""Once for each robot: all formulations on trial, and the choice of the best two.
+
+An arm whose other joints are held has more structure at some of their values, where formulations
+vanish that serve at all others: with the third joint of an xArm 7 at zero, three axes are parallel.
+Those that never do are preferred, and at every such value one of those that are chosen serves.
+"""
 
 from __future__ import annotations
 
@@ -10,10 +15,11 @@ import numpy as np
 
 from dhgen.general.circle import SAMPLES, sample_cosines, trigonometric
 from dhgen.general.determinant import equations, fold
-from dhgen.general.formulation import formulations
-from dhgen.general.kernel import GeneralKernel, Score
+from dhgen.general.formulation import OTHERS, formulations
+from dhgen.general.four_turns import branches, turns_to_hide
+from dhgen.general.kernel import SLIDES_OF_FOUR_TURNS, GeneralKernel, Score
 from dhgen.general.links import Held, Value
-from dhgen.general.loop import JOINTS, close_loop
+from dhgen.general.loop import JOINTS, QUARTERS, close_loop
 from dhgen.general.offset_wrist import offset_wrist
 from dhgen.general.rigid import multiply
 
@@ -22,6 +28,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.general.formulation import Formulation
     from dhgen.general.links import Link
     from dhgen.general.loop import Loop
     from dhgen.general.rigid import Matrix
@@ -29,25 +36,25 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
 
 WITNESSES = 120
+FEW_WITNESSES = 40  # for each special value of a held joint
 SEED = 6
 
-# Harmonics beyond the eighth that are not rounding: the determinant vanishes identically, or the
-# formulation has another degree.
-NOISE_LIMIT = 1e-9
 # A median displacement above this comes from roots that are double for every pose: the square
 # root of rounding. Such a formulation is used when there is no other.
 DOUBLE_ROOTS = 1e-8
 DOUBLE_PENALTY = 6.0  # in powers of ten
+# Of a formulation that vanishes at some value of a held joint, in steps.
+VANISHING_PENALTY = 3
 # Scores are compared in steps of a third of a power of ten; within a step the first one wins.
 STEPS = 3
 
 
-def setup(constants: Sequence[Link], slide: int | None = None) -> GeneralKernel | None:
+def setup(constants: Sequence[Link], slides: tuple[int, ...] = ()) -> GeneralKernel | None:
     """Prepare the general algorithm for an arm with six joints to be solved for.
 
     Args:
         constants: C0 ... C6 of T = C0 J1(θ1) C1 ... J6(θ6) C6, rigid transforms [file's unit].
-        slide: Which of the six joints slides, from 0; the others turn.
+        slides: Which of the six joints slide, from 0, two at most; the others turn.
 
     Returns:
         The kernel, or None when all formulations vanish identically.
@@ -55,25 +62,38 @@ def setup(constants: Sequence[Link], slide: int | None = None) -> GeneralKernel 
     Raises:
         ValueError: The constants are not those of an arm with six joints and with lengths.
     """
-    loop = close_loop(constants, slide)
-    q, links, poses = _witnesses(loop)
-    ranked = []
-    for index, formulation in enumerate(formulations(slide)):
-        around = formulation.links(links, poses)
-        E = equations(around, formulation.slides(slide))
-        hidden = [values[formulation.joints[0]] for values in q]
-        score = _score(E, [(x.cosine, formulation.sign * x.sine) for x in hidden])
-        if score.noise < NOISE_LIMIT:
-            ranked.append((_rank(score), index, formulation, score))
-    ranked.sort(key=lambda entry: entry[:2])
+    loop = close_loop(constants, slides)
+    if len(slides) == SLIDES_OF_FOUR_TURNS:
+        return _chosen(loop, turns_to_hide(slides))
+    kernel = _chosen(loop, formulations(slides))
+    return kernel if kernel or not slides else _chosen(loop, formulations(slides, OTHERS))
+
+
+def _chosen(loop: Loop, every: Sequence[Formulation]) -> GeneralKernel | None:
+    """The kernel with the best of these formulations; None when all of them vanish."""
+    scores = _scores(loop, every, WITNESSES)
+    special = [_scores(loop, every, FEW_WITNESSES, held) for held in _special(loop)]
+    vanishing = [any(some[i].vanishes for some in special) for i in range(len(every))]
+    ranked = sorted(
+        (_rank(score) + (VANISHING_PENALTY if vanishing[i] else 0), i)
+        for i, score in enumerate(scores)
+        if not score.vanishes
+    )
     if not ranked:
         return None
-    _, _, first, score = ranked[0]
-    wrist = offset_wrist(loop)
-    for _, _, second, other in ranked[1:]:
-        if second.joints[0] != first.joints[0]:
-            return GeneralKernel(loop, first, second, (score, other), wrist)
-    return GeneralKernel(loop, first, None, (score,), wrist)
+    first = ranked[0][1]
+    others = [i for _, i in ranked if every[i].joints[0] != every[first].joints[0]]
+    chosen = [first, *others[:1]]
+    for some in special:
+        serving = [i for i, score in enumerate(some) if not score.vanishes]
+        if serving and not set(serving) & set(chosen):
+            chosen.append(min(serving, key=lambda i: (_rank(some[i]), i)))
+    return GeneralKernel(
+        loop,
+        tuple(every[i] for i in chosen),
+        tuple(scores[i] for i in chosen),
+        offset_wrist(loop),
+    )
 
 
 def _rank(score: Score) -> int:
@@ -81,15 +101,51 @@ def _rank(score: Score) -> int:
     return round(STEPS * (log10(max(score.worst, 1e-17)) + penalty))
 
 
-def _witnesses(loop: Loop) -> tuple[list[list[Value]], list[FloatArray], FloatArray]:
+def _special(loop: Loop) -> list[tuple[int, Value]]:
+    """Every joint that is held, at values at which the arm may have more structure."""
+    slides = {
+        held.place: held.slides
+        for link in (*loop.links, loop.left, loop.right)
+        for held, _ in link.rest
+    }
+    return [
+        (place, value)
+        for place in range(loop.given)
+        for value in (QUARTERS[:1] if slides[place] else QUARTERS)
+    ]
+
+
+def _scores(
+    loop: Loop,
+    every: Sequence[Formulation],
+    count: int,
+    special: tuple[int, Value] | None = None,
+) -> list[Score]:
+    """The score of each formulation, with one of the held joints at a value if that is given."""
+    q, links, poses = _witnesses(loop, count, special)
+    of_four_turns = len(loop.slides) == SLIDES_OF_FOUR_TURNS
+    sampled = _polynomials if of_four_turns else _determinants
+    result = []
+    for formulation in every:
+        samples = sampled(formulation.links(links, poses), formulation.slides(loop.slides))
+        hidden = [values[formulation.joints[0]] for values in q]
+        result.append(_score(samples, [(x.cosine, formulation.sign * x.sine) for x in hidden]))
+    return result
+
+
+def _witnesses(
+    loop: Loop, count: int, special: tuple[int, Value] | None
+) -> tuple[list[list[Value]], list[FloatArray], FloatArray]:
     """Random joints, the links (N, 4, 4) each, which depend on those that are held, and the poses.
 
     Without a library's trigonometry.
     """
     random = Random(SEED)  # noqa: S311  nothing secret
     q, links, poses = [], [], []
-    for _ in range(WITNESSES):
+    for _ in range(count):
         joints = [_joint(random) for _ in range(JOINTS + loop.given)]
+        if special is not None:
+            joints[JOINTS + special[0]] = special[1]
         # lengths of held slides are in the file's unit
         held = [Value(loop.size * x.value, x.cosine, x.sine) for x in joints[JOINTS:]]
         fixed = [K.at(held) for K in loop.links]
@@ -111,25 +167,39 @@ def _joint(random: Random) -> Value:
 
 def _pose(loop: Loop, links: Sequence[Matrix], q: Sequence[Value]) -> Matrix:
     """P = J1(θ1) K0 ... K4 J6(θ6)."""
-    P = Held(0, loop.slide == 0, 1.0).motion(q)
+    P = Held(0, 0 in loop.slides, 1.0).motion(q)
     for i, link in enumerate(links, start=1):
-        P = multiply(multiply(P, link), Held(i, loop.slide == i, 1.0).motion(q))
+        P = multiply(multiply(P, link), Held(i, i in loop.slides, 1.0).motion(q))
     return P
 
 
-def _score(E: FloatArray, angles: Sequence[tuple[float, float]]) -> Score:
-    """The score from the equations of the witnesses and their hidden angles' cosines and sines."""
-    cosines, sines = sample_cosines()
-    count = len(angles)
-    lanes = np.repeat(E, SAMPLES, axis=-1)
-    determinant, _ = fold(lanes, np.tile(cosines, count), np.tile(sines, count))
+def _determinants(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray:
+    """The determinant of the witnesses at the sample angles, (N, 24); links are (N, 4, 4) each."""
+    count = len(links[0])
+    lanes = np.repeat(equations(links, slides), SAMPLES, axis=-1)
+    cosines, sines = (np.tile(x, count) for x in sample_cosines())
+    determinant, _ = fold(lanes, cosines, sines)
+    return determinant.reshape(count, SAMPLES)
+
+
+def _polynomials(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray:
+    """The same of an arm with four turns."""
+    count = len(links[0])
+    lanes = [np.repeat(np.moveaxis(link, 0, -1), SAMPLES, axis=-1) for link in links]
+    cosines, sines = (np.tile(x, count) for x in sample_cosines())
+    return branches(lanes, slides, (cosines, sines)).polynomial.reshape(count, SAMPLES)
+
+
+def _score(samples: FloatArray, angles: Sequence[tuple[float, float]]) -> Score:
+    """The score from the witnesses' samples and their hidden angles' cosines and sines."""
     noise, displacement = [], []
-    for angle, samples in zip(angles, determinant.reshape(count, SAMPLES), strict=True):
-        f = trigonometric(samples)
-        noise.append(f.noise if samples.any() else 1.0)  # a determinant of nothing but zeros
+    for angle, row in zip(angles, samples, strict=True):
+        f = trigonometric(row)
+        noise.append(f.noise if row.any() else 1.0)  # a determinant of nothing but zeros
         value, first, second = f.at(*angle)
         root = sqrt(abs(first * first - 2.0 * value * second))
         displacement.append(2.0 * abs(value) / (abs(first) + root + 1e-300))
+    count = len(angles)
     noise.sort()
     displacement.sort()
     return Score(noise[count // 2], displacement[count // 2], displacement[(99 * count) // 100])

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.errors import UnsolvedError
-from dhgen.kinematics.neighbours import EXACT, axis_triples
+from dhgen.kinematics.neighbours import EXACT, axis_triples, missed_point
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.robot import JointKind, TaskKind
 
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 JOINTS = 7
+ELBOW = 4  # its axis
 TRIPLES = {(1, 2, 3): "shoulder", (5, 6, 7): "wrist"}
 
 
@@ -106,6 +107,19 @@ def arm_angles(arm: NumericArm, q: Array, *, aside: float, merge: float) -> Arra
     return np.asarray(np.arctan2(sine, cosine))
 
 
+def elbow_rates(arm: NumericArm, q: Array) -> Array:
+    """How fast the elbow leaves the arm's plane with every joint [arm sizes], (..., 7)."""
+    found = triangle(arm, q)
+    normal = np.cross(found.wrist - found.shoulder, found.elbow - found.shoulder)
+    length = _norm(normal)
+    normal = np.where(length > 0.0, normal / np.where(length > 0.0, length, 1.0), found.fourth)
+    z, p = arm.axes(q)
+    reach = found.elbow[..., None, :] - p
+    rates = np.sum(np.cross(z, reach) * normal[..., None, :], axis=-1) / arm.chain.size
+    signs = [joint.sign * (joint.number < ELBOW) for joint in arm.chain.joints]
+    return np.asarray(rates * signs)
+
+
 def reference_axis(arm: NumericArm) -> int:
     """The axis of the base frame that stands for the arm's line where that is on axis 1.
 
@@ -155,15 +169,15 @@ def _whole(chain: Chain) -> list[str]:
 
 
 def _geometry(chain: Chain) -> list[str]:
-    misses = {triple.joints: triple.miss for triple in axis_triples(chain)}
+    triples = {triple.joints: triple for triple in axis_triples(chain)}
     reasons = []
     for joints, name in TRIPLES.items():
-        axes = ", ".join(map(str, joints))
-        if np.isinf(misses[joints]):
+        triple = triples[joints]
+        if np.isinf(triple.miss):
+            axes = ", ".join(map(str, joints))
             reasons.append(f"of axes {axes} two are parallel: there is no {name}")
-        elif misses[joints] > EXACT * chain.size:
-            miss = f"axes {axes} miss one point by {misses[joints]:.4g}"
-            reasons.append(f"{miss}: there is no {name}")
+        elif triple.miss > EXACT * chain.size:
+            reasons.append(f"{missed_point(triple)}: there is no {name}")
     return reasons or _elbow(chain)
 
 

@@ -105,6 +105,11 @@ class Chain:
         """How many values the caller gives besides the pose."""
         return len(self.free) + self.arm_angle
 
+    @property
+    def solved(self) -> tuple[ChainJoint, ...]:
+        """The joints that are asked for: all but those whose values the caller gives."""
+        return tuple(joint for joint in self.joints if joint.number not in self.free)
+
 
 def parallel_groups(chain: Chain) -> tuple[tuple[tuple[int, int], ...], ...]:
     """Runs of revolute joints whose axes stay parallel: (joint, direction) pairs.

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -39,6 +40,17 @@ class Triple:
     miss: float
 
 
+def short_number(value: float, digits: int) -> str:
+    """A few digits; what is a tie in the file goes up on every machine, however it was rounded."""
+    return f"{value * (1.0 + 1e-9):.{digits}g}"
+
+
+def missed_point(triple: Triple) -> str:
+    """By how much three axes miss one point [file's unit]."""
+    axes = ", ".join(map(str, triple.joints))
+    return f"axes {axes} miss one point by {short_number(triple.miss, 4)}"
+
+
 def axis_triples(chain: Chain) -> tuple[Triple, ...]:
     """All triples of consecutive revolute joints without a given one."""
     axes = {j: axis for j, axis in _axes(chain).items() if j not in chain.free}
@@ -55,16 +67,12 @@ def axis_triples(chain: Chain) -> tuple[Triple, ...]:
 
 def _axes(chain: Chain) -> dict[int, tuple[Array, Array]]:
     """Point and direction of every revolute axis, all angles and lengths zero."""
-    reached = np.eye(4)
-    axes = {}
-    for element in numeric_arm(chain).elements:
-        if not isinstance(element, tuple):
-            reached = reached @ element
-            continue
-        joint, turns = element
-        if turns:
-            axes[joint] = (reached[:3, 3], reached[:3, 2])
-    return axes
+    directions, points = numeric_arm(chain).axes(np.zeros(chain.dof))
+    return {
+        joint.number: (points[place], directions[place])
+        for place, joint in enumerate(chain.joints)
+        if joint.kind is JointKind.REVOLUTE
+    }
 
 
 def _tilt(one: tuple[Array, Array], other: tuple[Array, Array]) -> float:

@@ -54,6 +54,7 @@ class NumericalKernel:
         pointing: Whether it names the tool's z axis only.
         redundant: Whether every pose has infinitely many solutions.
         residual: What counts as a solution [arm sizes, rad].
+        most: Rows of an arm with finitely many solutions.
     """
 
     arm: NumericArm
@@ -67,6 +68,7 @@ class NumericalKernel:
     pointing: bool
     redundant: bool
     residual: float
+    most: int = MOST
 
     @property
     def method(self) -> str:
@@ -76,7 +78,7 @@ class NumericalKernel:
     @property
     def rows(self) -> int:
         """How many solutions are kept: of infinitely many the one nearest to the seed."""
-        return 1 if self.redundant else MOST
+        return 1 if self.redundant else self.most
 
     @property
     def equations(self) -> int:
@@ -95,7 +97,7 @@ class NumericalKernel:
 
 def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
     """The kernel of any arm and task."""
-    joints = [joint for joint in chain.joints if joint.number not in chain.free]
+    joints = chain.solved
     turns = [joint.kind is JointKind.REVOLUTE for joint in joints]
     units = [1.0 if each else chain.size for each in turns]
     limits = [joint.limits or (-inf, inf) for joint in joints]

@@ -114,7 +114,7 @@ class Arm:
             known = len(kept)
             for row in u[length <= self.kernel.residual]:
                 self._keep(row, kept)
-            if len(kept) in {known, constants.MOST}:
+            if len(kept) in {known, self.kernel.rows}:
                 break
         return self._sorted(kept)
 
@@ -156,7 +156,7 @@ class Arm:
             if chosen:
                 u = self.pulled(u)
         u = self.wrapped(u)
-        if len(kept) < constants.MOST and not self._known(u, kept, singular=singular):
+        if len(kept) < self.kernel.rows and not self._known(u, kept, singular=singular):
             kept.append(_Kept(u, singular, chosen))
 
     def _known(self, u: FloatArray, kept: list[_Kept], *, singular: bool) -> bool:

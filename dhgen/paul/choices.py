@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.errors import UnsolvedError
-from dhgen.general.arm import is_general
-from dhgen.general.kernel import MOST, method_name
+from dhgen.general.arm import is_general, slides_of
+from dhgen.general.kernel import method_name, most_solutions
 from dhgen.kinematics.neighbours import EXACT
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.mobility import surplus
@@ -85,7 +85,8 @@ def choices_text(choices: tuple[Choice, ...]) -> list[str]:
     lines = []
     for (_, rows, method), alike in groupby(choices, lambda c: (c.rank, c.rows, c.method)):
         sets = [f"[{', '.join(map(str, choice.free))}]" for choice in alike]
-        lines.append(f"  free: {' or '.join(sets)} leaves a {method} with {rows} rows")
+        count = "one row" if rows == 1 else f"{rows} rows"
+        lines.append(f"  free: {' or '.join(sets)} leaves a {method} with {count}")
     return lines
 
 
@@ -100,9 +101,8 @@ def _general(chain: Chain, chosen: tuple[int, ...]) -> list[Choice]:
     """An arm without structure as a choice, if the general algorithm is for it."""
     if not is_general(chain):
         return []
-    joints = [joint for joint in chain.joints if joint.number not in chain.free]
-    slides = any(joint.kind is JointKind.PRISMATIC for joint in joints)
-    return [Choice(GENERAL, MOST, chosen, method_name(slides=slides))]
+    slides = len(slides_of(chain))
+    return [Choice(GENERAL, most_solutions(slides), chosen, method_name(slides))]
 
 
 def _has_structure(chain: Chain) -> bool:
@@ -110,7 +110,7 @@ def _has_structure(chain: Chain) -> bool:
 
     The search on a general arm takes minutes and finds nothing.
     """
-    joints = [joint for joint in chain.joints if joint.number not in chain.free]
+    joints = chain.solved
     turning = [joint for joint in joints if joint.kind is JointKind.REVOLUTE]
     if len(joints) <= MOST_SKEW or len(turning) <= MOST_TURNING:
         return True

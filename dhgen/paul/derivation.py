@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.errors import UnsolvedError
-from dhgen.general.arm import general_kernel
+from dhgen.general.arm import general_kernel, is_better_polished
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.arm_angle import demand_arm_angle
 from dhgen.numerical.kernel import numerical_kernel
@@ -18,6 +18,7 @@ from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.refusal import redundant, refusal
 from dhgen.paul.search import Search
+from dhgen.paul.second import with_second_equations
 from dhgen.paul.types import CLOSED, QUARTIC
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ class Derivation:
 
 
 def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
-    """Solves an arm by Paul's method, or leaves it to the general 6R algorithm.
+    """Solves an arm by Paul's method, or leaves it to the general algorithms for six joints.
 
     Args:
         chain: The arm.
@@ -87,13 +88,20 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
         pool = with_arm_plane(pool)
     closed = Search(pool, CLOSED)
     for route in closed.routes():
-        return Derivation(pool, route.steps, route.alternatives)
-    pool = with_inverse_forms(pool)
-    for route in Search(pool, QUARTIC).routes():
-        return Derivation(pool, route.steps, route.alternatives)
-    kernel = general_kernel(chain)
-    if kernel is not None:
-        return Derivation(pool, (), (), kernel)
+        steps = with_second_equations(pool, route.steps)
+        return Derivation(pool, steps, route.alternatives)
+    found = _by_polynomial(with_inverse_forms(pool), chain)
+    if found is not None:
+        return found
     if numerical:
         return Derivation(pool, (), (), numerical_kernel(chain, redundant=False))
     raise UnsolvedError(refusal(closed, chain))
+
+
+def _by_polynomial(pool: Pool, chain: Chain) -> Derivation | None:
+    """By steps of which one is a quartic, or by a general algorithm."""
+    if not is_better_polished(chain):
+        for route in Search(pool, QUARTIC).routes():
+            return Derivation(pool, route.steps, route.alternatives)
+    kernel = general_kernel(chain)
+    return None if kernel is None else Derivation(pool, (), (), kernel)

@@ -90,6 +90,11 @@ class Form:
         return set(self.terms) <= {tuple(sorted(monomial)) for monomial in allowed}
 
 
+def unknown_name(unknown: Unknown) -> str:
+    """How a message calls an angle sum or a length."""
+    return f"theta{unknown.suffix}" if isinstance(unknown, AngleSum) else unknown.name
+
+
 def common_angle_and_length(forms: Sequence[Form]) -> tuple[AngleSum, Length] | str:
     """The unknowns of both equations, or why they are not one angle and one length."""
     first, second = forms

@@ -50,7 +50,7 @@ def surplus(chain: Chain) -> Surplus:
     """What the task leaves open at every pose, the free joints or the arm angle held."""
     source = np.random.default_rng(3)
     arm = numeric_arm(chain)
-    solved = [joint.number for joint in chain.joints if joint.number not in chain.free]
+    solved = [joint.number for joint in chain.solved]
     moving = np.ones(len(solved), dtype=bool)
     count = len(solved)
     for _ in range(POSITIONS if solved else 0):
@@ -68,23 +68,32 @@ def surplus(chain: Chain) -> Surplus:
 
 
 def task_jacobian(arm: NumericArm, q: Array) -> Array:
-    """How the numbers that the task names change with the joints, lengths in arm sizes."""
+    """How the numbers that the task names change with the joints, lengths in arm sizes.
+
+    Args:
+        arm: The arm.
+        q: Joint values (..., n).
+
+    Returns:
+        Shape (..., m, n).
+    """
     chain = arm.chain
     full = arm.jacobian(q)
-    full[:3] /= chain.size
+    full[..., :3, :] /= chain.size
+    position, rotation = full[..., :3, :], full[..., 3:, :]
     match chain.task.kind:
         case TaskKind.POSE:
             return full
         case TaskKind.POSITION:
-            return full[:3]
+            return position
         case TaskKind.ORIENTATION:
-            return full[3:]
+            return rotation
         case TaskKind.POINTING:
-            # two directions normal to the tool's z
-            across = np.linalg.svd(arm.pose(q)[:3, 2:3])[0][:, 1:]
-            return np.vstack([full[:3], across.T @ full[3:]])
+            # of the rotations those about the tool's x and y
+            across = np.swapaxes(arm.pose(q)[..., :3, :2], -1, -2)
+            return np.concatenate([position, across @ rotation], axis=-2)
         case TaskKind.COORDINATES:
-            return full[["xyz".index(name) for name in chain.task.coordinates]]
+            return position[..., ["xyz".index(name) for name in chain.task.coordinates], :]
 
 
 def crowded_axes(chain: Chain) -> list[str]:
@@ -93,11 +102,7 @@ def crowded_axes(chain: Chain) -> list[str]:
     Three joints already do whatever turns about parallel axes do, or about one point.
     """
     directions, points = numeric_arm(chain).axes(np.zeros(chain.dof))
-    turning = [
-        j.number
-        for j in chain.joints
-        if j.kind is JointKind.REVOLUTE and j.number not in chain.free
-    ]
+    turning = [j.number for j in chain.solved if j.kind is JointKind.REVOLUTE]
     parallel, same = [], []
     for pair in pairwise(turning):
         first, second = (number - 1 for number in pair)

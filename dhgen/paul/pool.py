@@ -28,7 +28,7 @@ Vector = tuple["Polynomial", "Polynomial", "Polynomial"]
 Matrix = tuple[int, int, bool, bool]  # m, k, inverse, shoulder: which form it is
 Line = tuple[Matrix, str, int]  # of which matrix, "row" or "column", its number
 
-
+MOMENT = 0  # in place of a column: column 3 x column 4
 MOST_SQUARED = 4  # angles and lengths in a squared distance: with more it comes too late to help
 
 
@@ -41,7 +41,7 @@ class Origin:
         k: Joints moved from the right begin at k + 1: (A_{k+1} ... A_n)^-1.
         dof: n.
         row: From 1; 0 for the squared length of column 4.
-        column: From 1 to 4.
+        column: From 1 to 4; `MOMENT` for an element of column 3 x column 4.
         inverse: Whether it stands in the inverted form (A_{k+1} ... A_n) U_0^-1 (A_1 ... A_m).
         shoulder: Whether the rotation B of the joints before the elbow, which the arm angle gives,
             stands for U_0; then n is their number.
@@ -77,6 +77,8 @@ class Origin:
             matrix += f" ({moved})^-1 " if self.k + 1 < self.dof else f" {moved}^-1 "
         if self.row == 0:
             return f"the squared length of column 4 of {matrix.rstrip()}"
+        if self.column == MOMENT:
+            return f"{matrix}[3] x {matrix}[4], element {self.row}"
         return f"{matrix}[{self.row}, {self.column}]"
 
 
@@ -193,7 +195,7 @@ def build_pool(problem: Problem) -> Pool:
             equations += _entries(m, k, dof, moved, middle)
             origin = Origin(m, k, dof, 0, 4)
             equations += _squared_length(problem, origin, (left, rights[k]), steps[k], middle)
-    withheld = _Withheld(problem)
+    withheld = Withheld(problem)
     usable = (e for e in equations if e.difference and not withheld(e.difference))
     return Pool(problem, merged(usable), tuple(points))
 
@@ -222,7 +224,7 @@ def _moved_right(problem: Problem, step: Transform, points: list[Point]) -> Tran
     algebra = problem.algebra
     moved = compose(problem.target, step, algebra.normal)
     in_tool = step.translation
-    hidden = any(map(_Withheld(problem), moved.translation))
+    hidden = any(map(Withheld(problem), moved.translation))
     if hidden or not any(in_tool) or any(_uses_joints(problem, entry) for entry in in_tool):
         return moved
     for point in points:
@@ -340,12 +342,13 @@ def moving_parts(algebra: Algebra, vector: tuple[Polynomial, ...]) -> set[str]:
     return {names[place] for place in used if place in names}
 
 
-class _Withheld:
-    """Whether a polynomial holds a pose entry that the task does not give."""
+class Withheld:
+    """Which pose entries the task does not give."""
 
     def __init__(self, problem: Problem) -> None:
         index = problem.algebra.index
         self._places = [index[name] for name in POSE_NAMES if name not in problem.known]
 
     def __call__(self, polynomial: Polynomial) -> bool:
+        """Whether a polynomial holds one of them."""
         return any(monomial[place] for monomial in polynomial for place in self._places)

@@ -6,10 +6,10 @@ import math
 from collections import Counter
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.arm_angle import why_no_arm_angle
-from dhgen.kinematics.neighbours import EXACT, axis_triples
+from dhgen.kinematics.neighbours import EXACT, axis_triples, missed_point, short_number
 from dhgen.paul.choices import choices_text
+from dhgen.paul.forms import unknown_name
 from dhgen.paul.mobility import crowded_axes
 from dhgen.paul.types import CLOSED
 
@@ -70,11 +70,6 @@ def _elbow_choice(chain: Chain) -> list[str]:
     if chain.free or why_no_arm_angle(chain):
         return []
     return ["  free: arm_angle gives the elbow's place on its circle instead"]
-
-
-def unknown_name(unknown: Unknown) -> str:
-    """How a message calls an angle sum or a length."""
-    return f"theta{unknown.suffix}" if isinstance(unknown, AngleSum) else unknown.name
 
 
 def _nearest(search: Search, state: Knowledge) -> list[str]:
@@ -155,12 +150,7 @@ def _describe(triple: Triple, size: float) -> str:
     if triple.miss < EXACT * size:
         return f"{axes} meet in one point"
     if triple.miss < NEARLY_CONCURRENT * size:
-        return f"{axes} miss one point by {_short(triple.miss, 4)}"
+        return missed_point(triple)
     if triple.tilt < NEARLY_PARALLEL:
-        return f"{axes} are {_short(math.degrees(triple.tilt), 3)} deg from parallel"
+        return f"{axes} are {short_number(math.degrees(triple.tilt), 3)} deg from parallel"
     return ""
-
-
-def _short(number: float, digits: int) -> str:
-    """A few digits; what is a tie in the file goes up on every machine, however it was rounded."""
-    return f"{number * (1.0 + 1e-9):.{digits}g}"

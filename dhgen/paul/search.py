@@ -21,7 +21,6 @@ from dhgen.paul.witness import build_witnesses
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge, State
     from dhgen.paul.pool import Pool
@@ -155,15 +154,13 @@ class Search:
 
 def _without_needless_silence(steps: list[Step], view: View) -> list[Step]:
     """Without X s = Z or Y c = Z whose factor may vanish where a constant factor says the same."""
-
-    def factors(step: Step) -> list[Polynomial]:
-        return [value for value in map(step.coefficient, "XY") if value]
-
-    alone = [step for step in steps if step.kind is Kind.ANGLE and len(factors(step)) == 1]
-    sure = {step.unknowns for step in alone if view.is_constant(*factors(step))}
-    silent = {
-        id(step) for step in alone if step.unknowns in sure and not view.is_constant(*factors(step))
-    }
+    alone = []
+    for step in steps:
+        factors = [step.coefficient(letter) for letter in "XY"] if step.kind is Kind.ANGLE else []
+        if sum(map(bool, factors)) == 1:
+            alone.append((step, view.is_constant(factors[0] or factors[1])))
+    sure = {step.unknowns for step, constant in alone if constant}
+    silent = {id(step) for step, constant in alone if step.unknowns in sure and not constant}
     return [step for step in steps if id(step) not in silent]
 
 

@@ -71,6 +71,8 @@ class Step:
         letters: The type's letters and what they are here, in the type's order.
         roots: How many values the step gives.
         penalty: For ranking: how ill-conditioned and how long.
+        second: Of type 2 with Z = 0: another such step for the same angle, whose X and Y stay
+            where those of this one vanish.
     """
 
     kind: Kind
@@ -79,6 +81,7 @@ class Step:
     letters: tuple[tuple[str, Polynomial | Products], ...]
     roots: int
     penalty: int
+    second: Step | None = None
 
     @property
     def origins(self) -> tuple[Origin, ...]:

@@ -55,7 +55,7 @@ class Witnesses:
     def evaluate(self, polynomial: Polynomial) -> Values:
         """The polynomial on every witness, shape (COUNT,)."""
         if polynomial not in self._values:
-            self._values[polynomial] = np.sum(_terms(polynomial, self.values), axis=0)
+            self._values[polynomial] = np.sum(terms_on(polynomial, self.values), axis=0)
         return self._values[polynomial]
 
     def vanishes(self, polynomial: Polynomial) -> bool:
@@ -63,7 +63,7 @@ class Witnesses:
         if not polynomial:
             return True
         if polynomial not in self._seen:
-            terms = _terms(polynomial, self.values)
+            terms = terms_on(polynomial, self.values)
             sizes = np.sum(np.abs(terms), axis=0)
             small = np.abs(np.sum(terms, axis=0)) <= VANISHING * sizes
             self._seen[polynomial] = bool(np.any(small))
@@ -81,7 +81,7 @@ class Witnesses:
     def _loosely(self, polynomial: Polynomial) -> Values:
         """The polynomial where the pose belongs to no configuration, shape (LOOSE,)."""
         if polynomial not in self._loose_values:
-            self._loose_values[polynomial] = np.sum(_terms(polynomial, self.loose), axis=0)
+            self._loose_values[polynomial] = np.sum(terms_on(polynomial, self.loose), axis=0)
         return self._loose_values[polynomial]
 
     def sum_vanishes(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
@@ -95,7 +95,7 @@ class Witnesses:
     def _size(self, polynomial: Polynomial) -> Values:
         """The sum of the sizes of a polynomial's terms on every witness."""
         if polynomial not in self._sizes:
-            self._sizes[polynomial] = np.sum(np.abs(_terms(polynomial, self.values)), axis=0)
+            self._sizes[polynomial] = np.sum(np.abs(terms_on(polynomial, self.values)), axis=0)
         return self._sizes[polynomial]
 
     def stay_apart(self, *polynomials: Polynomial) -> bool:
@@ -122,7 +122,7 @@ class Witnesses:
             values[self._places(angle)] = corners[:, number].T
         common = np.ones(len(corners), dtype=bool)
         for polynomial in polynomials:
-            terms = _terms(polynomial, values)
+            terms = terms_on(polynomial, values)
             common &= np.abs(terms.sum(axis=0)) <= VANISHING * np.abs(terms).sum(axis=0)
         return not common.any()
 
@@ -130,7 +130,7 @@ class Witnesses:
         return [self.algebra.index[angle.cosine], self.algebra.index[angle.sine]]
 
 
-def _terms(polynomial: Polynomial, values: Values) -> Values:
+def terms_on(polynomial: Polynomial, values: Values) -> Values:
     """Every term on every column of `values`, shape (terms, columns)."""
     exponents = np.array(list(polynomial), dtype=np.int64).reshape(-1, len(values))
     factors = [int(c.numerator) / int(c.denominator) for c in polynomial.values()]

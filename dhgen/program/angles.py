@@ -66,6 +66,11 @@ class Angles:
         self._values[name] = self._builder.name(value, name)
         self._polynomials.solved(name)
 
+    def chosen_slide(self, joint: int, flag: Node) -> Node:
+        """The length for the seed's value, which a slide takes where the flag is true."""
+        self._free.setdefault(joint, []).append(flag)
+        return self._joints.seed(joint)
+
     def take_given(self, joint: int) -> None:
         """The caller gives the value of this joint."""
         value = self._joints.given(joint)

@@ -11,8 +11,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import SHOULDER_NAMES
+from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
+from dhgen.paul.arm_plane import SHOULDER
 from dhgen.program.forward import Walk
+from dhgen.program.scales import FREE_LIMIT
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.program.vectors import chosen, cross, inner, length, minus, plus, scaled
 
@@ -39,17 +41,30 @@ def lower_shoulder(context: Lowering, plane: ArmPlane, wrist: Vector) -> dict[st
         wrist: The wrist in the base frame.
     """
     builder = context.builder
-    in_base = _base_vectors(context, plane, wrist)
+    w = minus(builder, wrist, _lowered(context, plane.shoulder))
+    in_base = _base_vectors(context, plane, w)
     in_three = _link_vectors(context, plane)
+    folded = _folded(context, w) if plane.folds else None
     found: dict[str, Node] = {}
     for row, names in enumerate(SHOULDER_NAMES):
         for column, name in enumerate(names):
             entry = inner(builder, [v[row] for v in in_base], [v[column] for v in in_three])
+            if folded is not None:
+                held = context.at_seed(plane.rotation[row][column])
+                entry = builder.select(folded, held, entry)
             found[name] = builder.name(entry, name.replace("__", ""))
     return found
 
 
-def _base_vectors(context: Lowering, plane: ArmPlane, wrist: Vector) -> tuple[Vector, ...]:
+def _folded(context: Lowering, w: Vector) -> Node:
+    """Whether the wrist is in the shoulder, which may turn as it likes then: the seed says how."""
+    folded = _is_short(context, length(context.builder, w), "reach")
+    for joint in range(1, SHOULDER + 1):
+        context.angles.chosen(AngleSum(((joint, 1),)), folded)
+    return folded
+
+
+def _base_vectors(context: Lowering, plane: ArmPlane, w: Vector) -> tuple[Vector, ...]:
     """Along the arm, towards the elbow, and across, in the base frame."""
     builder = context.builder
     first = _lowered(context, plane.first)
@@ -57,7 +72,6 @@ def _base_vectors(context: Lowering, plane: ArmPlane, wrist: Vector) -> tuple[Ve
     across = cross(builder, first, axis)
     if context.normal(plane.first[plane.reference]):  # not at right angles
         across = scaled(builder, builder.div(builder.integer(1), length(builder, across)), across)
-    w = minus(builder, wrist, _lowered(context, plane.shoulder))
     along = _unit(context, w, first if plane.folds else None, "reach")
     reference = cross(builder, along, first)
     size = builder.name(length(builder, reference), "lean")
@@ -109,11 +123,16 @@ def _unit(context: Lowering, vector: Vector, instead: Vector | None, name: str) 
     one = builder.integer(1)
     if instead is None:
         return scaled(builder, builder.div(one, size), vector)
-    limit = context.scales.tolerance(context.scales.tolerances.free, 1, "free")
-    none = builder.name(builder.apply("at_most", size, limit), f"no_{name}")
+    none = _is_short(context, size, name)
     vector = scaled(builder, builder.div(one, builder.select(none, one, size)), vector)
     other = scaled(builder, builder.div(one, length(builder, instead)), instead)
     return chosen(builder, none, other, vector)
+
+
+def _is_short(context: Lowering, size: Node, name: str) -> Node:
+    limit = context.scales.tolerance(context.scales.tolerances.free, 1, "free")
+    builder = context.builder
+    return builder.name(builder.apply("at_most", size, limit), f"no_{name}")
 
 
 def _lowered(context: Lowering, vector: tuple[Polynomial, ...]) -> Vector:
@@ -152,7 +171,7 @@ def arm_angle_program(
     reach = length(builder, w)
     reference = cross(builder, w, first)
     size = length(builder, reference)
-    least = builder.constant("free_limit", tolerances.free, "a length that fixes no angle", 0)
+    least = builder.constant(FREE_LIMIT, tolerances.free, "a length that fixes no angle", 0)
     aside = builder.apply("at_most", size, builder.mul(least, reach))
     b = chosen(builder, aside, across, reference)
     a = cross(builder, b, w)

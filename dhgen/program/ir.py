@@ -202,7 +202,7 @@ class AllJoints:
         chosen: The truth value that says whether a joint was indeterminate there.
         descent: Damped least squares for this arm: the whole algorithm, or where another one's
             solutions are singular.
-        general: The general 6R algorithm where it goes first.
+        general: The general algorithm where it goes first.
         given: Whether the caller gives the values of some joints.
         axes: None: the pose, the seed and the given joints decide.
     """

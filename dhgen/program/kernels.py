@@ -6,39 +6,60 @@ and Control of Robots, 2002, chapter 4); the forms without division are those of
 
 from __future__ import annotations
 
-from functools import partial
+import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.ring import constant_value
 from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind
+from dhgen.program.distances import Extremes, extremes_of, reached, squared_distance
+from dhgen.program.ir import Failure
 from dhgen.program.quartic import lower_circle
 from dhgen.program.roots import (
+    Reach,
     finish,
     finish_direction,
     is_short,
     is_short_square,
+    is_within_reach,
     keep_one,
     letters,
     named,
     remember,
     signed_root,
+    vanishes,
 )
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from fractions import Fraction
 
     from dhgen.paul.step import Step
+    from dhgen.program.distances import Distance
     from dhgen.program.graph import Node
     from dhgen.program.lower import Lowering
 
 
 def lower_length(context: Lowering, step: Step) -> None:
-    """Type 1: r = Y / X."""
+    """Type 1: r = Y / X; where X may vanish, the seed's r if Y vanishes too."""
     (unknown,) = step.unknowns
     assert isinstance(unknown, Length)
+    builder = context.builder
     y, x = letters(context, step, "Y X")
-    context.angles.solved_slide(unknown.name, context.builder.div(y, x))
+    if context.are_constant(step.coefficient("X")):
+        context.angles.solved_slide(unknown.name, builder.div(y, x))
+        return
+    degree = context.scales.degree(step.coefficient("X"))
+    free = is_short(context, builder.absolute(x), degree, str(unknown.joint))
+    near = vanishes(context, y, step.coefficient("Y"))
+    within = is_within_reach(context, y, x)
+    builder.guard(builder.select(free, near, within), Failure.REACH)
+    safe = builder.hint(builder.select(free, builder.integer(1), x), f"divisor{unknown.joint}")
+    seed = context.angles.chosen_slide(unknown.joint, free)
+    length = builder.select(free, seed, builder.div(y, safe))
+    context.angles.solved_slide(unknown.name, length)
 
 
 def lower_angle(context: Lowering, step: Step) -> None:
@@ -53,26 +74,74 @@ def lower_angle(context: Lowering, step: Step) -> None:
     if not step.coefficient("Z"):
         _lower_homogeneous(context, step, (x, y), degree)
         return
-    z = builder.name(context.lower(step.coefficient("Z")), f"Z{angle.suffix}")
     square = builder.name(builder.add(builder.square(x), builder.square(y)), f"N{angle.suffix}")
-    discriminant = builder.name(builder.sub(square, builder.square(z)), f"D{angle.suffix}")
     fixed = context.are_constant(*factors)
     free = None if fixed else is_short_square(context, square, degree, angle)
-    twice = builder.mul(builder.integer(2), builder.absolute(z))
-    limits = [
-        builder.mul(delta, builder.add(twice, delta))  # (|Z| + delta)^2 - Z^2
-        for delta in context.scales.distances(degree)
-    ]
-    inside = builder.apply("at_most", builder.neg(limits[0]), discriminant)
-    apart = builder.apply("less", limits[1], discriminant)
-    root = signed_root(context, angle, discriminant, inside, apart, free)
-    safe = square if free is None else builder.select(free, builder.integer(1), square)
+    distance = squared_distance(context, step.coefficient("Z")) if fixed else None
+    if distance is None:
+        z, reach = _by_value(context, step, square, degree)
+    else:
+        z, reach = _by_distance(context, step, distance)
+    root = signed_root(context, angle, reach, free)
+    safe = square
+    if free is not None:
+        # where the root is left out (X Z, Y Z) is to be a unit vector all the same
+        merged = builder.mul(builder.apply("sqrt", square), builder.absolute(z))
+        safe = builder.select(reach.apart, square, merged)
+        safe = builder.select(free, builder.integer(1), safe)
     builder.hint(safe, f"divisor{angle.suffix}")
     inverse = builder.hint(builder.div(builder.integer(1), safe), f"inverse{angle.suffix}")
     sine = builder.add(builder.mul(x, z), builder.mul(y, root))
     cosine = builder.sub(builder.mul(y, z), builder.mul(x, root))
     finish(context, angle, builder.mul(cosine, inverse), builder.mul(sine, inverse), free)
     remember(context, step, angle, z, root)
+
+
+def _by_value(context: Lowering, step: Step, square: Node, degree: int) -> tuple[Node, Reach]:
+    """Z, and D = X^2 + Y^2 - Z^2."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    builder = context.builder
+    z = builder.name(context.lower(step.coefficient("Z")), f"Z{angle.suffix}")
+    discriminant = builder.name(builder.sub(square, builder.square(z)), f"D{angle.suffix}")
+    twice = builder.mul(builder.integer(2), builder.absolute(z))
+    reach, merge, blur = (
+        builder.mul(delta, builder.add(twice, delta))  # (|Z| + delta)^2 - Z^2
+        for delta in context.scales.distances(degree)
+    )
+    return z, _within(context, discriminant, (reach, merge, blur))
+
+
+def _by_distance(context: Lowering, step: Step, distance: Distance) -> tuple[Node, Reach]:
+    """The same for Z = k |v|^2 + C: D = k^2 (H - |v|^2) (|v|^2 - L)."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    builder = context.builder
+    square = builder.name(distance.square, f"V{angle.suffix}")
+    factor = _ratio(context, distance.factor)
+    z = builder.add(builder.mul(factor, square), context.lower(distance.rest))
+    builder.name(z, f"Z{angle.suffix}")
+    ends = extremes_of(context, distance, step.coefficient("X"), step.coefficient("Y"))
+    reach = reached(context, square, ends, angle.suffix)
+    scaled = builder.mul(_ratio(context, distance.factor**2), reach.discriminant)
+    return z, replace(reach, discriminant=scaled)
+
+
+def _within(context: Lowering, discriminant: Node, limits: tuple[Node, Node, Node]) -> Reach:
+    """What is known of D by what rounding may add to it."""
+    builder = context.builder
+    reach, merge, blur = limits
+    return Reach(
+        discriminant,
+        inside=builder.apply("at_most", builder.neg(reach), discriminant),
+        apart=builder.apply("less", merge, discriminant),
+        clear=builder.apply("less", blur, discriminant),
+    )
+
+
+def _ratio(context: Lowering, value: Fraction) -> Node:
+    builder = context.builder
+    return builder.div(builder.integer(value.numerator), builder.integer(value.denominator))
 
 
 def _lower_homogeneous(
@@ -82,10 +151,10 @@ def _lower_homogeneous(
     (angle,) = step.unknowns
     assert isinstance(angle, AngleSum)
     builder = context.builder
-    x, y = vector
+    x, y = vector if step.second is None else _lengthened(context, vector, step.second, degree)
     square = builder.add(builder.square(x), builder.square(y))
     length = builder.name(builder.apply("sqrt", square), f"w{angle.suffix}")
-    free = is_short(context, length, degree, angle)
+    free = is_short(context, length, degree, angle.suffix)
     sign = context.new_sign()
     keep_one(context, sign, free)
     factor = _over(context, sign, length, free, angle.suffix)
@@ -94,8 +163,29 @@ def _lower_homogeneous(
         finish_direction(context, angle, direction, length, free)
     else:
         finish(context, angle, *direction, free)
-    root = builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
-    remember(context, step, angle, builder.integer(0), root)
+    if step.second is None:
+        root = builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
+        remember(context, step, angle, builder.integer(0), root)
+
+
+def _lengthened(
+    context: Lowering, vector: tuple[Node, Node], second: Step, degree: int
+) -> tuple[Node, Node]:
+    """(X, Y) and the same of a second equation, turned to the same side: short only with both."""
+    builder = context.builder
+    (angle,) = second.unknowns
+    assert isinstance(angle, AngleSum)
+    (x, y), (u, v) = (
+        vector,
+        (
+            builder.hint(context.lower(second.coefficient(name)), named(f"{name}2", angle.suffix))
+            for name in "XY"
+        ),
+    )
+    power = degree - context.scales.degree(*(second.coefficient(name) for name in "XY"))
+    along = builder.add(builder.mul(x, u), builder.mul(y, v))
+    weight = builder.apply("copysign", context.scales.weight(power), along)
+    return builder.add(x, builder.mul(weight, u)), builder.add(y, builder.mul(weight, v))
 
 
 def _over(context: Lowering, sign: Node, length: Node, free: Node, suffix: str) -> Node:
@@ -154,7 +244,7 @@ def lower_polar(context: Lowering, step: Step) -> None:
     u, v = builder.div(y1, x1), builder.div(y2, x2)
     length = builder.apply("sqrt", builder.add(builder.square(u), builder.square(v)))
     length = builder.name(length, f"w{unknown.joint}")
-    free = is_short(context, length, 1, angle)
+    free = is_short(context, length, 1, angle.suffix)
     sign = context.new_sign()
     keep_one(context, sign, free)
     factor = _over(context, sign, length, free, angle.suffix)
@@ -180,13 +270,12 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
     b = builder.name(builder.add(builder.mul(v1, w1), builder.mul(v2, w2)), f"B{unknown.joint}")
     off = builder.sub(builder.mul(v1, w2), builder.mul(v2, w1))
     discriminant = builder.name(builder.sub(a, builder.square(off)), f"D{unknown.joint}")
-    reach, merge = (
+    reach, merge, blur = (
         builder.mul(builder.mul(builder.integer(2), a), delta)
         for delta in context.scales.distances(0)
     )
-    inside = builder.apply("at_most", builder.neg(reach), discriminant)
-    apart = builder.apply("less", merge, discriminant)
-    root = signed_root(context, angle, discriminant, inside, apart)
+    within = _within(context, discriminant, (reach, merge, blur))
+    root = signed_root(context, angle, within)
     r = builder.name(builder.div(builder.sub(root, b), a), unknown.name)
     context.angles.solved_slide(unknown.name, r)
     sine = builder.add(v1, builder.mul(w1, r))
@@ -212,19 +301,14 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
     x, y, n = letters(context, step, "X Y N")
     k = builder.name(builder.sub(reach, n), f"K{angle.suffix}")
     square = builder.add(builder.square(x), builder.square(y))
-    extremes = partial(context.scales.extreme_reach, step, angle.suffix)
-    longest, shortest = extremes("square of the {} reach")
-    discriminant = builder.mul(builder.sub(longest, reach), builder.sub(reach, shortest))
-    builder.name(discriminant, f"D{angle.suffix}")
-    far, near = extremes("the {}, with what rounding adds", context.scales.tolerances.reach)
-    inside = builder.apply(
-        "and", builder.apply("at_most", near, reach), builder.apply("at_most", reach, far)
+    v, w = (
+        math.hypot(
+            *(constant_value(context.algebra, step.coefficient(letter + part)) for part in "12")
+        )
+        for letter in "VW"
     )
-    below, above = extremes("the {}, where branches merge", -context.scales.tolerances.merge)
-    apart = builder.apply(
-        "and", builder.apply("less", above, reach), builder.apply("less", reach, below)
-    )
-    root = signed_root(context, angle, discriminant, inside, apart)
+    ends = Extremes(v + w, abs(v - w))
+    root = signed_root(context, angle, reached(context, reach, ends, angle.suffix))
     if builder.is_zero(x):
         sine, cosine = builder.div(root, y), builder.div(k, y)
     else:

@@ -10,6 +10,7 @@ import numpy as np
 from dhgen.kinematics.algebra import POSE_NAMES, AngleSum
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.branches import branch_words
+from dhgen.paul.forms import unknown_name
 from dhgen.paul.problem import task_entries
 from dhgen.paul.step import Kind
 from dhgen.program.angles import Angles
@@ -26,10 +27,10 @@ from dhgen.program.tolerances import TOLERANCES
 from dhgen.program.whole import whole_program
 
 if TYPE_CHECKING:
+    from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
-    from dhgen.paul.forms import Unknown
     from dhgen.paul.step import Step
     from dhgen.program.graph import Node
     from dhgen.program.ir import Program
@@ -140,6 +141,10 @@ class Lowering:
         """The value of a polynomial."""
         return self.polynomials.lower(polynomial)
 
+    def at_seed(self, polynomial: Polynomial) -> Node:
+        """The value of a polynomial where the joints have the seed's values."""
+        return PolynomialLowering(self._algebra, self.builder, self._seed_value).lower(polynomial)
+
     @property
     def may_be_lost(self) -> bool:
         """Whether a later step may find a branch out of reach."""
@@ -152,6 +157,11 @@ class Lowering:
     def redundant(self) -> bool:
         """Whether poses may be given that the arm can't take."""
         return self._problem.redundant
+
+    @property
+    def algebra(self) -> Algebra:
+        """The arm and its ring."""
+        return self._algebra
 
     @property
     def chain(self) -> Chain:
@@ -169,6 +179,14 @@ class Lowering:
     def generators(self, angle: AngleSum) -> tuple[Polynomial, Polynomial]:
         """Sine and cosine of an angle sum as ring elements."""
         return self._algebra.generator(angle.sine), self._algebra.generator(angle.cosine)
+
+    def _seed_value(self, name: str) -> Node:
+        for angle in self._algebra.angles:
+            if name == angle.cosine:
+                return self.builder.apply("cos", self.angles.seed(angle))
+            if name == angle.sine:
+                return self.builder.apply("sin", self.angles.seed(angle))
+        return self.value(name)
 
     def _make(self, name: str) -> Node:
         if name in self._constants:
@@ -230,13 +248,10 @@ class Lowering:
 
 
 def _unknowns(step: Step) -> str:
-    return ", ".join(_label(unknown) for unknown in step.unknowns)
+    return ", ".join(unknown_name(unknown) for unknown in step.unknowns)
 
 
 def _source(step: Step) -> str:
     """The type, and where its equations stand."""
-    return f"type {step.kind.value}: {' and '.join(origin.name for origin in step.origins)}"
-
-
-def _label(unknown: Unknown) -> str:
-    return f"theta{unknown.suffix}" if isinstance(unknown, AngleSum) else unknown.name
+    origins = step.origins if step.second is None else (*step.origins, *step.second.origins)
+    return f"type {step.kind.value}: {' and '.join(origin.name for origin in origins)}"

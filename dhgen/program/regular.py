@@ -30,6 +30,7 @@ from dhgen.program.ir import (
     Variable,
 )
 from dhgen.program.limits import Limiting
+from dhgen.program.scales import FREE_LIMIT
 from dhgen.program.signed import Signed, SignedArithmetic
 from dhgen.program.tolerances import TOLERANCES
 
@@ -39,7 +40,6 @@ if TYPE_CHECKING:
     from dhgen.program.limits import Limits
     from dhgen.program.tolerances import Tolerances
 
-FREE = "free_limit"  # what the names of limits begin with below which a joint is free
 FOLDED = "m"  # what the names of constants made here begin with
 
 
@@ -120,7 +120,7 @@ class _Regular:
         for c in self._program.constants:
             node = builder.constant(c.name, c.value, c.meaning, c.power, derived=c.derived)
             self._values[c.name] = Signed(node)
-            if c.name.startswith(FREE):
+            if c.name.startswith(FREE_LIMIT):
                 self._widen(c)
         for axis in self._program.axes:
             sign = builder.sign(axis.meaning, axis.step)
@@ -227,10 +227,22 @@ class _Regular:
 
     def _meet(self, guard: Guard) -> None:
         """Branches that meet at a pose that is in reach are a doubt."""
-        met = self._truth(_met(guard))
+        met = self._truth(self._sharp(_met(guard)))
         if self._reached is not None:
             met = self._builder.apply("and", self._truth(self._reached.condition), met)
         self._doubts.append(met)
+
+    def _sharp(self, met: Expression) -> Expression:
+        """Without what needs an angle that is good to few digits: that is a doubt by itself."""
+        match met:
+            case Apply("or", (rest, Apply("and", (Variable(name), _)))) if (
+                name in self._program.near
+            ):
+                return self._sharp(rest)
+            case Apply("or", (rest, free)):
+                return Apply("or", (self._sharp(rest), free))
+            case _:
+                return met
 
     def _consistent(self, condition: Expression) -> list[Node]:
         """What must hold for the arm to take the pose, unless it does by an identity.
@@ -401,6 +413,6 @@ def _wide(name: str) -> str:
 def _widened(condition: Expression) -> Expression:
     """x <= limit with a wider limit, where it is one below which a joint is free."""
     match condition:
-        case Apply("at_most", (value, Variable(name))) if name.startswith(FREE):
+        case Apply("at_most", (value, Variable(name))) if name.startswith(FREE_LIMIT):
             return Apply("at_most", (value, Variable(_wide(name))))
     return condition

@@ -33,13 +33,14 @@ only_four only_wide minimum_double
 
 _PYTHON = """
 BRANCHES DOF FREE_JOINT FREE_JOINTS INVALID_POSE JOINT_LIMITS JOINT_TYPES MAX_SOLUTIONS NAME OK
-OUT_OF_LIMITS UNREACHABLE Unreachable alloca_once carray intrinsic math njit np room types
+OUT_OF_LIMITS UNREACHABLE Unreachable carray cgutils intrinsic math njit np room types warm_up
 """
 
 # What else Python needs at file level beside the arm's constants, or has as locals where their
 # formulas are.
 _BESIDE_CONSTANTS = """
-ImportError METHOD ThreadPoolExecutor ValueError exact first hasattr os rest u v w work x0 x1 x2 y2
+ImportError METHOD ModuleType ThreadPoolExecutor ValueError config exact first hasattr
+normalize_signature os rest sys u v w work x0 x1 x2 y2
 """
 _NUMBERED = re.compile(r"(given|kind|packed)\d+")
 

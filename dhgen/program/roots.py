@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.program.ir import Failure
 
 if TYPE_CHECKING:
+    from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step
     from dhgen.program.graph import Node
     from dhgen.program.lower import Lowering
@@ -28,31 +30,45 @@ def named(letter: str, suffix: str) -> str:
     return f"{letter}_{suffix}" if letter[-1].isdigit() else letter + suffix
 
 
-def signed_root(
-    context: Lowering,
-    angle: AngleSum,
-    discriminant: Node,
-    inside: Node,
-    apart: Node,
-    free: Node | None = None,
-) -> Node:
+@dataclass(frozen=True, slots=True)
+class Reach:
+    """What a square root is taken of, and what is known of its sign.
+
+    Attributes:
+        discriminant: D.
+        inside: Whether D is not negative, up to rounding.
+        apart: Whether D is positive beyond rounding: the roots are two.
+        clear: The same beyond rounding of what is good to few digits.
+    """
+
+    discriminant: Node
+    inside: Node
+    apart: Node
+    clear: Node
+
+
+def signed_root(context: Lowering, angle: AngleSum, reach: Reach, free: Node | None = None) -> Node:
     """e sqrt(D): the guard for D < 0, the new sign, and the guard where both roots meet.
+
+    Beside a place where an earlier angle is good to few digits only, roots that meet come out a
+    little apart; they are then told once, as they are.
 
     Args:
         context: The program in the making.
         angle: For names.
-        discriminant: D.
-        inside: Whether D is not negative, up to rounding.
-        apart: Whether D is positive beyond rounding: the roots are two.
+        reach: D.
         free: Whether the step fixes nothing, so that one root is enough.
     """
     builder = context.builder
-    builder.guard(inside, Failure.REACH, discriminant, context.angles.options())
-    builder.name(apart, f"apart{angle.suffix}")
-    kept = builder.select(apart, discriminant, builder.integer(0))
+    builder.guard(reach.inside, Failure.REACH, reach.discriminant, context.angles.options())
+    apart = builder.name(reach.apart, f"apart{angle.suffix}")
+    kept = builder.select(apart, reach.discriminant, builder.integer(0))
     length = builder.name(builder.apply("sqrt", kept), f"w{angle.suffix}")
     sign = context.new_sign()
     met = builder.apply("not", apart)
+    for near in context.angles.near:
+        blurred = builder.apply("and", near, builder.apply("not", reach.clear))
+        met = builder.apply("or", met, blurred)
     keep_one(context, sign, met if free is None else builder.apply("or", met, free))
     return builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
 
@@ -65,11 +81,11 @@ def keep_one(context: Lowering, sign: Node, met: Node) -> None:
     builder.guard(keep, Failure.MERGED)
 
 
-def is_short(context: Lowering, length: Node, degree: int, angle: AngleSum) -> Node:
-    """Whether a vector is too short to fix an angle."""
+def is_short(context: Lowering, length: Node, degree: int, suffix: str) -> Node:
+    """Whether a vector is too short to fix an angle, or a factor too small to fix a length."""
     limit = context.scales.tolerance(context.scales.tolerances.free, degree, "free")
     short = context.builder.apply("at_most", length, limit)
-    return context.builder.name(short, f"free{angle.suffix}")
+    return context.builder.name(short, f"free{suffix}")
 
 
 def is_short_square(context: Lowering, square: Node, degree: int, angle: AngleSum) -> Node:
@@ -77,6 +93,27 @@ def is_short_square(context: Lowering, square: Node, degree: int, angle: AngleSu
     limit = context.scales.tolerance(context.scales.tolerances.free**2, 2 * degree, "free_square")
     short = context.builder.apply("at_most", square, limit)
     return context.builder.name(short, f"free{angle.suffix}")
+
+
+def vanishes(context: Lowering, value: Node, of: Polynomial) -> Node:
+    """Whether an equation holds without its unknown.
+
+    As well as the task allows where the pose is checked at the end, up to rounding otherwise.
+    """
+    scales = context.scales
+    tolerances = scales.tolerances
+    kind = "consistent" if context.redundant else "free"
+    relative = tolerances.consistent if context.redundant else tolerances.free
+    limit = scales.tolerance(relative, scales.degree(of), kind)
+    return context.builder.apply("at_most", context.builder.absolute(value), limit)
+
+
+def is_within_reach(context: Lowering, value: Node, factor: Node) -> Node:
+    """Whether |value / factor| is not longer than any slide."""
+    scales, builder = context.scales, context.builder
+    longest = scales.tolerance(scales.tolerances.longest, 1, "longest")
+    product = builder.mul(longest, builder.absolute(factor))
+    return builder.apply("at_most", builder.absolute(value), product)
 
 
 def finish(

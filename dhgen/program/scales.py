@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
-
-from dhgen.kinematics.ring import constant_value
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.pool import Pool
-    from dhgen.paul.step import Step
     from dhgen.program.builder import Builder
+    from dhgen.program.distances import Extremes
     from dhgen.program.graph import Node
     from dhgen.program.tolerances import Tolerances
 
+FREE_LIMIT = "free_limit"  # below it a joint is free; its squares begin with it, too
+
 _NAMES = {
-    "free": ("free_limit", "a length that fixes no angle"),
-    "free_square": ("free_limit_squared", "square of a length that fixes no angle"),
+    "free": (FREE_LIMIT, "a length that fixes no angle"),
+    "free_square": (f"{FREE_LIMIT}_squared", "square of a length that fixes no angle"),
     "near": ("near_limit", "a length whose direction is good to few digits"),
     "double": ("double_root", "a polynomial's value at a root, relative to its coefficients"),
     "reach": ("reach_slack", "rounding at the boundary of the workspace"),
     "merge": ("merge_slack", "nearer to that boundary two branches are one"),
+    "blur": ("blur_slack", "the same where they follow an angle that is good to few digits"),
+    "longest": ("longest_slide", "no slide is longer"),
     "consistent": ("pose_slack", "a pose may be rounded by this"),
 }
 
@@ -52,10 +53,20 @@ class Scales:
         value = relative * self._size**degree
         return self._builder.constant(f"{name}{degree or ''}", value, meaning, degree)
 
-    def distances(self, degree: int) -> tuple[Node, Node]:
-        """What rounding may do to a value of this many lengths: for reaching, and for merging."""
-        reach = self.tolerance(self.tolerances.reach, degree, "reach")
-        return reach, self.tolerance(self.tolerances.merge, degree, "merge")
+    def weight(self, power: int) -> Node:
+        """The arm's size to a power: what makes values of different degrees comparable."""
+        value = self._size**power
+        return self._builder.constant("second_weight", value, "lengths count in arm sizes", power)
+
+    def distances(self, degree: int) -> tuple[Node, Node, Node]:
+        """What rounding may do to a value of this many lengths.
+
+        For reaching, for merging, and for merging what is blurred.
+        """
+        tolerances = self.tolerances
+        reach = self.tolerance(tolerances.reach, degree, "reach")
+        merge = self.tolerance(tolerances.merge, degree, "merge")
+        return reach, merge, self.tolerance(tolerances.blur, degree, "blur")
 
     def degree(self, *polynomials: Polynomial) -> int:
         """How many lengths are multiplied in these polynomials (0 for the zero polynomial)."""
@@ -67,26 +78,21 @@ class Scales:
         return max(degrees, default=0)
 
     def extreme_reach(
-        self, step: Step, suffix: str, meaning: str, widened: float = 0.0
+        self, ends: Extremes, suffix: str, meaning: str, kind: str = "", widened: float = 0.0
     ) -> tuple[Node, Node]:
-        """Squares of the longest and shortest |V + W| of two links V and W that turn freely.
+        """Squares of the longest and shortest distance that two links allow.
 
         Args:
-            step: The step, with V and W made of lengths alone.
+            ends: The distances.
             suffix: The angle's, for names.
             meaning: For comments; {} is longest or shortest.
-            widened: By how much both reaches are moved apart [arm sizes].
+            kind: What for, where they are moved; for names.
+            widened: By how much both are moved apart [arm sizes].
         """
-        v, w = (
-            math.hypot(
-                *(constant_value(self._algebra, step.coefficient(letter + part)) for part in "12")
-            )
-            for letter in "VW"
-        )
         move = widened * self._size
-        tail = {0.0: ""}.get(widened, "_reach" if widened > 0.0 else "_apart")
-        longest = max(v + w + move, 0.0) ** 2
-        shortest = max(abs(v - w) - move, 0.0) ** 2
+        tail = f"_{kind}" if kind else ""
+        longest = max(ends.longest + move, 0.0) ** 2
+        shortest = max(ends.shortest - move, 0.0) ** 2
         constant = self._builder.constant
         return (
             constant(f"longest{suffix}{tail}", longest, meaning.format("longest"), 2),

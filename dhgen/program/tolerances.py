@@ -23,6 +23,7 @@ class Tolerances:
             folded, lands there by rounding.
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
             rounding, so that a stretched arm is one solution, not two that differ by 1e-8.
+        blur: The same where an angle before them is good to few digits only.
         orthonormal: The sum of squares by which a rotation misses orthonormality, up to which it
             is taken as it is.
         rotation: The same, up to which it is replaced by the nearest rotation: a pose in single
@@ -30,6 +31,8 @@ class Tolerances:
         last_row: The last row of a pose may differ from 0 0 0 1 by this.
         consistent: A pose that has more entries than the arm has joints may miss by this: it
             may have been rounded to six digits.
+        longest: Where the factor of a slide nearly vanishes, a length above this is no solution:
+            its last digits are worth more than rounding of a pose.
         limit: A joint value may miss its limit by this: rounding of the angle itself.
         double: An extremum of a polynomial this near to zero, relative to its coefficients, is a
             double root: rounding of the coefficients may move it either way.
@@ -41,10 +44,12 @@ class Tolerances:
     near: float = 1e-3
     reach: float = 1e-13
     merge: float = 1e-14
+    blur: float = 1e-11
     orthonormal: float = 1e-24
     rotation: float = 1e-9
     last_row: float = 1e-9
     consistent: float = 1e-5
+    longest: float = 1e4
     limit: float = 1e-9
     double: float = 1e-13
     simple: float = 1e-4
@@ -80,6 +85,7 @@ SINGLE = Precision(
         free=2e-5,
         reach=1e-6,
         merge=1e-7,
+        blur=1e-5,
         orthonormal=1e-12,
         last_row=1e-6,
         limit=2e-6,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhgen.general.kernel import GeneralKernel
@@ -20,7 +21,7 @@ def whole_program(chain: Chain, kernel: GeneralKernel | NumericalKernel) -> Prog
     names = tuple(f"q{joint.number}" for joint in chain.joints)
     if isinstance(kernel, GeneralKernel):
         title, words = f"the {kernel.method} loop", _numbered("root", kernel.rows)
-        descent = numerical_kernel(chain, redundant=False)
+        descent = replace(numerical_kernel(chain, redundant=False), most=kernel.rows)
         statement = AllJoints(0, names, FOUND, CHOSEN, descent, kernel, bool(chain.free))
     else:
         title = "damped least squares"

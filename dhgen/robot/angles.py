@@ -12,6 +12,7 @@ from dhgen.robot.surds import Surd
 
 SNAP = 1e-9  # what is nearer than this to an exact value is taken as exact
 SLIP = 1e-3  # what is nearer than this to a multiple of pi/2 probably means it
+MOST_TURNS = 2  # an angle of more looks like degrees
 LARGEST_ANGLE = (
     1e4  # beyond, doubles are too coarse to tell a multiple of pi/12 from its neighbours
 )
@@ -80,7 +81,9 @@ def snap_notice(value: float, exact: float, meant: Expression) -> str | None:
 
 
 def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
-    """What the user is told about an angle that is nearly, but not exactly, a multiple of pi/2.
+    """What the user is told about an angle that looks like a slip.
+
+    It is nearly, but not exactly, a multiple of pi/2, or degrees where the file counts in radians.
 
     Args:
         value: The angle in radians.
@@ -88,6 +91,9 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
     """
     if not math.isfinite(value):
         return None
+    if unit == "pi" and abs(value) > MOST_TURNS * 2.0 * math.pi:
+        turns = abs(value) / (2.0 * math.pi)
+        return f"is {turns:.3g} turns: write {value:g} deg if degrees are meant"
     quarters = round(value / (math.pi / 2))
     distance = abs(value - quarters * math.pi / 2)
     if not SNAP < distance <= SLIP:

@@ -41,7 +41,7 @@ _FILES = """
 aux cmath com0 com1 com2 com3 com4 com5 com6 com7 com8 com9 complex con ctype errno fenv float
 inttypes iso646 limits locale lpt0 lpt1 lpt2 lpt3 lpt4 lpt5 lpt6 lpt7 lpt8 lpt9 math nul numba
 numpy prn setjmp signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn
-string dhgen_pose tgmath threads time uchar wchar wctype
+string dhgen_native dhgen_pose tgmath threads time uchar wchar wctype
 """
 
 # A parameter becomes a name of the generated Python, which needs these for itself.

@@ -10,7 +10,8 @@ class Answers:
     """How a solver did.
 
     Attributes:
-        method: How it works: "closed form", "quartic", "general 6R", "general 5R1P", "numerical".
+        method: How it works: "closed form", "quartic", "general 6R", "general 5R1P",
+            "general 4R2P", "numerical".
         degree: Of the highest polynomial in the tangent of half an angle.
         rows: Branches.
         cpu: From the robot file to the solver's text [s of CPU].

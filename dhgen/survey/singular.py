@@ -8,6 +8,7 @@ centres on the first axis, whatever the offsets are.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,15 +19,11 @@ from dhgen.survey.oracle.arm_angle import elbow_rates, given_values
 from dhgen.survey.oracle.forward import forward, jacobian
 from dhgen.survey.oracle.poses import NEAR, boundary, random_joints, ranges, right_angles
 from dhgen.survey.oracle.problem import state
+from dhgen.verify.singular import SINGULAR, TRIED, singular_places, whole_turns
 
 if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import Arm, FloatArray
 
-TRIED = 3  # random arms for each that is wanted: some have no singular place along the joint
-PLACES = 49  # along the joint, to see where the determinant changes its sign
-BEYOND = 0.37  # [rad]
-HALVINGS = 60
-SINGULAR = 1e-9  # least singular value, lengths in arm sizes
 STEP, CORRECTIONS = 1e-2, 20
 
 
@@ -95,36 +92,13 @@ def _singular_along(
     """Joint values whose task loses rank by one joint's value, (at most count, n)."""
     model = arm(robot).divided_by(arm_size(robot))
     scale = np.where(model.revolute, 1.0, arm_size(robot))
-    low, high = ranges(robot)[:, joint] / scale[joint]
+    low, high = ranges(robot) / scale
+    low, high = whole_turns(low, high, model.revolute)
     q = random_joints(robot, TRIED * count, seed=int(random.integers(2**31))) / scale
-    # whole turns are closed: zero and pi, where arms are straight, are to lie inside
-    beyond = BEYOND if model.revolute[joint] else 0.0
-    places = np.linspace(low + beyond, high + beyond, PLACES)
-    line = np.repeat(q[:, None], PLACES, axis=1)
-    line[:, :, joint] = places
-    sign = np.sign(_determinant(model, robot, line))
-    changes = sign[:, :-1] * sign[:, 1:] < 0
-    found, first = np.flatnonzero(changes.any(axis=1)), random.random(changes.shape)
-    # any of the changes, not always the first
-    cell = np.where(changes, first, -1.0).argmax(axis=1)[found]
-    q = q[found]
-    left, right = places[cell], places[cell + 1]
-    sign_left = sign[found, cell]
-    for _ in range(HALVINGS):
-        q[:, joint] = (left + right) / 2
-        same = np.sign(_determinant(model, robot, q)) == sign_left
-        left, right = np.where(same, q[:, joint], left), np.where(same, right, q[:, joint])
-    values = np.linalg.svd(task_jacobian(model, robot, q), compute_uv=False)[:, -1:]
-    q = q[(values < SINGULAR).all(axis=1)]
-    return np.asarray(q[:count] * scale)
-
-
-def _determinant(model: Arm, robot: Robot, q: FloatArray) -> FloatArray:
-    """Of the task's Jacobian; positive where that is not square, so that no sign changes."""
-    J = task_jacobian(model, robot, q)
-    if J.shape[-2] != J.shape[-1]:
-        return np.ones(q.shape[:-1])
-    return np.asarray(np.linalg.det(J))
+    joints = np.full(len(q), joint)
+    rates = partial(task_jacobian, model, robot)
+    _, found = singular_places(rates, q, joints, (low[joints], high[joints]), random)
+    return np.asarray(found[:count] * scale)
 
 
 def task_jacobian(model: Arm, robot: Robot, q: FloatArray) -> FloatArray:

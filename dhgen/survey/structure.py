@@ -96,10 +96,4 @@ def _across(one: Array, other: Array) -> bool:
 
 def _directions(chain: Chain) -> list[Array]:
     """Of every axis, all angles zero: what neighbours are to each other does not depend on it."""
-    reached, found = np.eye(3), []
-    for element in numeric_arm(chain).elements:
-        if isinstance(element, tuple):
-            found.append(reached[:, 2])
-        else:
-            reached = reached @ element[:3, :3]
-    return found
+    return list(numeric_arm(chain).axes(np.zeros(chain.dof))[0])

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Integer, Joint, Let, Pose, Variable
 from dhgen.targets.c_language import C
 from dhgen.targets.dialect import ATOM, CHOICE, INFIX, UNARY
+from dhgen.targets.layout import WIDTH, wrapped
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -15,6 +17,7 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Program
 
 LIBRARY = C()
+_NUMBERED = re.compile(r"(v|angle|packed)\d+")  # values without a name of the derivation's
 NEVER_SCALAR = frozenset({"atan2"})  # taken in lanes also where one would do
 _BITS = {"and": "&", "or": "|"}
 
@@ -38,6 +41,37 @@ class Text:
         return self.text if self.binds >= least else f"({self.text})"
 
 
+@dataclass(frozen=True, slots=True)
+class Declaration:
+    """A local constant."""
+
+    kind: str
+    name: str
+    value: str
+
+    @property
+    def family(self) -> tuple[str, str]:
+        """What may stand on one line: the values of all branches, or intermediate values."""
+        stem = self.name.partition("_")[0]
+        numbered = _NUMBERED.fullmatch(stem)
+        return self.kind, numbered[1] if numbered else stem
+
+
+def declared(declarations: Iterable[Declaration], indent: str) -> list[str]:
+    """Statements, those of a family on one line while it is not full."""
+    lines: list[str] = []
+    family = None
+    for each in declarations:
+        value = f"{each.name} = {each.value};"
+        alike = f"{lines[-1][:-1]}, {value}" if lines else ""
+        if each.family == family and len(alike) <= WIDTH:
+            lines[-1] = alike
+        else:
+            lines += wrapped(f"{indent}const {each.kind} {value}", indent)
+        family = each.family
+    return lines
+
+
 class LaneText:
     """Prints expressions.
 
@@ -53,13 +87,13 @@ class LaneText:
         self._lanes = {c.name: False for c in program.constants}
         self._lanes |= {axis.name: True for axis in program.axes}
 
-    def let(self, statement: Let) -> str:
-        """A statement that gives a value its name."""
+    def let(self, statement: Let) -> Declaration:
+        """What gives a value its name."""
         value = self.text(statement.expression)
         self._lanes[statement.name] = value.lanes
         scalar = "int" if statement.truth else "double"
         vector = f"{self._vector}_mask" if statement.truth else self._vector
-        return f"const {vector if value.lanes else scalar} {statement.name} = {value.text};"
+        return Declaration(vector if value.lanes else scalar, statement.name, value.text)
 
     def declare(self, name: str, *, lanes: bool) -> None:
         """A value got its name elsewhere."""
@@ -129,12 +163,6 @@ class LaneText:
         if part.lanes:
             return part
         return Text(f"where_{self._vector}({part.text})", ATOM, lanes=True)
-
-
-def lane_functions(program: Program) -> tuple[str, ...]:
-    """The functions of one number that a program needs of vectors."""
-    found = {o for o in operators(program) if o in {"sqrt", "sin", "cos", "wrap"}}
-    return tuple(sorted(found))
 
 
 def operators(program: Program) -> Iterable[str]:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Let
+from dhgen.targets.c_lanes import Declaration
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Expression
@@ -62,21 +63,21 @@ def packed_angles(lets: list[Let], places: dict[int, int]) -> list[list[Packed]]
     return vectors
 
 
-def angle_lines(vectors: list[list[Packed]], text: LaneText) -> list[str]:
-    """Statements that compute the angles under their names."""
-    lines = []
+def angle_declarations(vectors: list[list[Packed]], text: LaneText) -> list[Declaration]:
+    """What computes the angles under their names."""
+    found = []
     for number, vector in enumerate(vectors, start=1):
         if len(vector) == 1 and len(vector[0].lanes) == LANES:
-            lines.append(text.let(vector[0].let))
+            found.append(text.let(vector[0].let))
             continue
         sine, cosine = (_gathered(vector, operand, text) for operand in (0, 1))
-        lines.append(f"const four packed{number} = atan2_four({sine}, {cosine});")
+        found.append(Declaration("four", f"packed{number}", f"atan2_four({sine}, {cosine})"))
         for packed in vector:
             spread = ", ".join(map(str, packed.spread))
             value = f"__builtin_shufflevector(packed{number}, packed{number}, {spread})"
-            lines.append(f"const four {packed.let.name} = {value};")
+            found.append(Declaration("four", packed.let.name, value))
             text.declare(packed.let.name, lanes=True)
-    return lines
+    return found
 
 
 def _gathered(vector: list[Packed], place: int, text: LaneText) -> str:

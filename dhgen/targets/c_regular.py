@@ -11,11 +11,11 @@ from dhgen.program.flatten import MINUS, flatten
 from dhgen.program.ir import Apply, Heading, Let
 from dhgen.program.schedule import names_in
 from dhgen.targets.c_irregular import irregularities
-from dhgen.targets.c_lanes import LaneText, operators
+from dhgen.targets.c_lanes import LaneText, declared, operators
 from dhgen.targets.c_language import C
-from dhgen.targets.c_packing import angle_lines, packed_angles
+from dhgen.targets.c_packing import angle_declarations, packed_angles
 from dhgen.targets.c_rows import status_lines, stores
-from dhgen.targets.layout import call, listed, wrapped
+from dhgen.targets.layout import call, listed, packed, wrapped
 from dhgen.targets.scalar import pose_entries
 
 if TYPE_CHECKING:
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from dhgen.program.flatten import Choice, Flat
     from dhgen.program.ir import Expression, Program, Statement
     from dhgen.program.regular import Regular
+    from dhgen.targets.c_lanes import Declaration
     from dhgen.targets.module import SolverModule
 
 INDENT = "    "
@@ -120,16 +121,17 @@ def _row(module: SolverModule, flat: Flat, choice: Choice, lane: int) -> int:
 
 def _lets(statements: Iterable[Statement], text: LaneText) -> list[str]:
     """Values under their headings."""
-    lines: list[str] = []
-    heading = ""
+    sections: list[tuple[str, list[Declaration]]] = [("", [])]
     for statement in statements:
         if isinstance(statement, Heading):
-            heading = C().comment(statement.text)
+            sections.append((C().comment(statement.text), []))
         elif isinstance(statement, Let):
-            if heading:
-                lines += ["", INDENT + heading]
-                heading = ""
-            lines += wrapped(INDENT + text.let(statement), INDENT)
+            sections[-1][1].append(text.let(statement))
+    lines: list[str] = []
+    for heading, values in sections:
+        if heading and values:
+            lines += ["", INDENT + heading]
+        lines += declared(values, INDENT)
     return lines
 
 
@@ -152,8 +154,7 @@ def _with_angles(flat: Flat, text: LaneText) -> list[str]:
             first.append(statement)
     places = {axis: axis + 2 - len(flat.lanes) for axis in range(len(flat.lanes))}
     lines = [*_lets(first, text), ""]
-    for line in angle_lines(packed_angles(angles, places), text):
-        lines += wrapped(INDENT + line, INDENT)
+    lines += declared(angle_declarations(packed_angles(angles, places), text), INDENT)
     return [*lines, *_lets(last, text)]
 
 
@@ -164,8 +165,8 @@ def _wide(module: SolverModule, flat: Flat) -> dict[str, object]:
     dof = module.chain.dof
     for place, (choice, group) in enumerate(zip(flat.choices, flat.groups, strict=True)):
         row = _row(module, flat, choice, 0)
-        for joint, value in enumerate(group):
-            lines += wrapped(f"{INDENT}q[{dof * row + joint}] = {text.vector(value)};", INDENT)
+        values = enumerate(map(text.vector, group), start=dof * row)
+        lines += packed([f"q[{place}] = {value};" for place, value in values], INDENT)
         first = f"q[{dof * row}]"
         outside = text.mask(flat.outside[place]) if flat.outside else "0"
         lines += wrapped(f"{INDENT}kind[{row}] = kind_of({first} != {first}, {outside});", INDENT)

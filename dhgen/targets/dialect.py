@@ -91,9 +91,13 @@ def _apply(operator: str, operands: tuple[Expression, ...], dialect: Dialect) ->
                 CONJUNCTION
             )
         case "or":
-            return f"{part(0, DISJUNCTION)} {dialect.disjunction()} {part(1, DISJUNCTION + 1)}", (
-                DISJUNCTION
-            )
+            # compilers warn of an unbracketed conjunction here
+            parts = part(0, DISJUNCTION), part(1, DISJUNCTION + 1)
+            joined = [
+                f"({text})" if _text(operand, dialect)[1] == CONJUNCTION else text
+                for text, operand in zip(parts, operands, strict=True)
+            ]
+            return f"{joined[0]} {dialect.disjunction()} {joined[1]}", DISJUNCTION
         case "not":
             return f"{dialect.negation()}{part(0, UNARY)}", NEGATION
         case "select":

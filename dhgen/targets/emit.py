@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
     from dhgen.targets.module import SolverModule
 
-POSE_HELPERS = {
+HELPERS = {
+    "dhgen_native.py": "python/dhgen_native.py.jinja",
     "dhgen_pose.py": "python/dhgen_pose.py.jinja",
     "dhgen_pose.h": "c/dhgen_pose.h.jinja",
     "dhgen_pose.c": "c/dhgen_pose.c.jinja",
@@ -24,7 +25,7 @@ POSE_HELPERS = {
 def emit(
     robot: Robot, derivation: Derivation, module: SolverModule, single: SolverModule | None
 ) -> dict[str, str]:
-    """The solver in every language, the derivation, and the pose helpers that all robots share.
+    """The solver in every language, the derivation, and the helpers that all robots share.
 
     Args:
         robot: The robot file.
@@ -33,7 +34,7 @@ def emit(
         single: The same for single precision, if it is asked for: C only.
     """
     document = derivation_document(robot, derivation, module.solver, module.source)
-    helpers = {name: render(template) for name, template in POSE_HELPERS.items()}
+    helpers = {name: render(template) for name, template in HELPERS.items()}
     return {
         **python_files(module),
         **c_files(module),

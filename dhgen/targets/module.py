@@ -74,7 +74,7 @@ class SolverModule:
 
     @property
     def method(self) -> str:
-        """How it is solved: closed form, quartic, general 6R or 5R1P, numerical."""
+        """How it is solved: closed form, quartic, general 6R, 5R1P or 4R2P, numerical."""
         whole = whole_arm(self.solver)
         if whole is not None:
             return whole.method

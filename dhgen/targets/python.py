@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from dhgen.general.emit import python_rows, python_source
@@ -38,7 +39,9 @@ def python_files(module: SolverModule) -> dict[str, str]:
     flat = None if solver is None else flatten(solver)
     values = module_values(module) | _texts(module) | _bodies(module)
     values |= _flat(module, flat)
-    return {f"{module.name}.py": render("python/solver.py.jinja", **values)}
+    text = render("python/solver.py.jinja", **values, digest="")
+    digest = sha256(text.encode()).hexdigest()[:16]
+    return {f"{module.name}.py": render("python/solver.py.jinja", **values, digest=digest)}
 
 
 def _texts(module: SolverModule) -> dict[str, object]:

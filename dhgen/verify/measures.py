@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.kinematics.arm_angle import elbow_rates
 from dhgen.kinematics.numeric import NumericArm, numeric_arm
+from dhgen.paul.mobility import task_jacobian
 from dhgen.paul.problem import task_entries
 from dhgen.robot.robot import JointKind
 
@@ -60,15 +62,9 @@ class Measures:
             worst = max(worst, miss) if miss == miss else np.inf  # noqa: PLR0124 - NaN
         return worst
 
-    def conditioning(self, jacobians: list[Array]) -> float:
-        """The smallest singular value that still fixes a joint, of all rows and at most 1."""
-        least = 1.0
-        for jacobian in jacobians:
-            relative = np.array(jacobian)
-            relative[:3] /= self._chain.size
-            values = np.linalg.svd(relative, compute_uv=False)
-            least = min(least, float(values[min(len(values), self._chain.dof) - 1]))
-        return least
+    def fixed(self, q: Array) -> float:
+        """How well poses fix joint values (..., n): the task's least singular value of all."""
+        return float(np.linalg.svd(task_rates(self.arm, q), compute_uv=False)[..., -1].min())
 
     def _jacobian(self, q: Array, T: Array) -> Array:
         columns = []
@@ -79,3 +75,22 @@ class Measures:
             spin = rate[:3, :3] @ T[:3, :3].T
             columns.append([*rate[:3, 3], spin[2, 1], spin[0, 2], spin[1, 0]])
         return np.array(columns).T
+
+
+def task_rates(arm: NumericArm, q: Array) -> Array:
+    """How what is asked for changes with the joints that are solved for, lengths in arm sizes.
+
+    Args:
+        arm: The arm.
+        q: Joint values (..., n).
+
+    Returns:
+        Shape (..., m, k); where an arm angle is given its row is the last.
+    """
+    chain = arm.chain
+    J = task_jacobian(arm, q)
+    if chain.arm_angle:
+        J = np.concatenate([J, elbow_rates(arm, q)[..., None, :]], axis=-2)
+    turns = [joint.kind is JointKind.REVOLUTE for joint in chain.joints]
+    J *= np.where(turns, 1.0, chain.size)
+    return np.asarray(J[..., [joint.number - 1 for joint in chain.solved]])

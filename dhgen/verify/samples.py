@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.robot import JointKind, TaskKind
+from dhgen.verify.measures import task_rates
+from dhgen.verify.singular import TRIED, singular_places, whole_turns
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -18,6 +21,8 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 NEAR = (1e-6, 1e-8, 1e-10)  # [rad] distances from a singular angle
+CLEAR = 1e-3  # least growth of the singular value from a singular place
+SINGULAR_SHARE = 10  # random poses for each that is singular by one joint
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +31,7 @@ class Sample:
 
     Attributes:
         name: What sort.
-        q: Shape (N, n), inside the limits.
+        q: Shape (N, n), inside the limits unless the arm is singular there.
         near: Whether some lie beside singular ones, where rounding may decide which they are.
     """
 
@@ -52,18 +57,63 @@ def samples(chain: Chain, count: int) -> tuple[Sample, ...]:
         Sample("some joints at right angles", mixed),
         Sample("near right angles", np.clip(near, low, high), near=True),
         Sample("at joint limits", edge),
+        *_singular(chain, source, -(-count // SINGULAR_SHARE)),
+    )
+
+
+def _singular(chain: Chain, source: np.random.Generator, count: int) -> tuple[Sample, ...]:
+    """Where one joint's value makes the arm singular, `count` for each such joint; and beside.
+
+    Beyond limits, too: there a row has to hold the joint values all the same.
+    """
+    arm = numeric_arm(chain)
+    turns = _turning(chain)
+    unit = np.where(turns, 1.0, chain.size)
+    moving = [joint.number - 1 for joint in chain.solved]
+    low, high = _strokes(chain)
+    tried = TRIED * count
+    joints = np.repeat(moving, tried)
+    q = source.uniform(low, high, (len(joints), chain.dof)) / unit
+    ends = whole_turns(low / unit, high / unit, turns)
+    numbers, found = singular_places(
+        lambda q: task_rates(arm, q * unit), q, joints, (ends[0][joints], ends[1][joints]), source
+    )
+    kept = np.concatenate([np.flatnonzero(joints[numbers] == j)[:count] for j in moving])
+    exact, moved = found[kept] * unit, joints[numbers[kept]]
+    if not len(exact):
+        return ()
+    beside = exact.copy()
+    off = source.choice(NEAR, len(exact)) * source.choice([-1.0, 1.0], len(exact))
+    beside[np.arange(len(exact)), moved] += off * unit[moved]
+    # where the arm is nearly singular in another way too, the place is not known exactly
+    values = np.linalg.svd(task_rates(arm, beside), compute_uv=False)[:, -1]
+    clear = values >= CLEAR * np.abs(off)
+    return (
+        Sample("singular", exact[clear]),
+        Sample("nearly singular", np.concatenate([beside, exact[~clear]]), near=True),
     )
 
 
 def _ranges(chain: Chain) -> tuple[Array, Array]:
     """Lowest and highest value of each joint; without limits a turn, or the arm's size."""
+    free = zip(*_strokes(chain), strict=True)
+    pairs = [joint.limits or pair for joint, pair in zip(chain.joints, free, strict=True)]
+    low, high = np.array(pairs).T
+    return low, high
+
+
+def _strokes(chain: Chain) -> tuple[Array, Array]:
+    """The same with whole turns of every joint that turns."""
+    turn, size = (-np.pi, np.pi), (-chain.size, chain.size)
     pairs = [
-        joint.limits
-        or ((-np.pi, np.pi) if joint.kind is JointKind.REVOLUTE else (-chain.size, chain.size))
-        for joint in chain.joints
+        turn if joint.kind is JointKind.REVOLUTE else joint.limits or size for joint in chain.joints
     ]
     low, high = np.array(pairs).T
     return low, high
+
+
+def _turning(chain: Chain) -> NDArray[np.bool_]:
+    return np.array([joint.kind is JointKind.REVOLUTE for joint in chain.joints])
 
 
 def _uniform(chain: Chain, source: np.random.Generator, count: int) -> Array:
@@ -77,8 +127,7 @@ def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> Arra
     angles = source.integers(-2, 3, (count, chain.dof)) * (np.pi / 2)
     angles = np.where((angles < low) | (angles > high), 0.0, angles)
     lengths = low + (high - low) * source.integers(0, 5, (count, chain.dof)) / 4
-    turns = np.array([joint.kind is JointKind.REVOLUTE for joint in chain.joints])
-    return np.clip(np.where(turns, angles, lengths), low, high)
+    return np.clip(np.where(_turning(chain), angles, lengths), low, high)
 
 
 def spoiled_poses(task: Task, T: Array) -> list[Array]:

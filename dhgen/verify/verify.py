@@ -39,6 +39,7 @@ GENERAL_RESIDUAL = 1e-9  # the same where roots of a polynomial are polished
 AGREEMENT = 1e-12  # between targets, where the branch is well conditioned
 FOUND = 1e-6  # [rad or arm sizes] the generating joint values on random poses
 FOUND_SINGULAR = 1e-3  # the same where a pose hardly fixes them
+FIXED = 1e-12  # least singular value: with a smaller one rounding moves joint values that far
 JACOBIAN = 1e-6  # against central differences
 
 
@@ -112,7 +113,7 @@ class _Checker:
             # where an arm is singular, rounding may move a solution a little beyond a limit
             if not (solved if random else held).any():
                 raise VerificationError(f"{where}: no row holds a solution")
-            if self._has_branches and not sample.near:
+            if self._has_branches and (not sample.near or self._measures.fixed(q) > FIXED):
                 self._recover(rows[held], q, FOUND if random else FOUND_SINGULAR, where)
             if random:
                 self._recover(rows[solved], q, FOUND, where)
@@ -209,8 +210,7 @@ class _Checker:
     def _agree(self, rows: Array, others: Array, what: str, where: str) -> None:
         """Joint values agree up to rounding, more where the pose hardly fixes them."""
         if len(rows):
-            jacobians = [self._python.jacobian(row) for row in rows]
-            enough = AGREEMENT / max(self._measures.conditioning(jacobians), 1e-9)
+            enough = AGREEMENT / min(max(self._measures.fixed(rows), 1e-9), 1.0)
             miss = float(self._measures.joint_miss(rows, others).max())
             self._demand(miss, enough, f"{where}: Python and {what} differ")
 

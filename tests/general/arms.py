@@ -115,8 +115,13 @@ def gap(q: np.ndarray, other: np.ndarray) -> np.ndarray:
 @cache
 def compiled(name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
     """The C kernel of an arm."""
+    return in_c(kernel(name), name, *flags)
+
+
+def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
+    """The same of any kernel."""
     text = (
-        f"#include <math.h>\n{c_source(kernel(name), name)}\n"
+        f"#include <math.h>\n{c_source(known, name)}\n"
         f"int run(const double *T, double *q, double *residual);\n"
         f"int run(const double *T, double *q, double *residual)\n"
         f"{{\n    return {name}_general(T, (double (*)[6])q, residual);\n}}\n"
@@ -133,9 +138,20 @@ def compiled(name: str, *flags: str) -> Callable[[np.ndarray], Answer]:
 @cache
 def plain_python(name: str) -> Callable[[np.ndarray], Answer]:
     """The Python rendition of an arm, not compiled."""
-    scope: dict[str, Any] = {"math": math, "np": np, "_inner": lambda function: function}
-    exec(python_source(kernel(name), name), scope)  # noqa: S102  it is what the tests are about
-    return lambda T: _answer(scope[f"{name}_general"], T)
+    return in_python(kernel(name), name)
+
+
+def in_python(known: GeneralKernel, name: str) -> Callable[[np.ndarray], Answer]:
+    """The same of any kernel."""
+    scope: dict[str, Any] = {
+        "math": math,
+        "np": np,
+        "_inner": lambda function: function,
+        "_apart": lambda _: lambda function: function,
+        "_take": np.copyto,
+    }
+    exec(python_source(known, name), scope)  # noqa: S102  it is what the tests are about
+    return lambda T: _answer(scope[f"{name}_general"], np.ravel(T))
 
 
 def _answer(function: Callable[..., int], T: np.ndarray) -> Answer:

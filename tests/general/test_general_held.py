@@ -13,6 +13,7 @@ from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.load import load
+from tests.robots.cases import robot
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -96,8 +97,8 @@ def test_a_slide_to_be_solved_for(tmp_path: Path, place: int) -> None:
 def test_every_formulation_finds_the_same(tmp_path: Path) -> None:
     arm = chain(tmp_path, (*SKEW[:2], SLIDE, *SKEW[2:5]), [])
     kernel = known(arm)
-    assert kernel.second is not None
-    other = replace(kernel, first=kernel.second, second=None)
+    _, second = kernel.formulations
+    other = replace(kernel, formulations=(second,))
     for q in np.random.default_rng(10).uniform(-1.5, 1.5, (POSES, 6)):
         T = numeric_arm(arm).pose(q)
         np.testing.assert_allclose(solve(T, kernel).q, solve(T, other).q, atol=1e-8)
@@ -120,4 +121,20 @@ def test_links_with_joints_inside(tmp_path: Path) -> None:
 
 def test_other_arms_are_left_alone(tmp_path: Path) -> None:
     assert general_kernel(chain(tmp_path, SKEW[:6], [1])) is None
-    assert general_kernel(chain(tmp_path, (SLIDE, *SKEW[:4], SLIDE), [])) is None
+    assert general_kernel(chain(tmp_path, (SLIDE, *SKEW[:3], SLIDE, SLIDE), [])) is None
+
+
+@pytest.mark.parametrize("value", [0.0, np.pi])
+def test_more_structure_at_a_value_of_the_joint_that_is_given(value: float) -> None:
+    """Joint 3 straight: axes 2 and 4 are parallel, and formulations vanish that serve elsewhere."""
+    arm = build_chain(robot("xarm7"))
+    kernel, forward = known(arm), numeric_arm(arm)
+    certain = 0
+    for q in np.random.default_rng(11).uniform(-np.pi, np.pi, (8, 7)):
+        q[2] = value
+        found = solve(forward.pose(q), kernel, [value])
+        rows = joint_values(arm, kernel, q, found.q)
+        turns = np.remainder(rows - q + np.pi, 2 * np.pi) - np.pi
+        assert np.abs(turns).max(axis=1).min() < 1e-5
+        certain += found.complete
+    assert certain >= 7

@@ -26,14 +26,16 @@ SKEW = (
     "{theta: -q, d: 0.1, a: 0.02, alpha: 90 deg}",
 )
 LINK = "{theta: q, a: 0.3, limits: [-2, 2]}"
+# "five" and "given" have five joints for whole poses: every elimination wants six.
 ARMS = {
-    "pointing": ((SKEW[0], SKEW[1], *SKEW[3:6]), "task: pointing"),
+    "five": (SKEW[:5], ""),
+    "pointing": ((SKEW[0], SKEW[1], *SKEW[3:7]), "task: pointing"),
     "orientation": ((SKEW[0], SKEW[1], SKEW[3], SKEW[4]), "task: orientation"),
     "seven": (SKEW, ""),
     "planar": ((LINK,) * 4, "task: [x, y]"),
-    "given": ((SKEW[0], SKEW[1], *SKEW[3:7]), "task: pointing\nfree: [6]"),
+    "given": (SKEW[:6], "free: [6]"),
 }
-FINITE = ("pointing",)
+FINITE = ("five",)
 REDUNDANT = tuple(name for name in ARMS if name not in FINITE and name != "given")
 
 
@@ -80,7 +82,6 @@ def miss(name: str, rows: np.ndarray, T: np.ndarray, solver: CompiledSolver) -> 
     reached = np.array([solver.fk(np.ascontiguousarray(row)) for row in rows]) - T
     entries = {
         "pointing": (slice(0, 3), slice(2, 4)),
-        "given": (slice(0, 3), slice(2, 4)),
         "orientation": (slice(0, 3), slice(0, 3)),
         "planar": (slice(0, 2), slice(3, 4)),
     }.get(name, (slice(0, 3), slice(0, 4)))

@@ -11,11 +11,11 @@ import pytest
 
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import Derivation, derive
+from dhgen.paul.forms import unknown_name
 from dhgen.paul.inverse_forms import with_inverse_forms
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
-from dhgen.paul.refusal import unknown_name
 from dhgen.paul.search import Search, learn
 from dhgen.paul.step import Kind, Step
 from dhgen.paul.types import QUARTIC

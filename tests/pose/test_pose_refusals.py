@@ -161,3 +161,20 @@ def test_wxyz_in_c_refuses_with_nan_everywhere() -> None:
     assert call_c(function, np.zeros((4, 4)), xyz, q) == -2
     assert np.isnan(xyz).all()
     assert np.isnan(q).all()
+
+
+@pytest.mark.parametrize("name", ["numba", "plain"])
+def test_lists_and_tuples_of_numbers(name: str) -> None:
+    of = library(name)
+    T = of.from_xyz_rpy([0.3, 0, 0.2], (0, 0, 1.57))
+    np.testing.assert_array_equal(T, of.from_xyz_rpy(np.array([0.3, 0, 0.2]), rpy=[0, 0, 1.57]))
+    for read_as in (of.to_xyz_rpy, of.to_xyz_axis_angle):
+        for listed, expected in zip(read_as(T.tolist()), read_as(T), strict=True):
+            np.testing.assert_array_equal(listed, expected)
+    turned = of.from_xyz_axis_angle([1, 2, 3], axis=(0, 0, 1), angle=1)
+    np.testing.assert_array_equal(turned[:3, 3], [1, 2, 3])
+    for wrong in ([1, 2], [[1, 2, 3]], 3, "abc", [1, 2, None], [1, [2, 3]], [1, 2, np.inf]):
+        with pytest.raises(ValueError, match=r"wrong length|could not convert|finite|sequence"):
+            of.from_xyz_rpy(wrong, [0, 0, 0])
+    with pytest.raises(ValueError, match="wrong length"):
+        of.from_xyz_axis_angle([1, 2, 3], [0, 0, 1], [1])

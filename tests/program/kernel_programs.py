@@ -87,5 +87,5 @@ def run(program: Program, numbers: FloatArray, seed: float = 0.0) -> Rows:
     T[:, 15] = 1.0
     columns = [0, 1, 2, 4, 5, 6, 8, 9, 10][: numbers.shape[1]]
     T[:, columns] = numbers
-    seeds = np.full(len(program.outputs), seed)
+    seeds = np.full(pool().problem.algebra.chain.dof, seed)
     return interpret(program, T.reshape(-1, 4, 4), seeds)

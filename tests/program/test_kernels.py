@@ -59,6 +59,14 @@ def test_type_1_is_a_quotient() -> None:
     np.testing.assert_allclose(found.q[:, 0, 0], given[:, 0] / given[:, 1], rtol=1e-14)
 
 
+def test_type_1_without_a_factor_takes_the_seed_or_has_no_solution() -> None:
+    program = kernel_program(Kind.LENGTH, {"Y": None, "X": None}, slides=True)
+    found = run(program, np.array([[0.0, 0.0], [1e-3, 0.0], [1.0, 1e-9]]), seed=0.7)
+    assert found.solved[:, 0].tolist() == [True, False, False]
+    assert found.free[:, 0].tolist() == [True, False, False]
+    assert found.q[0, 0, 0] == 0.7
+
+
 def test_type_2_finds_every_root_and_no_other() -> None:
     given = numbers(3, 2)
     found = run(kernel_program(Kind.ANGLE, {"X": None, "Y": None, "Z": None}), given)

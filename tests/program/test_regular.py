@@ -31,6 +31,7 @@ NAMES = [
     *("prismatic_2_wrist", "spherical_offset", "cartesian"),
 ]
 COUNT = 300
+MANY = 10_000
 
 
 @cache
@@ -104,6 +105,19 @@ def test_regular_and_flat_programs_are_the_program(name: str) -> None:
     values = found[: flat.joints * len(flat.choices)]
     q = np.stack([column[:, 0] for column in values], axis=-1).reshape(rows.q.shape)
     assert_same(name, q, np.zeros(len(T)) if flat.doubt is None else found[-1][:, 0])
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_few_random_poses_are_doubtful(name: str) -> None:
+    """They take the careful solver's time: less than one in a hundred."""
+    of = story(name)
+    arm = numeric_arm(of.derivation.problem.algebra.chain)
+    solver = regular(of.program)
+    assert solver is not None
+    q = np.random.default_rng(8).uniform(-np.pi, np.pi, (MANY, arm.chain.dof))
+    found = outputs(solver.program, arm.pose(q), None, given_values(arm, q))
+    doubts = found[len(found) - len(solver.doubts) :]
+    assert np.count_nonzero(np.any([np.zeros_like(found[0]), *doubts], axis=(0, -1))) < MANY / 100
 
 
 @pytest.mark.parametrize("name", ["puma560", "ur5", "kuka_kr6_r900"])

@@ -186,6 +186,14 @@ def test_a_slip_in_degrees_is_told_in_degrees() -> None:
     ]
 
 
+def test_degrees_in_a_file_of_radians_are_told() -> None:
+    loaded = robot(table("theta: q, alpha: 90"))
+    assert [notice.message for notice in loaded.notices] == [
+        "'90' is 14.3 turns: write 90 deg if degrees are meant"
+    ]
+    assert not robot(table("theta: q, alpha: 90 deg, limits: [-7, 7]")).notices
+
+
 def test_axes() -> None:
     loaded = robot(axes(f"{TURN}, limits: [-1, 1]", SLIDE))
     assert isinstance(loaded.geometry, ReferenceAxes)

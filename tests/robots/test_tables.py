@@ -21,10 +21,6 @@ Table = dict[str, Any]
 
 # Not every table has a robot file: joints 5 and 6 of this arm turn about one axis.
 REFUSED = {"degenerate_collinear_56"}
-# No robot files yet.
-UNSOLVED = {
-    "bartell_rprpr",
-}
 # Strokes and a task that the table leaves open.
 CHOSEN = {"cartesian"}
 
@@ -35,7 +31,7 @@ def tables() -> dict[str, Table]:
     return {table["name"]: table for table in json.loads(text)}
 
 
-NAMES = sorted(set(tables()) - REFUSED - UNSOLVED)
+NAMES = sorted(set(tables()) - REFUSED)
 
 
 def number(cell: str, q: float) -> float:
@@ -67,7 +63,7 @@ def pose(table: Table, q: np.ndarray) -> np.ndarray:
 
 def test_every_table_has_a_robot_file() -> None:
     files = {path.stem for path in ROBOTS.glob("*.yaml")}
-    assert set(tables()) - files == REFUSED | UNSOLVED
+    assert set(tables()) - files == REFUSED
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -29,6 +29,13 @@ if TYPE_CHECKING:
 EVERY = [*NAMES, *MADE_UP_NAMES]
 WHOLE_POSES = [name for name in EVERY if robot(name).task.kind.name == "POSE"]
 TURN = 2 * np.pi
+# A root that is nearly double is good to few digits: how far the arm is from stretched is, too.
+BESIDE = {
+    "parallel_123": [
+        [[-np.pi / 2, 0.0, np.pi, np.pi, 0.0, -np.pi / 2]],
+        [[np.pi, np.pi, np.pi, np.pi, 0.0, -np.pi / 2]],
+    ]
+}
 
 
 def held(name: str, T: FloatArray, q: FloatArray) -> FloatArray:
@@ -37,11 +44,13 @@ def held(name: str, T: FloatArray, q: FloatArray) -> FloatArray:
     return rows[np.isin(status, HELD)]
 
 
-@pytest.mark.parametrize("name", EVERY)
+@pytest.mark.parametrize("name", [*EVERY, "parallel_123"])
 def test_no_solution_stands_twice(name: str) -> None:
     """At singular poses branches meet: their rows are one."""
     arm = robot(name)
-    q = np.concatenate([right_angles(arm, 300), one_joint_at(arm, (0.0, np.pi / 2, np.pi), 10)])
+    sets = [right_angles(arm, 300), one_joint_at(arm, (0.0, np.pi / 2, np.pi), 10)]
+    sets += [np.array(q) for q in BESIDE.get(name, ())]
+    q = np.concatenate(sets)
     for joints, T in zip(q, poses_of(name, q), strict=True):
         rows = held(name, T, joints)
         assert len(rows), joints

@@ -105,6 +105,13 @@ def test_mistakes_are_told(call, message: str) -> None:  # type: ignore[no-untyp
         call(in_python("puma560"), np.eye(4))
 
 
+@pytest.mark.parametrize(("rows", "kinds"), [(np.int64, np.uint8), (np.float64, np.bool_)])
+def test_arrays_that_round_are_refused(rows: type, kinds: type) -> None:
+    module = in_python("scara")
+    with pytest.raises(ValueError, match="q must hold float64, status uint8"):
+        module.ik_into(np.eye(4), np.empty((2, 4), rows), np.empty(2, kinds))
+
+
 def test_free_joints_are_checked() -> None:
     module = in_python("planar_4r")
     with pytest.raises(ValueError, match=r"q_free must have shape \(1,\), not \(2,\)"):

@@ -198,11 +198,18 @@ def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
     return bool(np.all(np.abs(slopes) > FLAT * sizes))
 
 
+def _values(
+    parts: list[Parts], cosine: NDArray[np.float64], sine: NDArray[np.float64]
+) -> list[NDArray[np.float64]]:
+    """P, Q and R of both equations at an angle that stays."""
+    return [one + u * cosine + v * sine for one, u, v in parts]
+
+
 def _says_it_twice(
     parts: list[Parts], cosine: NDArray[np.float64], sine: NDArray[np.float64]
 ) -> bool:
     """Whether the second equation is the first again, so that the polynomial is 0 = 0."""
-    p1, p2, q1, q2, r1, r2 = (one + u * cosine + v * sine for one, u, v in parts)
+    p1, p2, q1, q2, r1, r2 = _values(parts, cosine, sine)
     products = [(p1 * q2, q1 * p2), (q1 * r2, r1 * q2), (r1 * p2, p1 * r2)]
     return all(bool(np.all(np.abs(a - b) <= SAME * np.abs(a))) for a, b in products)
 
@@ -231,7 +238,7 @@ def _slope(
     def at(turn: float) -> NDArray[np.float64]:
         c = cosine * np.cos(turn) - sine * np.sin(turn)
         s = sine * np.cos(turn) + cosine * np.sin(turn)
-        p1, p2, q1, q2, r1, r2 = (one + u * c + v * s for one, u, v in parts)
+        p1, p2, q1, q2, r1, r2 = _values(parts, c, s)
         if ratio is None:
             determinant = p1 * q2 - q1 * p2
             return np.asarray((q1 * r2 - q2 * r1) ** 2 + (r1 * p2 - r2 * p1) ** 2 - determinant**2)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.targets.derivation.elements import element_of
 from dhgen.targets.derivation.names import unknown_symbol
-from dhgen.targets.derivation.steps import element_of
 from dhgen.targets.derivation.style import PLAIN, show
 from dhgen.targets.derivation.words import counted
 

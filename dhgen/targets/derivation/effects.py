@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind
+from dhgen.program.ir import Guard
 from dhgen.targets.derivation.blocks import joined, say
 from dhgen.targets.derivation.formula import ONE, ZERO, equal, minus
 from dhgen.targets.derivation.names import joint_symbol, single
@@ -29,7 +31,10 @@ def free_effect(context: StepContext) -> Prose:
     joints = open_joints(context)
     symbols = joined([say("{}", joint_symbol(joint)) for joint in joints])
     takes = "takes" if len(joints) == 1 else "take"
-    parts = [say(f"{{}} {takes} the seed's value (0 without a seed)", symbols)]
+    value = "the seed's value (0 without a seed)"
+    if _decides_on_reach(context, joints):
+        value += " or, where that leads to no solution, the nearest that serves"
+    parts = [say(f"{{}} {takes} {value}", symbols)]
     if context.step.roots == 2:
         parts.append(say("the rows with {} stay empty", equal(context.sign, minus(ONE))))
     remembered = context.remembered if context.step.kind is Kind.ANGLE else None
@@ -40,7 +45,16 @@ def free_effect(context: StepContext) -> Prose:
     return joined(parts)
 
 
+def _decides_on_reach(context: StepContext, joints: list[int]) -> bool:
+    """Whether a later step may be out of reach by the value that one of these joints takes."""
+    guards = (each for each in context.story.program.body if isinstance(each, Guard))
+    return any(choice.joint in joints for guard in guards for choice in guard.chosen)
+
+
 def open_joints(context: StepContext) -> list[int]:
-    """The joints of the step's angle that no earlier step has given."""
+    """The joints of the step's angle that no earlier step has given; or the slide itself."""
+    (unknown, *_) = context.step.unknowns
+    if isinstance(unknown, Length):
+        return [unknown.joint]
     before = context.story.knowledge[context.number - 1]
     return [joint for joint, _ in context.angle.terms if not before.knows(single(joint))]

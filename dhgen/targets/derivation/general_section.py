@@ -7,12 +7,23 @@ from typing import TYPE_CHECKING
 from dhgen.paul.refusal import near_structure
 from dhgen.targets.derivation.blocks import Display, Heading, Paragraph, paragraph, say
 from dhgen.targets.derivation.formula import Symbol
+from dhgen.targets.derivation.four_turns_section import four_turns
+from dhgen.targets.derivation.general_loop import joint_symbol, loop_that_closes
 
 if TYPE_CHECKING:
-    from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
     from dhgen.kinematics.chain import Chain
     from dhgen.targets.derivation.blocks import Block
+
+
+POINTING = (
+    "The task names where the tool is and where its z axis points, and leaves its turn about that "
+    "axis open. That turn, {}, is taken for a sixth joint behind the tool: with any axes x and y "
+    "across z the pose is whole, and nobody asks for the sixth value."
+)
+
+
+UNRELATED = "No three neighbouring axes are parallel or meet in one point"
 
 
 def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Block]:
@@ -20,12 +31,8 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
     near = near_structure(chain)
     blocks: list[Block] = [
         Heading(2, say("Inverse")),
-        paragraph(
-            "No three neighbouring axes are parallel or meet in one point, and no order of "
-            "equations of the types 1 to 9 gives the joints one after the other. The six joints "
-            f"are found together{_given(kernel)}, by the elimination of M. Raghavan and B. Roth "
-            "(1993). An arm of this kind has at most sixteen solutions."
-        ),
+        paragraph(f"{_why(kernel)} An arm of this kind has at most {_most(kernel)} solutions."),
+        *([paragraph(POINTING, joint_symbol(kernel, 5))] if kernel.pointing else []),
         *(
             [paragraph(f"Near to a closed form: {'; '.join(near)} (lengths in {unit}).")]
             if near
@@ -38,12 +45,38 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
             ),
             say("The loop."),
         ),
-        Display((_loop(kernel),)),
+        Display((loop_that_closes(kernel),)),
     ]
-    blocks += _elimination(kernel)
-    blocks += _polynomial(kernel)
-    blocks += _rest(kernel)
-    return blocks
+    if kernel.eliminations:
+        blocks += [*_elimination(kernel), *_polynomial(kernel), _null_vectors()]
+    else:
+        blocks += four_turns(kernel)
+    return [*blocks, *_rest(kernel)]
+
+
+def _why(kernel: GeneralKernel) -> str:
+    """Why the joints do not come one after the other, and what finds them."""
+    kinds = "1 to 9" if kernel.eliminations and not kernel.pointing else "1 to 8"
+    steps = f"no order of equations of the types {kinds} gives the joints one after the other."
+    if kernel.eliminations:
+        beginning = steps.capitalize() if kernel.pointing else f"{UNRELATED}, and {steps}"
+        return (
+            f"{beginning} {_joints(kernel)} are found together{_given(kernel)}, by the "
+            "elimination of M. Raghavan and B. Roth (1993)."
+        )
+    return (
+        f"{steps.capitalize()} {_joints(kernel)}, four turns and two slides, are found "
+        f"together{_given(kernel)}: the directions give three turns by the fourth, and the "
+        "position an equation in that one."
+    )
+
+
+def _most(kernel: GeneralKernel) -> str:
+    return "sixteen" if kernel.eliminations else "eight"
+
+
+def _joints(kernel: GeneralKernel) -> str:
+    return "The tool's turn and the five joints" if kernel.pointing else "The six joints"
 
 
 def _given(kernel: GeneralKernel) -> str:
@@ -56,27 +89,9 @@ def _given(kernel: GeneralKernel) -> str:
     return f" while joints {', '.join(map(str, others))} keep the values that the caller gives"
 
 
-def _loop(kernel: GeneralKernel) -> Symbol:
-    joints = [_motion(kernel, place) for place in range(6)]
-    links = [rf"{symbol.latex}\,K_{k}" for k, symbol in enumerate(joints[:5])]
-    plain = " ".join(f"{symbol.text} K{k}" for k, symbol in enumerate(joints[:5]))
-    return Symbol(
-        rf"{' '.join(links)}\,{joints[5].latex} = P, "
-        r"\qquad P = C_0^{-1}\,\mathit{POS}\,C_6^{-1}",
-        f"{plain} {joints[5].text} = P,  P = C0⁻¹ POS C6⁻¹",
-    )
-
-
-def _motion(kernel: GeneralKernel, place: int) -> Symbol:
-    number = kernel.numbers[place]
-    if place == kernel.loop.slide:
-        return Symbol(f"T_z(d_{number})", f"Tz(d{number})")
-    return Symbol(rf"R_z(\theta_{number})", f"Rz(θ{number})")
-
-
 def _elimination(kernel: GeneralKernel) -> list[Block]:
     first = kernel.first
-    hidden, one, two = (_joint(kernel, first, place) for place in (0, 1, 2))
+    hidden, one, two = (joint_symbol(kernel, first.joints[place]) for place in (0, 1, 2))
     return [
         Paragraph(
             say(
@@ -106,11 +121,21 @@ def _elimination(kernel: GeneralKernel) -> list[Block]:
             one,
             two,
         ),
+        *([_right_slide(kernel)] if kernel.slides_on_the_right else []),
     ]
 
 
+def _right_slide(kernel: GeneralKernel) -> Block:
+    (slide,) = kernel.loop.slides
+    return paragraph(
+        "{} slides, and stands on the right for a reason: with it on the left the determinant "
+        "below would vanish for every angle, or elsewhere than at the solutions.",
+        joint_symbol(kernel, slide),
+    )
+
+
 def _polynomial(kernel: GeneralKernel) -> list[Block]:
-    hidden, one, two = (_joint(kernel, kernel.first, place) for place in (0, 1, 2))
+    hidden, one, two = (joint_symbol(kernel, kernel.first.joints[place]) for place in (0, 1, 2))
     blocks: list[Block] = [
         Paragraph(
             say(
@@ -133,8 +158,9 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
         ),
         paragraph(
             "a trigonometric polynomial of degree 8 in φ, the angle of {}. Its coefficients come "
-            "from its values at 24 angles; all its real roots are isolated by bounds on the "
-            "circle.",
+            "from its values at 24 angles. Where its roots lie close together on one side, as near "
+            "the boundary of reach, these angles do too: a Möbius map of the circle spreads the "
+            "roots. All real ones are isolated by bounds on the circle.",
             hidden,
         ),
     ]
@@ -150,32 +176,37 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
 
 
 def _variables(kernel: GeneralKernel) -> str:
-    slides = kernel.loop.slide is not None
-    return "half-angle tangent and the length" if slides else "half-angle tangents"
+    if kernel.loop.slides and not kernel.slides_on_the_right:
+        return "half-angle tangent and the length"
+    return "half-angle tangents"
+
+
+def _null_vectors() -> Block:
+    return Paragraph(
+        say(
+            "For every root the null vector of the matrix gives the next two joints, a small "
+            "linear system two more, and what is left of the loop the last one. Newton steps "
+            "on the loop bring each solution to rounding, and a solution counts only if the "
+            "loop closes."
+        ),
+        say("3. The other joints."),
+    )
 
 
 def _rest(kernel: GeneralKernel) -> list[Block]:
-    second = kernel.second
+    others = [joint_symbol(kernel, each.joints[0]) for each in kernel.formulations[1:]]
     blocks: list[Block] = [
-        Paragraph(
-            say(
-                "For every root the null vector of the matrix gives the next two joints, a small "
-                "linear system two more, and what is left of the loop the last one. Newton steps "
-                "on the loop bring each solution to rounding, and a solution counts only if the "
-                "loop closes."
-            ),
-            say("3. The other joints."),
-        ),
         Paragraph(
             say(
                 "Every simple root owns a solution, every double one two, and the number of "
                 "solutions is even; otherwise "
                 + (
-                    "the search is repeated from a pose nearby and followed back."
-                    if second is None
-                    else "the same is done with {} hidden, and then from a pose nearby."
+                    f"the same is done with {' and then with '.join('{}' for _ in others)} hidden, "
+                    "and then from a pose nearby."
+                    if others
+                    else "the search is repeated from a pose nearby and followed back."
                 ),
-                *(() if second is None else (_joint(kernel, second, 0),)),
+                *others,
             ),
             say("4. The certificate."),
         ),
@@ -188,11 +219,3 @@ def _rest(kernel: GeneralKernel) -> list[Block]:
         ),
     ]
     return blocks
-
-
-def _joint(kernel: GeneralKernel, formulation: Formulation, place: int) -> Symbol:
-    joint = formulation.joints[place]
-    number = kernel.numbers[joint]
-    if joint == kernel.loop.slide:
-        return Symbol(f"d_{number}", f"d{number}")
-    return Symbol(rf"\theta_{number}", f"θ{number}")

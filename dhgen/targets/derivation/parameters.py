@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story
 
 
+TURNED = ("cosine of", "sine of")
+SIGNS = " Cosines and sines stand without their signs, which the formulas have."
+
+
 def constant_blocks(story: Story) -> list[Block]:
     """Every letter of the formulas that stands for a number."""
     blocks: list[Block] = []
@@ -25,13 +29,11 @@ def constant_blocks(story: Story) -> list[Block]:
     if shown:
         blocks.append(paragraph("Parameters: {}.", joined(shown)))
     own = {each.name for each in story.robot.parameters}
-    made = [
-        _constant(story, constant)
-        for name, constant in used.items()
-        if name not in own and constant.square is None
-    ]
+    made = [each for name, each in used.items() if name not in own and each.square is None]
     if made:
-        blocks.append(paragraph("Numbers without a name in the file: {}.", joined(made)))
+        numbers = joined([_constant(story, each) for each in made])
+        signs = SIGNS if any(each.meaning.startswith(TURNED) for each in made) else ""
+        blocks.append(paragraph("Numbers without a name in the file: {}." + signs, numbers))
     return blocks
 
 

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind
 from dhgen.targets.derivation.blocks import Given, Paragraph, display, joined, paragraph, say
-from dhgen.targets.derivation.formula import Element, Formula, Listing, Symbol, equal
-from dhgen.targets.derivation.matrices import known_matrix, left_name
+from dhgen.targets.derivation.elements import element_of
+from dhgen.targets.derivation.formula import Formula, Listing, equal
+from dhgen.targets.derivation.matrices import known_matrix
 from dhgen.targets.derivation.names import cosine, sine, unknown_symbol
 from dhgen.targets.derivation.step_context import StepContext
 from dhgen.targets.derivation.types import PRINTERS
@@ -86,16 +87,6 @@ def _line_of(origins: tuple[Origin, ...]) -> Prose:
     return say(f" (row {origins[0].row})") if origins[0].row == origins[1].row else say("")
 
 
-def element_of(origin: Origin) -> Formula:
-    """U_1[2,4], or the squared length of a column 4."""
-    name = left_name(origin.matrix, origin.dof)
-    if origin.row:
-        return Element(name, origin.row, origin.column)
-    from dhgen.targets.derivation.style import LATEX, PLAIN, show  # noqa: PLC0415
-
-    return Symbol(rf"\lVert {show(name, LATEX)}[\cdot,4] \rVert^2", f"‖{show(name, PLAIN)}[·,4]‖²")
-
-
 def quoted(story: Story, number: int) -> list[Relation]:
     """The equations as they stand: the joints' side first, as the documents write them."""
     lines = []
@@ -152,4 +143,4 @@ def _changed(story: Story, form: Form, angle: AngleSum) -> bool:
     return not kept and not inside
 
 
-__all__ = ["Given", "document_002_number", "element_of", "step_blocks"]
+__all__ = ["Given", "document_002_number", "step_blocks"]

@@ -43,8 +43,8 @@ def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
     if isinstance(kernel, GeneralKernel):
         hidden = kernel.numbers[kernel.first.joints[0]]
         return [
-            f"no closed form: the {kernel.method} algorithm, up to 16 solutions",
-            f"a polynomial of degree 8 in θ{hidden}; rows by ascending joint values",
+            f"no closed form: the {kernel.method} algorithm, up to {kernel.rows} solutions",
+            f"a polynomial of degree {kernel.degree} in θ{hidden}; rows by ascending joint values",
             *missed_structure(story.algebra.chain),
         ]
     if kernel.redundant:

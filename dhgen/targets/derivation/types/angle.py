@@ -32,6 +32,7 @@ from dhgen.targets.derivation.joint_space import (
 )
 from dhgen.targets.derivation.names import cosine, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
+from dhgen.targets.derivation.types.second import ADDED, Second
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.blocks import Block
@@ -66,19 +67,22 @@ def _letters(context: StepContext, right: Formula, names: str) -> list[Block]:
 
 def _homogeneous(context: StepContext) -> StepText:
     sign = context.facing_sign
-    general = atan2(times(sign, Y), minus(times(sign, X)))
+    second = Second.of(context)
+    along, across = (X, Y) if second is None else (ADDED["X"], ADDED["Y"])
+    general = atan2(times(sign, across), minus(times(sign, along)))
     special = general
-    if context.are_short("X", "Y"):
+    if second is None and context.are_short("X", "Y"):
         x, y = context.value("X"), context.value("Y")
         special = atan2(times(sign, y), minus(times(sign, x)))
     blocks = [
         *_letters(context, ZERO, "XY"),
+        *([] if second is None else second.blocks()),
         paragraph(
             "{} and {} are proportional to {} and {}, with either sign:",
             sine(context.angle),
             cosine(context.angle),
-            Y,
-            minus(X),
+            across,
+            minus(along),
         ),
         display(equal(theta(context.angle), general, special)),
     ]
@@ -87,7 +91,7 @@ def _homogeneous(context: StepContext) -> StepText:
         s, c = sine(context.angle), cosine(context.angle)
         blocks.append(paragraph("Later steps use the other combination of {} and {},", s, c))
         blocks.append(display(_combination(context, remembered, root(SQUARES))))
-    free = _free(context)
+    free = _free(context, second)
     blocks.append(
         paragraph(
             "There always is a solution. Degenerate when {}: {}. Then {}.",
@@ -108,18 +112,23 @@ def _combination(context: StepContext, remembered: Remembered, size: Formula) ->
     return equal(remembered.letter, full, written, times(facing, context.facing_sign, size))
 
 
-def _free(context: StepContext) -> Singularity:
+def _free(context: StepContext, second: Second | None) -> Singularity:
     names = [name for name in "XY" if context.polynomial(name)]
     condition: Formula = equal(X, Y, ZERO)
     if context.are_short(*names):
         values = [context.value(name) for name in names]
         condition = equal(*(v.operand if hasattr(v, "operand") else v for v in values), ZERO)
     joints = other_combination(context)
+    stated = condition_in_joints(context, joints)
+    meaning = meaning_of_free(context, joints)
+    if second is not None:
+        condition, stated = equal(*ADDED.values(), ZERO), second.condition(joints)
+        meaning = say("neither equation says anything about {}", theta(context.angle))
     return Singularity(
         context.number,
         condition,
-        condition_in_joints(context, joints),
-        meaning_of_free(context, joints),
+        stated,
+        meaning,
         free_effect(context),
     )
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.blocks import display, paragraph
+from dhgen.targets.derivation.blocks import display, paragraph, say
+from dhgen.targets.derivation.effects import free_effect
 from dhgen.targets.derivation.formula import ZERO, equal, over, times
-from dhgen.targets.derivation.step_context import StepText, type_letter
+from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.blocks import Block
@@ -32,6 +33,10 @@ def print_length(context: StepContext) -> StepText:
         display(context.definition("X"), context.definition("Y")),
         display(equal(r, over(Y, X))),
     ]
-    if not context.is_constant("X"):
-        blocks.append(paragraph("Undetermined where {}.", equal(X, ZERO)))
-    return StepText(tuple(blocks))
+    if context.is_constant("X"):
+        return StepText(tuple(blocks))
+    meaning = say("every {} serves if {}, none otherwise", r, equal(Y, ZERO))
+    free = Singularity(context.number, equal(X, ZERO), None, meaning, free_effect(context))
+    text = "Degenerate when {}: {}. If it serves, {}."
+    blocks.append(paragraph(text, equal(X, ZERO), meaning, free.effect))
+    return StepText(tuple(blocks), (free,))

@@ -1,0 +1,139 @@
+"""A second equation for an angle whose own says nothing at some places: over-determined tasks.
+
+X s + Y c = 0 loses its digits where X and Y are small. Where a task asks for more than the arm can
+choose there may be another such equation that stays: a point may lie on axis 1 while the tool still
+leans to the side where the arm is. Where the pool has none, the moment of an axis may be one: with
+z and p, columns 3 and 4 of a form of T, z x p is the moment of the line along z about the frame's
+origin (J. Pluecker), and a slide along z is not in it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.product import product, reversed_elements
+from dhgen.kinematics.transform import compose
+from dhgen.paul.forms import FormReader, substitute
+from dhgen.paul.knowledge import initial_knowledge
+from dhgen.paul.pool import MOMENT, Equation, Origin, Pool, Withheld, merged, right_inverse
+from dhgen.paul.search import learn
+from dhgen.paul.step import Kind, View
+from dhgen.paul.types.angle import Angle
+from dhgen.paul.witness import build_witnesses
+from dhgen.paul.zeros import outlasts
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.kinematics.transform import Transform
+    from dhgen.paul.pool import Vector
+    from dhgen.paul.problem import Problem
+    from dhgen.paul.step import Step
+
+
+def with_second_equations(pool: Pool, steps: tuple[Step, ...]) -> tuple[Step, ...]:
+    """The steps, with a second equation where the task has one and the first may say nothing.
+
+    Only a redundant task has any: without a surplus all equations for an angle vanish together.
+    """
+    if not pool.problem.redundant or not any(map(_is_homogeneous, steps)):
+        return steps
+    witnesses = build_witnesses(pool)
+    equations = merged([*pool.equations, *_moments(pool.problem)])
+    reader = FormReader(replace(pool, equations=equations))
+    knowledge = initial_knowledge(pool.problem.algebra)
+    found = []
+    for step in steps:
+        if _is_homogeneous(step):
+            offers = _offers(reader, View(knowledge, witnesses))
+            found.append(_completed(step, offers, pool))
+        else:
+            found.append(step)
+        knowledge = learn(knowledge, step)
+    return tuple(found)
+
+
+def across(pool: Pool, step: Step) -> Polynomial:
+    """Y s - X c in joint angles: with X s + Y c = 0 it vanishes where X and Y do."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    algebra = pool.problem.algebra
+    s, c = algebra.generator(angle.sine), algebra.generator(angle.cosine)
+    return _in_joints(pool, step.coefficient("Y") * s - step.coefficient("X") * c)
+
+
+def _in_joints(pool: Pool, polynomial: Polynomial) -> Polynomial:
+    """What a polynomial in entries of the pose is on solutions."""
+    problem = pool.problem
+    index = problem.algebra.index
+    places = [index[name] for name in sorted(problem.known)]
+    values = [
+        problem.forward.entry(int(name[1]) - 1, int(name[2]) - 1) for name in sorted(problem.known)
+    ]
+    for point in pool.points:
+        places += [index[name] for name in point.names]
+        values += _place_of(problem, point.in_tool)
+    return problem.algebra.normal(substitute(polynomial, places, values))
+
+
+def _place_of(problem: Problem, point: tuple[Polynomial, ...]) -> list[Polynomial]:
+    """A point of the tool in the base."""
+    forward = problem.forward
+    return [
+        sum((a * b for a, b in zip(row, point, strict=True)), start)
+        for row, start in zip(forward.rotation, forward.translation, strict=True)
+    ]
+
+
+def _is_homogeneous(step: Step) -> bool:
+    return step.kind is Kind.ANGLE and not step.coefficient("Z")
+
+
+def _completed(step: Step, offers: Sequence[Step], pool: Pool) -> Step:
+    """The step with the shortest of these that stays where its own equation vanishes."""
+    first = across(pool, step)
+    alike = (offer for offer in offers if offer.unknowns == step.unknowns)
+    for offer in alike:
+        if outlasts(pool.problem.algebra, across(pool, offer), first):
+            return replace(step, second=offer)
+    return step
+
+
+def _offers(reader: FormReader, view: View) -> list[Step]:
+    """The equations that are of type 2 with Z = 0 in a state, shortest first."""
+    angle = Angle()
+    groups = [(form,) for form in reader.forms(view.knowledge, 1)]
+    valid = [group for group in groups if angle.why_not(group, view) is None]
+    steps = [step for group in valid for step in angle.steps(group, view)]
+    return sorted(filter(_is_homogeneous, steps), key=lambda step: step.penalty)
+
+
+def _moments(problem: Problem) -> Iterator[Equation]:
+    """The elements of column 3 x column 4 of every form that the task gives."""
+    algebra, links = problem.algebra, problem.links
+    withheld = Withheld(problem)
+    for m, k in combinations(range(len(links) + 1), 2):
+        before = [element for link in links[:m] for element in link]
+        moved = compose(problem.target, right_inverse(problem, k), algebra.normal)
+        known = compose(product(reversed_elements(before, algebra), algebra), moved, algebra.normal)
+        joints = product((element for link in links[m:k] for element in link), algebra)
+        for row, (left, right) in enumerate(
+            zip(moment(known, algebra), moment(joints, algebra), strict=True), start=1
+        ):
+            origin = Origin(m, k, len(links), row, MOMENT)
+            if left != right and not withheld(right - left):
+                yield Equation(origin, (origin,), left, right, right - left)
+
+
+def moment(frame: Transform, algebra: Algebra) -> Vector:
+    """z x p of a frame."""
+    (zx, zy, zz), (px, py, pz) = frame.column(2), frame.column(3)
+    x, y, z = (
+        algebra.normal(each) for each in (zy * pz - zz * py, zz * px - zx * pz, zx * py - zy * px)
+    )
+    return x, y, z

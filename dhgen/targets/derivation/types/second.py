@@ -1,0 +1,95 @@
+"""The second equation of type 2 with Z = 0, which stays where X and Y vanish."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.paul.pool import MOMENT
+from dhgen.paul.second import across
+from dhgen.targets.derivation.blocks import display, paragraph, say
+from dhgen.targets.derivation.elements import element_of
+from dhgen.targets.derivation.formula import (
+    ZERO,
+    Call,
+    Symbol,
+    add,
+    equal,
+    times,
+)
+from dhgen.targets.derivation.joint_space import unsigned
+from dhgen.targets.derivation.names import cosine, sine, theta
+from dhgen.targets.derivation.step_context import type_letter
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.step import Step
+    from dhgen.targets.derivation.blocks import Block
+    from dhgen.targets.derivation.formula import Formula
+    from dhgen.targets.derivation.step_context import StepContext
+
+PRIMED = {name: Symbol(f"{name}'", f"{name}'") for name in "XY"}
+ADDED = {name: Symbol(rf"\hat {name}", f"{name}^") for name in "XY"}
+WEIGHT = Symbol(r"\sigma", "σ")
+FACING = -1  # the pool's equations are right - left, those on paper left = right
+
+
+@dataclass(frozen=True, slots=True)
+class Second:
+    """A second equation on paper.
+
+    Attributes:
+        context: Its step's.
+        step: The equation as a step.
+    """
+
+    context: StepContext
+    step: Step
+
+    @classmethod
+    def of(cls, context: StepContext) -> Second | None:
+        """That of a step, if it has one."""
+        return None if context.step.second is None else cls(context, context.step.second)
+
+    def blocks(self) -> list[Block]:
+        """Where it stands, its letters, and how both are added."""
+        story, angle = self.context.story, self.context.angle
+        (form,) = self.step.forms
+        (origin,) = self.step.origins
+        shown = equal(story.write(form.equation.left), story.write_forward(form.equation.right))
+        left = add(times(PRIMED["X"], sine(angle)), times(PRIMED["Y"], cosine(angle)))
+        letters = (
+            equal(PRIMED[name], story.write(self.step.coefficient(name) * FACING)) for name in "XY"
+        )
+        x, y = type_letter("X"), type_letter("Y")
+        sums = (
+            equal(ADDED[name], add(type_letter(name), times(WEIGHT, PRIMED[name]))) for name in "XY"
+        )
+        along = add(times(x, PRIMED["X"]), times(y, PRIMED["Y"]))
+        return [
+            paragraph(
+                "Where {} and {} are small this says little of {}. The task asks for more than the "
+                "arm can choose, so that the pose says it twice; from {}{}:",
+                x,
+                y,
+                theta(angle),
+                element_of(origin),
+                say(", the moment of column 3 at column 4" if origin.column == MOMENT else ""),
+            ),
+            display(shown),
+            paragraph("This is {} with", equal(left, ZERO)),
+            display(*letters),
+            paragraph(
+                "Both vectors lie along one line. They are added, turned to the same side, with "
+                "lengths in arm sizes:"
+            ),
+            display(equal(WEIGHT, Call("sgn", (along,))), *sums),
+        ]
+
+    def condition(self, first: Polynomial | None) -> Formula | None:
+        """Where both equations say nothing, in joint angles: Y s - X c is zero for both."""
+        if first is None:
+            return None
+        story = self.context.story
+        here = across(story.derivation.pool, self.step)
+        return equal(unsigned(story, first), unsigned(story, here), ZERO)

@@ -1,0 +1,785 @@
+/* bartell_rprpr: Bartell RPRPR arm
+ *
+ * Inverse kinematics, generated from robots/bartell_rprpr.yaml and templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/bartell_rprpr.yaml. The formulas and where they come from:
+ * bartell_rprpr.md.
+ */
+#include "bartell_rprpr.h"
+
+#include <math.h>
+
+static const double turn = 6.283185307179586;
+
+#ifdef __GNUC__
+#define HELPER __attribute__((unused)) static inline
+#else
+#define HELPER static inline
+#endif
+
+#define maximum_double(a, b) ((a) > (b) ? (a) : (b))
+#define minimum_double(a, b) ((a) < (b) ? (a) : (b))
+
+#ifndef BARTELL_RPRPR_LIBM
+/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
+static const double odd[11] = {
+    -0.3333333333333333, 0.19999999999995513, -0.14285714284665177, 0.11111111015146682,
+    -0.0909090457366891, 0.07692183087347286, -0.0666450998991572, 0.05858136252639731,
+    -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
+};
+
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
+ * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+#define ARCTANGENT(v) \
+HELPER v atan2_##v(v y, v x) \
+{ \
+    const v ax = abs_##v(x), ay = abs_##v(y); \
+    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
+    const v##_mask turned = least > most * 0.41421356237309515; \
+    const v rest = pick_##v(turned, least - most, least); \
+    const v up = pick_##v(steep ^ left, -rest, rest); \
+    const v down = pick_##v(turned, least + most, most); \
+    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
+    const v eighth = pick_##v(turned, part, none); \
+    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
+    const v known = pick_##v(left, 3.141592653589793 - near, near); \
+    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
+    const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
+    const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
+    const v p = p0 + (p4 + p8 * u4) * u4; \
+    return copysign_##v((known + r) + r * u * p, y); \
+}
+#endif
+
+/* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
+ * -DBARTELL_RPRPR_SCALAR. With -DBARTELL_RPRPR_LIBM the arctangents are those of <math.h>, too. */
+#if defined(__AVX2__) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
+    !defined(BARTELL_RPRPR_SCALAR) && !defined(BARTELL_RPRPR_LIBM)
+#include <immintrin.h>
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define LANES 8
+#define pick_wide(m, yes, no) _mm512_mask_blend_pd(_mm512_movepi64_mask((__m512i)(m)), no, yes)
+#define maximum_wide _mm512_max_pd
+#define minimum_wide _mm512_min_pd
+#define sqrt_wide _mm512_sqrt_pd
+#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
+#else
+#define LANES 4
+#define pick_wide pick_four
+#define maximum_wide maximum_four
+#define minimum_wide minimum_four
+#define sqrt_wide sqrt_four
+#define where_wide where_four
+#endif
+#define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
+#define maximum_four _mm256_max_pd
+#define minimum_four _mm256_min_pd
+#define sqrt_four _mm256_sqrt_pd
+#define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
+
+typedef double four __attribute__((vector_size(8 * 4)));
+typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
+typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+
+HELPER four all_four(double x)
+{
+    return x - (four){ 0 };
+}
+
+HELPER four only_four(four_mask m, double x)
+{
+    return (four)(m & (four_mask)all_four(x));
+}
+
+HELPER four copysign_four(four x, four y)
+{
+    const four_mask sign = (four_mask)all_four(-0.0);
+    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
+}
+
+HELPER four abs_four(four x)
+{
+    return copysign_four(x, all_four(0.0));
+}
+
+typedef double wide __attribute__((vector_size(8 * LANES)));
+typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
+typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
+
+HELPER wide all_wide(double x)
+{
+    return x - (wide){ 0 };
+}
+
+HELPER wide only_wide(wide_mask m, double x)
+{
+    return (wide)(m & (wide_mask)all_wide(x));
+}
+
+HELPER wide copysign_wide(wide x, wide y)
+{
+    const wide_mask sign = (wide_mask)all_wide(-0.0);
+    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
+}
+
+HELPER wide abs_wide(wide x)
+{
+    return copysign_wide(x, all_wide(0.0));
+}
+
+ARCTANGENT(four)
+#else
+#define LANES 1
+typedef double wide;
+typedef int wide_mask;
+#define all_wide(x) (x)
+#define where_wide(truth) (truth)
+#define pick_wide(m, yes, no) ((m) ? (yes) : (no))
+#define only_wide(m, x) ((m) ? (x) : 0.0)
+#define copysign_wide copysign
+#define abs_wide fabs
+#define sqrt_wide sqrt
+#define maximum_wide maximum_double
+#define minimum_wide minimum_double
+#endif
+#ifdef BARTELL_RPRPR_LIBM
+#define atan2_wide atan2
+#else
+ARCTANGENT(wide)
+#endif
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER wide irregularity_wide(const wide T[16])
+{
+    const wide x0 = T[0], x1 = T[1], x2 = T[2];
+    const wide y0 = T[4], y1 = T[5], y2 = T[6];
+    const wide z0 = T[8], z1 = T[9], z2 = T[10];
+    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
+    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
+    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
+    const wide zx = x1 * y2 - x2 * y1 - z0;
+    const wide zy = x2 * y0 - x0 * y2 - z1;
+    const wide zz = x0 * y1 - x1 * y0 - z2;
+    const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
+        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+}
+
+#if LANES > 1
+/* Writes four joint values, or two, or one, of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
+{
+    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
+    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
+    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
+    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+}
+
+HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
+{
+    *r0 = a[0];
+    *r1 = a[1];
+    *r2 = a[2];
+    *r3 = a[3];
+}
+
+HELPER unsigned bits_four(four_mask m)
+{
+    return (unsigned)_mm256_movemask_pd((four)m);
+}
+
+HELPER unsigned bits_wide(wide_mask m)
+{
+#if LANES == 8
+    return (unsigned)_mm512_movepi64_mask((__m512i)m);
+#else
+    return (unsigned)_mm256_movemask_pd((wide)m);
+#endif
+}
+
+/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
+HELPER four irregularity_four(const double T[16])
+{
+    const four x = *(const four_at *)(T + 0);
+    const four y = *(const four_at *)(T + 4);
+    const four z = *(const four_at *)(T + 8);
+    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
+    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
+    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
+    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
+    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four lengths = x * x + y * y + z * z - 1.0;
+    const four angles = x * x1 + y * y1 + z * z1;
+    const four mirror = x1 * y2 - x2 * y1 - z;
+    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
+        0.0 } + last * last;
+}
+
+/* Rows to columns. */
+HELPER void transpose(wide x[LANES])
+{
+    wide y[LANES];
+#if LANES == 8
+    for (int k = 0; k < 8; k += 2) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        const int k = i + (i & 2); /* 0, 1, 4, 5 */
+        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+    for (int k = 0; k < 8; k++)
+        x[k] = y[k];
+#else
+    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
+    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
+    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+#endif
+}
+#endif
+
+/* The status of rows: whether they have no solution, or one outside the limits. */
+#if LANES > 1
+#define kind_of(none, outside) \
+    (((none) & BARTELL_RPRPR_UNREACHABLE) \
+        | (~(none) & (outside) & BARTELL_RPRPR_OUT_OF_LIMITS))
+#else
+#define kind_of(none, outside) \
+    ((none) ? (int)BARTELL_RPRPR_UNREACHABLE \
+        : (outside) ? (int)BARTELL_RPRPR_OUT_OF_LIMITS : 0)
+#endif
+static const double d1 = 2.0; /* joint offset 1 [m] */
+static const double second_weight = 0.5; /* lengths count in arm sizes [m^-1] */
+static const double free_limit = 1e-12; /* a length that fixes no angle */
+static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
+static const double pose_slack = 1e-05; /* a pose may be rounded by this */
+static const double pose_slack1 = 2e-05; /* a pose may be rounded by this [m] */
+static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double m1 = 1e-06; /* doubt_limit^2 */
+static const double m3 = 1e-12; /* doubt_limit_squared^2 */
+static const double h1 = 1.0; /* 2 * m2 */
+
+const char *const bartell_rprpr_branches[2] = {
+    "left", "right",
+};
+
+static const double lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
+static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+static const int revolute[5] = { 1, 0, 1, 0, 1 };
+/* Of squared differences of joint values: lengths count in arm sizes. */
+static const double weight[5] = { 1.0, 0.25, 1.0, 0.25, 1.0 };
+
+void bartell_rprpr_fk(const double q[5], double T[16])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = c1 * c3;
+    const double x3_y = s1 * c3;
+    const double T13_ = c1 * s3;
+    const double T23_ = s1 * s3;
+    const double T14_ = s1 * q[1] + T13_ * q[3];
+    const double T24_ = T23_ * q[3] - c1 * q[1];
+    const double T34_ = d1 - c3 * q[3];
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double T11_ = x3_x * c5 + s1 * s5;
+    const double T21_ = x3_y * c5 - c1 * s5;
+    const double T31_ = s3 * c5;
+    const double T12_ = s1 * c5 - x3_x * s5;
+    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = -(c1 * c5 + x3_y * s5); T[6] = T23_; T[7] = T24_;
+    T[8] = T31_; T[9] = -(s3 * s5); T[10] = -c3; T[11] = T34_;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void bartell_rprpr_jacobian(const double q[5], double J[30])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double p2_x = s1 * q[1];
+    const double v1 = c1 * q[1];
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double J14 = c1 * s3;
+    const double J24 = s1 * s3;
+    const double J21 = p2_x + J14 * q[3];
+    const double p4_y = J24 * q[3] - v1;
+    const double v2 = d1 - c3 * q[3] - d1;
+    const double J33 = s1 * (v1 + p4_y) + c1 * (J21 - p2_x);
+    J[0] = -p4_y; J[1] = s1; J[2] = -(c1 * v2); J[3] = J14; J[4] = 0.0;
+    J[5] = J21; J[6] = -c1; J[7] = -(s1 * v2); J[8] = J24; J[9] = 0.0;
+    J[10] = 0.0; J[11] = 0.0; J[12] = J33; J[13] = -c3; J[14] = 0.0;
+    J[15] = 0.0; J[16] = 0.0; J[17] = s1; J[18] = 0.0; J[19] = J14;
+    J[20] = 0.0; J[21] = 0.0; J[22] = -c1; J[23] = 0.0; J[24] = J24;
+    J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = -c3;
+}
+
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+static double misfit(const double T[16])
+{
+    const double *x = T, *y = T + 4, *z = T + 8;
+    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
+    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
+    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
+    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
+    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
+    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+}
+
+/* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
+static void straighten(double T[16])
+{
+    double R[9], G[9];
+    for (int i = 0; i < 9; i++)
+        R[i] = T[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            G[3 * i + j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
+        return 0;
+    const double miss = misfit(T);
+    if (!(miss <= 1e-09))
+        return 0;
+    if (miss > 1e-24) {
+        straighten(T);
+        straighten(T);
+    }
+    return 1;
+}
+
+/* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
+ * pose has to be left to `solve`. */
+HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
+{
+    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const wide v1 = T34 - d1;
+    const wide X2_1 = v1 * T23 - T24 * T33;
+    const wide Y2_1 = v1 * T13 - T33 * T14;
+    const wide v2 = copysign_wide(all_wide(second_weight), X2_1 * T13 - T23 * Y2_1);
+    const wide v3 = T13 + X2_1 * v2, v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4;
+    const wide w1 = sqrt_wide(v5);
+    const wide v6 = 1.0 / v5;
+    const wide factor1 = w1 * v6;
+    const wide v7 = v3 * factor1;
+    const wide s1 = v4 * factor1;
+    const wide angle1 = atan2_wide(v4, -v3);
+
+    /* r2 */
+    const wide r2 = w1 * (v6 * (T24 * v3 + T14 * v4));
+
+    /* theta3 */
+    const wide Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3));
+    const wide v8 = T33 * T33 + Z2_3 * Z2_3;
+    const wide w3 = sqrt_wide(v8);
+    const wide v9 = 1.0 / v8;
+    const wide factor3 = w3 * v9;
+    const wide v10 = T33 * factor3;
+    const wide s3 = Z2_3 * factor3;
+    const wide angle2 = atan2_wide(Z2_3, -T33);
+
+    /* r4 */
+    const wide r4 = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
+
+    /* theta5 */
+    const wide v11 = w1 * (v6 * (v3 * T22 + v4 * T12)), v12 = w1 * (v6 * (v3 * T21 + v4 * T11));
+    const wide v13 = v12 * v12 + v11 * v11, v14 = sqrt_wide(v13) * (1.0 / v13);
+    const wide c5 = v11 * v14;
+    const wide s5 = v12 * v14;
+    const wide angle3 = atan2_wide(v12, v11);
+
+    /* is the pose one that the arm can take? */
+    const wide v15 = v7 * v10, v16 = v7 * s3, v17 = s1 * v10, v18 = s1 * s3;
+    const double v19 = sqrt(-1.0);
+    const wide v20 = pick_wide(maximum_wide(abs_wide(T14 - (s1 * r2 - r4 * v16)),
+        maximum_wide(abs_wide(T34 - (d1 + v10 * r4)), abs_wide(T24 - (r4 * v18 + v7 * r2)))) <=
+        pose_slack1, all_wide(0.0), all_wide(v19));
+    const wide v21 = pick_wide(maximum_wide(abs_wide(T12 - (s1 * c5 - s5 * v15)),
+        maximum_wide(abs_wide(T11 - (c5 * v15 + s1 * s5)), maximum_wide(abs_wide(T13 + v16),
+        maximum_wide(abs_wide(T21 - (v7 * s5 - c5 * v17)), maximum_wide(abs_wide(T22 - (v7 * c5 + s5
+        * v17)), maximum_wide(abs_wide(T23 - v18), maximum_wide(abs_wide(T31 - s3 * c5),
+        maximum_wide(abs_wide(T33 - v10), abs_wide(T32 + s3 * s5))))))))) <= pose_slack,
+        all_wide(0.0), all_wide(v19));
+
+    /* joint values */
+    const wide q1_p = v21 + (angle1 + v20);
+    const wide q1_m = v21 + (v20 + (angle1 - copysign_wide(all_wide(half_turn), v4) * h1));
+    const wide q2_p = v21 + (r2 + v20), q2_m = v21 + (v20 - r2);
+    const wide q3_p = v21 + (angle2 + v20), q3_m = v21 + (v20 - angle2);
+    const wide q4_p = v21 + (r4 + v20);
+    const wide q5_p = v21 + (angle3 + v20);
+    const wide q5_m = v21 + (v20 + (angle3 - h1 * copysign_wide(all_wide(half_turn), v12)));
+    const wide_mask doubt1 = (v8 <= m3) | ((v13 <= m3) | (v5 <= m1));
+
+    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p; q[4] = q5_p;
+    kind[0] = kind_of(q[0] != q[0], 0);
+    q[5] = q1_m; q[6] = q2_m; q[7] = q3_m; q[8] = q4_p; q[9] = q5_m;
+    kind[1] = kind_of(q[5] != q[5], 0);
+    const wide_mask exact = irregularity_wide(T) <= 1e-24;
+    return (exact == 0) | (doubt1);
+}
+
+#if LANES > 1
+static const double m2 = 0.5; /* 1 / 2 */
+/* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
+ * to be left to `solve`. */
+HELPER int solve_regular(const double T[16], double q[2][5], unsigned char status[2])
+{
+    const four e1 = { 1.0, -1.0, 1.0, -1.0 };
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1 */
+    const double v1 = T34 - d1;
+    const double X2_1 = v1 * T23 - T24 * T33;
+    const double Y2_1 = v1 * T13 - T33 * T14;
+    const double v2 = copysign(second_weight, X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2;
+    const double v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4;
+    const double w1 = sqrt(v5);
+    const double v6 = 1.0 / v5;
+    const double factor1 = w1 * v6;
+    const double v7 = v3 * factor1;
+    const double s1 = v4 * factor1;
+    const double v8 = copysign(half_turn, v4);
+    const four v9 = m2 * (e1 - 1.0);
+
+    /* r2 */
+    const double r2 = w1 * (v6 * (T24 * v3 + T14 * v4));
+
+    /* theta3 */
+    const double Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3));
+    const double v10 = T33 * T33 + Z2_3 * Z2_3;
+    const double w3 = sqrt(v10);
+    const double v11 = 1.0 / v10;
+    const double factor3 = w3 * v11;
+    const double v12 = T33 * factor3;
+    const double s3 = Z2_3 * factor3;
+
+    /* r4 */
+    const double r4 = w3 * (v11 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
+
+    /* theta5 */
+    const double v13 = w1 * (v6 * (v3 * T22 + v4 * T12)), v14 = w1 * (v6 * (v3 * T21 + v4 * T11));
+    const double v15 = v14 * v14 + v13 * v13, v16 = sqrt(v15) * (1.0 / v15);
+    const double c5 = v13 * v16;
+    const double s5 = v14 * v16;
+    const double v17 = copysign(half_turn, v14);
+
+    /* is the pose one that the arm can take? */
+    const double v18 = v7 * v12, v19 = v7 * s3, v20 = s1 * v12, v21 = s1 * s3, v22 = sqrt(-1.0);
+    const double v23 = (maximum_double(fabs(T14 - (s1 * r2 - r4 * v19)), maximum_double(fabs(T34 -
+        (d1 + v12 * r4)), fabs(T24 - (r4 * v21 + v7 * r2)))) <= pose_slack1) ? 0.0 : v22;
+    const double v24 = (maximum_double(fabs(T12 - (s1 * c5 - s5 * v18)), maximum_double(fabs(T11 -
+        (c5 * v18 + s1 * s5)), maximum_double(fabs(T13 + v19), maximum_double(fabs(T21 - (v7 * s5 -
+        c5 * v20)), maximum_double(fabs(T22 - (v7 * c5 + s5 * v20)), maximum_double(fabs(T23 - v21),
+        maximum_double(fabs(T31 - s3 * c5), maximum_double(fabs(T33 - v12), fabs(T32 + s3 *
+        s5))))))))) <= pose_slack) ? 0.0 : v22;
+
+    /* joint values */
+    const four q2 = v24 + (v23 + e1 * r2);
+    const double q4 = v24 + (r4 + v23);
+    const int doubt1 = (v10 <= m3) | ((v15 <= m3) | (v5 <= m1));
+
+    const four packed1 = atan2_four((four){ v4, Z2_3, v14, v4 }, (four){ -v3, -T33, v13, -v3 });
+    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four q1 = v24 + (v23 + (angle1 + v8 * v9));
+    const four q3 = v24 + (v23 + e1 * angle2);
+    const four q5 = v24 + (v23 + (angle3 + v9 * v17));
+
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+        return -1;
+    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, all_four(q4));
+    store_1(&q[0][4], &q[1][4], &q[0][4], &q[1][4], q5);
+    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    const unsigned long long kind1 = none1 * BARTELL_RPRPR_UNREACHABLE;
+    __builtin_memcpy(status + 0, &kind1, 2);
+    return 2 - __builtin_popcountll(none1);
+}
+
+/* Solves LANES poses of a batch. Returns a bit for each that has to be left to `solve`. */
+HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
+{
+    wide pose[16], found[10], x[LANES];
+    wide_mask kind[2];
+    for (int i = 0; i < 16; i += LANES) {
+        for (int k = 0; k < LANES; k++)
+            x[k] = *(const wide_at *)(T + 16 * k + i);
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            pose[i + k] = x[k];
+    }
+    const wide_mask left = solve_wide(pose, found, kind);
+    if (10 >= LANES) {
+        for (int i = 0; i < 10; i += LANES) {
+            const int from = i + LANES <= 10 ? i : 10 - LANES;
+            for (int k = 0; k < LANES; k++)
+                x[k] = found[from + k];
+            transpose(x);
+            for (int k = 0; k < LANES; k++)
+                *(wide_at *)(q + 10 * k + from) = x[k];
+        }
+    } else {
+        for (int i = 0; i < 10; i++)
+            for (int k = 0; k < LANES; k++)
+                q[10 * k + i] = found[i][k];
+    }
+    for (int row = 0; row < 2; row += 8) {
+        wide_mask word = kind[row];
+        const int size = 2 - row < 8 ? 2 - row : 8;
+        for (int i = 1; i < size; i++)
+            word |= kind[row + i] << 8 * i;
+        for (int k = 0; k < LANES; k++)
+            for (int i = 0; i < size; i++)
+                status[2 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+    }
+    return bits_wide(left);
+}
+#else
+HELPER int solve_regular(const double T[16], double q[2][5], unsigned char status[2])
+{
+    wide_mask kind[2];
+    int count = 0;
+    if (solve_wide(T, &q[0][0], kind))
+        return -1;
+    for (int row = 0; row < 2; row++) {
+        status[row] = (unsigned char)kind[row];
+        count += kind[row] == 0;
+    }
+    return count;
+}
+#endif
+
+/* Fills the rows of the branches that have a solution, and no others. */
+static void solve(
+    const double T[16], const double seed[5], double q[2][5], unsigned char status[2])
+{
+    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+
+    /* theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2 */
+    const double v1 = T34 - d1;
+    const double X2_1 = T23 * v1 - T24 * T33;
+    const double Y2_1 = T13 * v1 - T33 * T14;
+    const double v2 = copysign(second_weight, T13 * X2_1 - T23 * Y2_1);
+    const double v3 = T13 + X2_1 * v2;
+    const double v4 = Y2_1 * v2 - T23;
+    const double w1 = sqrt(v3 * v3 + v4 * v4);
+    const int free1 = w1 <= free_limit;
+    const double divisor1 = free1 ? 1.0 : w1;
+
+    /* theta3, type 3: U1[3, 3] and U1[1, 3] */
+    const double v5 = T33 * T33;
+
+    for (int i1 = 0; i1 < 2; i1++) { /* left, right */
+        const double e1 = i1 == 0 ? 1.0 : -1.0;
+        /* theta1 */
+        if (e1 < 0.0 && free1) continue; /* both signs give the same */
+        const double factor1 = e1 / divisor1;
+        const double c1 = free1 ? cos(seed[0]) : -(v3 * factor1);
+        const double s1 = free1 ? sin(seed[0]) : v4 * factor1;
+        const double q1 = atan2(s1, c1);
+
+        /* r2, type 1: U1[2, 4] */
+        const double r2 = T14 * s1 - T24 * c1;
+
+        /* theta3 */
+        const double Z2_3 = T13 * c1 + T23 * s1;
+        const double w3 = sqrt(Z2_3 * Z2_3 + v5);
+        const int free3 = w3 <= free_limit_squared;
+        const double factor3 = 1.0 / (free3 ? 1.0 : w3);
+        const double c3 = free3 ? cos(seed[2]) : -(T33 * factor3);
+        const double s3 = free3 ? sin(seed[2]) : Z2_3 * factor3;
+        const double q3 = atan2(s3, c3);
+
+        /* r4, type 1: U3[2, 4] */
+        const double r4 = c3 * -v1 + s3 * (T14 * c1 + T24 * s1);
+
+        /* theta5, type 3: U1[2, 2] and U1[2, 1] */
+        const double Z1_5 = T22 * c1 - T12 * s1;
+        const double Z2_5 = T21 * c1 - T11 * s1;
+        const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
+        const int free5 = w5 <= free_limit_squared;
+        const double v6 = 1.0 / (free5 ? 1.0 : w5);
+        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v6);
+        const double s5 = free5 ? sin(seed[4]) : -(Z2_5 * v6);
+        const double q5 = atan2(s5, c5);
+
+        /* is the pose one that the arm can take? */
+        const double v7 = c1 * c3;
+        const double v8 = c1 * s3;
+        const double v9 = s1 * c3;
+        const double v10 = s1 * s3;
+        if (!(fabs(T34 - (d1 - c3 * r4)) <= pose_slack1 && (fabs(T33 + c3) <= pose_slack &&
+            (fabs(T32 + s3 * s5) <= pose_slack && (fabs(T31 - s3 * c5) <= pose_slack && (fabs(T24 -
+            (r4 * v10 - c1 * r2)) <= pose_slack1 && (fabs(T23 - v10) <= pose_slack && (fabs(T22 +
+            (c1 * c5 + s5 * v9)) <= pose_slack && (fabs(T21 - (c5 * v9 - c1 * s5)) <= pose_slack &&
+            (fabs(T14 - (r4 * v8 + s1 * r2)) <= pose_slack1 && (fabs(T13 - v8) <= pose_slack &&
+            (fabs(T11 - (c5 * v7 + s1 * s5)) <= pose_slack && fabs(T12 - (s1 * c5 - s5 * v7)) <=
+            pose_slack))))))))))))
+            continue; /* the arm can't take this pose */
+        const int row = i1;
+        q[row][0] = q1;
+        q[row][1] = r2;
+        q[row][2] = q3;
+        q[row][3] = r4;
+        q[row][4] = q5;
+        status[row] = (free1 || free3 || free5) ? BARTELL_RPRPR_FREE_JOINT : BARTELL_RPRPR_OK;
+    }
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static double turned(int joint, double given, double towards)
+{
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
+    double value = given;
+    if (!revolute[joint])
+        return value;
+    value += turn * floor((towards - value) / turn + 0.5);
+    if (value > high)
+        value -= turn * ceil((value - high) / turn);
+    if (value < low)
+        value += turn * ceil((low - value) / turn);
+    return value <= high ? value : given;
+}
+
+static int inside(int joint, double value)
+{
+    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
+}
+
+int bartell_rprpr_ik(
+    const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
+{
+    static const double zeros[5] = { 0.0 };
+    const double *seed = q_seed ? q_seed : zeros;
+    double pose[16];
+    int count = 0;
+    if ((count = solve_regular(T, q, status)) >= 0)
+        return count;
+    const int valid = read_pose(T, pose);
+    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+        return count;
+    count = 0;
+    for (int row = 0; row < 2; row++) {
+        status[row] = valid ? BARTELL_RPRPR_UNREACHABLE : BARTELL_RPRPR_INVALID_POSE;
+        for (int i = 0; i < 5; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -BARTELL_RPRPR_INVALID_POSE;
+    solve(pose, seed, q, status);
+    for (int row = 0; row < 2; row++) {
+        if (status[row] == BARTELL_RPRPR_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 5; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = BARTELL_RPRPR_OUT_OF_LIMITS;
+        }
+        count += status[row] != BARTELL_RPRPR_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double q[5])
+{
+    double all[2][5], least = HUGE_VAL;
+    unsigned char status[2];
+    int result = -BARTELL_RPRPR_UNREACHABLE;
+    for (int i = 0; i < 5; i++)
+        q[i] = NAN;
+    for (int i = 0; i < 5; i++)
+        if (!isfinite(q_seed[i]))
+            return -BARTELL_RPRPR_INVALID_POSE;
+    if (bartell_rprpr_ik(T, q_seed, all, status) < 0)
+        return -BARTELL_RPRPR_INVALID_POSE;
+    for (int row = 0; row < 2; row++) {
+        double distance = 0.0;
+        if (status[row] == BARTELL_RPRPR_OUT_OF_LIMITS && result < 0)
+            result = -BARTELL_RPRPR_OUT_OF_LIMITS;
+        if (status[row] != BARTELL_RPRPR_OK && status[row] != BARTELL_RPRPR_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 5; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += weight[i] * moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 5; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void bartell_rprpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    size_t k = 0;
+#if LANES > 1
+    for (; k + LANES <= n; k += LANES) {
+        unsigned left = solve_tile(T + 16 * k, q + 10 * k, status + 2 * k);
+        for (size_t i = k; left; i++, left >>= 1)
+            if (left & 1u)
+                (void)bartell_rprpr_ik(
+                    T + 16 * i, NULL, (double (*)[5])(q + 10 * i), status + 2 * i);
+    }
+#endif
+    for (; k < n; k++)
+        (void)bartell_rprpr_ik(T + 16 * k, NULL, (double (*)[5])(q + 10 * k), status + 2 * k);
+}

@@ -1,0 +1,70 @@
+/* bartell_rprpr: Bartell RPRPR arm
+ *
+ * Inverse kinematics, generated from robots/bartell_rprpr.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/bartell_rprpr.yaml. The formulas and where they come from:
+ * bartell_rprpr.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef BARTELL_RPRPR_H
+#define BARTELL_RPRPR_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define BARTELL_RPRPR_METHOD "closed form"
+
+enum {
+    BARTELL_RPRPR_DOF = 5, /* joints */
+    BARTELL_RPRPR_ROWS = 2 /* branches */
+};
+
+/* What a row of bartell_rprpr_ik holds. */
+enum {
+    /* joint values */
+    BARTELL_RPRPR_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    BARTELL_RPRPR_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    BARTELL_RPRPR_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    BARTELL_RPRPR_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    BARTELL_RPRPR_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const bartell_rprpr_branches[2];
+
+/* The pose T of the joint values q. */
+void bartell_rprpr_fk(const double q[5], double T[16]);
+
+/* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void bartell_rprpr_jacobian(const double q[5], double J[30]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -BARTELL_RPRPR_INVALID_POSE. */
+int bartell_rprpr_ik(
+    const double T[16], const double *q_seed, double q[2][5], unsigned char status[2]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns BARTELL_RPRPR_OK or BARTELL_RPRPR_FREE_JOINT, or, with NaN in q,
+ * minus BARTELL_RPRPR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
+
+/* bartell_rprpr_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 2 x 5, status n x 2. */
+void bartell_rprpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

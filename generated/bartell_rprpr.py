@@ -1,0 +1,855 @@
+"""bartell_rprpr: Bartell RPRPR arm.
+
+Inverse kinematics, generated from robots/bartell_rprpr.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/bartell_rprpr.yaml. The formulas and where they come from:
+bartell_rprpr.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+try:
+    from numba import carray, config, njit, types
+    from numba.core import cgutils
+    from numba.extending import intrinsic
+
+    if config.DISABLE_JIT:  # for debuggers
+        raise ImportError
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+    def intrinsic(**_):
+        return lambda function: np.zeros
+
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
+_jit = njit(**_OPTIONS)
+# Only compiled code may call these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
+
+NAME = "bartell_rprpr"
+METHOD = "closed form"
+DOF = 5
+JOINT_TYPES = "RPRPR"
+JOINT_LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+BRANCHES = (
+    "left",
+    "right",
+)
+MAX_SOLUTIONS = 2
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+d1 = 2.0  # joint offset 1 [m]
+second_weight = 0.5  # lengths count in arm sizes [m^-1]
+free_limit = 1e-12  # a length that fixes no angle
+free_limit_squared = 1e-24  # square of a length that fixes no angle
+pose_slack = 1e-05  # a pose may be rounded by this
+pose_slack1 = 2e-05  # a pose may be rounded by this [m]
+half_turn = 3.141592653589793  # pi [rad]
+m1 = 1e-06  # doubt_limit^2
+m3 = 1e-12  # doubt_limit_squared^2
+h1 = 1.0  # 2 * m2
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+_REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 0.25, 1.0, 0.25, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+@njit(fastmath={"contract"}, **_OPTIONS)
+def _atan2(y, x):
+    """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
+    along, across = abs(x), abs(y)
+    far = along if along > across else across
+    near = across if along > across else along
+    steep = near > 0.41421356237309515 * far  # tan(pi/8)
+    divisor = near + far if steep else far
+    r = (near - far if steep else near) / (1.0 if divisor == 0.0 else divisor)
+    u = r * r
+    p = -0.01917454359469326
+    p = p * u + 0.039229744582632814
+    p = p * u - 0.050853834915688644
+    p = p * u + 0.05858136252639731
+    p = p * u - 0.0666450998991572
+    p = p * u + 0.07692183087347286
+    p = p * u - 0.0909090457366891
+    p = p * u + 0.11111111015146682
+    p = p * u - 0.14285714284665177
+    p = p * u + 0.19999999999995513
+    p = p * u - 0.3333333333333333
+    angle = r + r * u * p + (0.7853981633974483 if steep else 0.0)
+    angle = 1.5707963267948966 - angle if across > along else angle
+    angle = 3.141592653589793 - angle if math.copysign(1.0, x) < 0.0 else angle
+    return math.copysign(angle, y)
+
+
+@_jit
+def fk(q):
+    """The pose (4, 4) of the joint values q (5,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 5 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = c1 * c3
+    x3_y = s1 * c3
+    T13_ = c1 * s3
+    T23_ = s1 * s3
+    T14_ = s1 * q[1] + T13_ * q[3]
+    T24_ = T23_ * q[3] - c1 * q[1]
+    T34_ = d1 - c3 * q[3]
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    T11_ = x3_x * c5 + s1 * s5
+    T21_ = x3_y * c5 - c1 * s5
+    T31_ = s3 * c5
+    T12_ = s1 * c5 - x3_x * s5
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = -(c1 * c5 + x3_y * s5)
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = -(s3 * s5)
+    T[2, 2] = -c3
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
+
+
+@_jit
+def jacobian(q):
+    """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 5 joint values")
+    J = np.zeros((6, 5))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p2_x = s1 * q[1]
+    v1 = c1 * q[1]
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    J14 = c1 * s3
+    J24 = s1 * s3
+    J21 = p2_x + J14 * q[3]
+    p4_y = J24 * q[3] - v1
+    v2 = d1 - c3 * q[3] - d1
+    J33 = s1 * (v1 + p4_y) + c1 * (J21 - p2_x)
+    J[0, 0] = -p4_y
+    J[0, 1] = s1
+    J[0, 2] = -(c1 * v2)
+    J[0, 3] = J14
+    J[1, 0] = J21
+    J[1, 1] = -c1
+    J[1, 2] = -(s1 * v2)
+    J[1, 3] = J24
+    J[2, 2] = J33
+    J[2, 3] = -c3
+    J[3, 2] = s1
+    J[3, 4] = J14
+    J[4, 2] = -c1
+    J[4, 4] = J24
+    J[5, 0] = 1.0
+    J[5, 4] = -c3
+    return J
+
+
+@_inner
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+
+    # theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2
+    v1 = T34 - d1
+    X2_1 = T23 * v1 - T24 * T33
+    Y2_1 = T13 * v1 - T33 * T14
+    v2 = math.copysign(second_weight, T13 * X2_1 - T23 * Y2_1)
+    v3 = T13 + X2_1 * v2
+    v4 = Y2_1 * v2 - T23
+    w1 = math.sqrt(v3 * v3 + v4 * v4)
+    free1 = w1 <= free_limit
+    divisor1 = 1.0 if free1 else w1
+
+    # theta3, type 3: U1[3, 3] and U1[1, 3]
+    v5 = T33 * T33
+
+    for i1 in range(2):  # left, right
+        e1 = 1.0 - 2.0 * i1
+        # theta1
+        if e1 < 0.0 and free1:
+            continue  # both signs give the same
+        factor1 = e1 / divisor1
+        c1 = math.cos(seed[0]) if free1 else -(v3 * factor1)
+        s1 = math.sin(seed[0]) if free1 else v4 * factor1
+        q1 = _atan2(s1, c1)
+
+        # r2, type 1: U1[2, 4]
+        r2 = T14 * s1 - T24 * c1
+
+        # theta3
+        Z2_3 = T13 * c1 + T23 * s1
+        w3 = math.sqrt(Z2_3 * Z2_3 + v5)
+        free3 = w3 <= free_limit_squared
+        factor3 = 1.0 / (1.0 if free3 else w3)
+        c3 = math.cos(seed[2]) if free3 else -(T33 * factor3)
+        s3 = math.sin(seed[2]) if free3 else Z2_3 * factor3
+        q3 = _atan2(s3, c3)
+
+        # r4, type 1: U3[2, 4]
+        r4 = c3 * -v1 + s3 * (T14 * c1 + T24 * s1)
+
+        # theta5, type 3: U1[2, 2] and U1[2, 1]
+        Z1_5 = T22 * c1 - T12 * s1
+        Z2_5 = T21 * c1 - T11 * s1
+        w5 = math.sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5)
+        free5 = w5 <= free_limit_squared
+        v6 = 1.0 / (1.0 if free5 else w5)
+        c5 = math.cos(seed[4]) if free5 else -(Z1_5 * v6)
+        s5 = math.sin(seed[4]) if free5 else -(Z2_5 * v6)
+        q5 = _atan2(s5, c5)
+
+        # is the pose one that the arm can take?
+        v7 = c1 * c3
+        v8 = c1 * s3
+        v9 = s1 * c3
+        v10 = s1 * s3
+        if (
+            not (abs(T34 - (d1 - c3 * r4)) <= pose_slack1 and (abs(T33 + c3) <= pose_slack and
+            (abs(T32 + s3 * s5) <= pose_slack and (abs(T31 - s3 * c5) <= pose_slack and (abs(T24 -
+            (r4 * v10 - c1 * r2)) <= pose_slack1 and (abs(T23 - v10) <= pose_slack and (abs(T22 +
+            (c1 * c5 + s5 * v9)) <= pose_slack and (abs(T21 - (c5 * v9 - c1 * s5)) <= pose_slack and
+            (abs(T14 - (r4 * v8 + s1 * r2)) <= pose_slack1 and (abs(T13 - v8) <= pose_slack and
+            (abs(T11 - (c5 * v7 + s1 * s5)) <= pose_slack and abs(T12 - (s1 * c5 - s5 * v7)) <=
+            pose_slack)))))))))))
+        ):
+            continue  # the arm can't take this pose
+        row = i1
+        q[row, 0] = q1
+        q[row, 1] = r2
+        q[row, 2] = q3
+        q[row, 3] = r4
+        q[row, 4] = q5
+        status[row] = FREE_JOINT if free1 or free3 or free5 else OK
+
+
+@njit(**{**_OPTIONS, "forceinline": True})
+def _read(T):
+    """Whether T is a pose, and its upper three rows.
+
+    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
+    (Higham 1986).
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    valid = valid and rest <= 1e-09
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
+    valid = valid and miss <= 1e-09
+    if valid and miss > 1e-24:
+        for _ in range(2):
+            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+            x0, y0, z0 = (
+                xx * x0 + xy * y0 + xz * z0,
+                xy * x0 + yy * y0 + yz * z0,
+                xz * x0 + yz * y0 + zz * z0,
+            )
+            x1, y1, z1 = (
+                xx * x1 + xy * y1 + xz * z1,
+                xy * x1 + yy * y1 + yz * z1,
+                xz * x1 + yz * y1 + zz * z1,
+            )
+            x2, y2, z2 = (
+                xx * x2 + xy * y2 + xz * z2,
+                xy * x2 + yy * y2 + yz * z2,
+                xz * x2 + yz * y2 + zz * z2,
+            )
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_inner
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    if not _REVOLUTE[joint]:
+        return given
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_jit
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
+    for row in range(2):
+        status[row] = UNREACHABLE
+        for i in range(5):
+            q[row, i] = math.nan
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(2):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(5):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_merged
+def _regular(pose, q, status):
+    """A pose at which no joint is free and no branches meet into q and status; False for others.
+
+    What can't be reached is NaN by itself: it has the root of a negative number in it.
+    """
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    room = carray(_room(16), 16)
+
+    # theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2
+    v1 = T34 - d1
+    X2_1 = v1 * T23 - T24 * T33
+    Y2_1 = v1 * T13 - T33 * T14
+    v2 = math.copysign(second_weight, X2_1 * T13 - T23 * Y2_1)
+    v3 = T13 + X2_1 * v2
+    v4 = Y2_1 * v2 - T23
+    v5 = v3 * v3 + v4 * v4
+    w1 = math.sqrt(v5)
+    v6 = 1.0 / v5
+    factor1 = w1 * v6
+    v7 = v3 * factor1
+    s1 = v4 * factor1
+
+    # r2, type 1: U1[2, 4]
+    r2 = w1 * (v6 * (T24 * v3 + T14 * v4))
+
+    # theta3, type 3: U1[3, 3] and U1[1, 3]
+    Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3))
+    v8 = T33 * T33 + Z2_3 * Z2_3
+    w3 = math.sqrt(v8)
+    v9 = 1.0 / v8
+    factor3 = w3 * v9
+    v10 = T33 * factor3
+    s3 = Z2_3 * factor3
+
+    # r4, type 1: U3[2, 4]
+    r4 = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1))
+
+    # theta5, type 3: U1[2, 2] and U1[2, 1]
+    v11 = w1 * (v6 * (v3 * T22 + v4 * T12))
+    v12 = w1 * (v6 * (v3 * T21 + v4 * T11))
+    v13 = v12 * v12 + v11 * v11
+    v14 = math.sqrt(v13) * (1.0 / v13)
+    c5 = v11 * v14
+    s5 = v12 * v14
+
+    # is the pose one that the arm can take?
+    v15 = v7 * v10
+    v16 = v7 * s3
+    v17 = s1 * v10
+    v18 = s1 * s3
+    v19 = math.sqrt(-1.0)
+    v20 = (
+        0.0 if max(abs(T14 - (s1 * r2 - r4 * v16)), max(abs(T34 - (d1 + v10 * r4)), abs(T24 - (r4 *
+        v18 + v7 * r2)))) <= pose_slack1 else v19
+    )
+    v21 = (
+        0.0 if max(abs(T12 - (s1 * c5 - s5 * v15)), max(abs(T11 - (c5 * v15 + s1 * s5)), max(abs(T13
+        + v16), max(abs(T21 - (v7 * s5 - c5 * v17)), max(abs(T22 - (v7 * c5 + s5 * v17)),
+        max(abs(T23 - v18), max(abs(T31 - s3 * c5), max(abs(T33 - v10), abs(T32 + s3 * s5)))))))))
+        <= pose_slack else v19
+    )
+
+    # joint values
+    q2_p = v21 + (r2 + v20)
+    q2_m = v21 + (v20 - r2)
+    q4_p = v21 + (r4 + v20)
+    doubt1 = v8 <= m3 or (v13 <= m3 or v5 <= m1)
+
+    # angles, side by side
+    room[0] = v4
+    room[1] = Z2_3
+    room[2] = v12
+    room[8] = -v3
+    room[9] = -T33
+    room[10] = v11
+    for k in range(3, 8):
+        room[k] = room[k + 8] = 1.0
+    for k in range(8):
+        room[k] = _atan2(room[k], room[k + 8])
+    angle1 = room[0]
+    angle2 = room[1]
+    angle3 = room[2]
+
+    # joint values
+    q1_p = v21 + (angle1 + v20)
+    q1_m = v21 + (v20 + (angle1 - math.copysign(half_turn, v4) * h1))
+    q3_p = v21 + (angle2 + v20)
+    q3_m = v21 + (v20 - angle2)
+    q5_p = v21 + (angle3 + v20)
+    q5_m = v21 + (v20 + (angle3 - h1 * math.copysign(half_turn, v12)))
+
+    # a joint is free, or branches meet
+    if doubt1:
+        return False
+    q[0, 0] = q1_p
+    q[0, 1] = q2_p
+    q[0, 2] = q3_p
+    q[0, 3] = q4_p
+    q[0, 4] = q5_p
+    status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
+    q[1, 0] = q1_m
+    q[1, 1] = q2_m
+    q[1, 2] = q3_m
+    q[1, 3] = q4_p
+    q[1, 4] = q5_m
+    status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
+    return True
+
+
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (2, 5) or status.shape != (2,):
+        raise ValueError("T, q and status must be (4, 4), (2, 5) and (2,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    if _COMPILED and _regular(pose, q, status):
+        count = 0
+        for row in range(2):
+            count += status[row] == OK
+        return count
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(5):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(5), 5))
+    return _into(T, seed, q, status)
+
+
+@_jit
+def ik_into(T, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated nowhere. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (2, 5), NaN where there is no solution; float64.
+        status: Filled with what each row holds (2,); uint8.
+        q_seed: Values for joints that are indeterminate (5,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
+    """
+    seed = _zeros(carray(_room(5), 5)) if q_seed is None else q_seed
+    if seed.shape != (5,):
+        raise ValueError("q_seed must be (5,)")
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    return _into(T, seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (2, 5) and status (2,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (5,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((2, 5)), np.empty(2, _BYTE)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (5,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    if not _REVOLUTE[joint]:
+        return value
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(5):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(5):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (5,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (5,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 2) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    rows, status, q = rows[first:last], status[first:last], np.empty(5)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    for k in range(len(T)):
+        _unseeded(T[k], q[k], status[k])
+
+
+# Where in a tile the rows' values and statuses begin.
+_PLACES = np.array([
+    [992, 1024, 1056, 1088, 1120],
+    [1152, 1184, 1216, 1088, 1248],
+])
+_KINDS = np.array([1280, 1312])
+_LEFT_OVER = 255
+
+
+@njit(nogil=True, **_OPTIONS)
+def _in_tiles(T, q, status):
+    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+
+    Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
+    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    """
+    work = np.empty(1344)
+    work[:] = 0.0  # the last tile may be half full
+    for first in range(0, len(T), 32):
+        count = min(32, len(T) - first)
+        for k in range(count):
+            for i in range(4):
+                for j in range(4):
+                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+        for k in range(32):
+            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
+            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
+            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+            xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+            yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+            xy = x0 * y0 + x1 * y1 + x2 * y2
+            u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            miss = (
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
+                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+            )
+            exact = miss <= 1e-24
+            work[512 + k] = 0.0 if exact else 1.0
+        for k in range(0, 32):
+            T11 = work[0 + k]
+            T12 = work[32 + k]
+            T13 = work[64 + k]
+            T14 = work[96 + k]
+            T21 = work[128 + k]
+            T22 = work[160 + k]
+            T23 = work[192 + k]
+            T24 = work[224 + k]
+            T31 = work[256 + k]
+            T32 = work[288 + k]
+            T33 = work[320 + k]
+            T34 = work[352 + k]
+            v1 = T34 - d1
+            X2_1 = v1 * T23 - T24 * T33
+            Y2_1 = v1 * T13 - T33 * T14
+            v2 = math.copysign(second_weight, X2_1 * T13 - T23 * Y2_1)
+            v3 = T13 + X2_1 * v2
+            v4 = Y2_1 * v2 - T23
+            v5 = v3 * v3 + v4 * v4
+            w1 = math.sqrt(v5)
+            v6 = 1.0 / v5
+            factor1 = w1 * v6
+            v7 = v3 * factor1
+            s1 = v4 * factor1
+            r2 = w1 * (v6 * (T24 * v3 + T14 * v4))
+            Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3))
+            v8 = T33 * T33 + Z2_3 * Z2_3
+            w3 = math.sqrt(v8)
+            v9 = 1.0 / v8
+            factor3 = w3 * v9
+            v10 = T33 * factor3
+            s3 = Z2_3 * factor3
+            r4 = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1))
+            v11 = w1 * (v6 * (v3 * T22 + v4 * T12))
+            v12 = w1 * (v6 * (v3 * T21 + v4 * T11))
+            v13 = v12 * v12 + v11 * v11
+            v14 = math.sqrt(v13) * (1.0 / v13)
+            c5 = v11 * v14
+            s5 = v12 * v14
+            v15 = v7 * v10
+            v16 = v7 * s3
+            v17 = s1 * v10
+            v18 = s1 * s3
+            v19 = math.sqrt(-1.0)
+            v20 = (
+                0.0 if max(abs(T14 - (s1 * r2 - r4 * v16)), max(abs(T34 - (d1 + v10 * r4)), abs(T24
+                - (r4 * v18 + v7 * r2)))) <= pose_slack1 else v19
+            )
+            v21 = (
+                0.0 if max(abs(T12 - (s1 * c5 - s5 * v15)), max(abs(T11 - (c5 * v15 + s1 * s5)),
+                max(abs(T13 + v16), max(abs(T21 - (v7 * s5 - c5 * v17)), max(abs(T22 - (v7 * c5 + s5
+                * v17)), max(abs(T23 - v18), max(abs(T31 - s3 * c5), max(abs(T33 - v10), abs(T32 +
+                s3 * s5))))))))) <= pose_slack else v19
+            )
+            q2_p = v21 + (r2 + v20)
+            q2_m = v21 + (v20 - r2)
+            q4_p = v21 + (r4 + v20)
+            doubt1 = v8 <= m3 or (v13 <= m3 or v5 <= m1)
+            work[544 + k] = v4
+            work[576 + k] = v12
+            work[608 + k] = v20
+            work[640 + k] = v21
+            work[672 + k] = q2_p
+            work[704 + k] = q2_m
+            work[736 + k] = q4_p
+            work[768 + k] = doubt1
+            work[800 + k] = v4
+            work[832 + k] = Z2_3
+            work[864 + k] = v12
+            work[896 + k] = -v3
+            work[928 + k] = -T33
+            work[960 + k] = v11
+        for k in range(800, 896):
+            work[k] = _atan2(work[k], work[k + 96])
+        for k in range(0, 32):
+            v4 = work[544 + k]
+            v12 = work[576 + k]
+            v20 = work[608 + k]
+            v21 = work[640 + k]
+            q2_p = work[672 + k]
+            q2_m = work[704 + k]
+            q4_p = work[736 + k]
+            doubt1 = work[768 + k] != 0.0
+            angle1 = work[800 + k]
+            angle2 = work[832 + k]
+            angle3 = work[864 + k]
+            q1_p = v21 + (angle1 + v20)
+            q1_m = v21 + (v20 + (angle1 - math.copysign(half_turn, v4) * h1))
+            q3_p = v21 + (angle2 + v20)
+            q3_m = v21 + (v20 - angle2)
+            q5_p = v21 + (angle3 + v20)
+            q5_m = v21 + (v20 + (angle3 - h1 * math.copysign(half_turn, v12)))
+            _992 = q1_p
+            work[992 + k] = _992
+            _1024 = q2_p
+            work[1024 + k] = _1024
+            _1056 = q3_p
+            work[1056 + k] = _1056
+            _1088 = q4_p
+            work[1088 + k] = _1088
+            _1120 = q5_p
+            work[1120 + k] = _1120
+            _1152 = q1_m
+            work[1152 + k] = _1152
+            _1184 = q2_m
+            work[1184 + k] = _1184
+            _1216 = q3_m
+            work[1216 + k] = _1216
+            _1248 = q5_m
+            work[1248 + k] = _1248
+            work[1280 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1312 + k] = UNREACHABLE if _1152 != _1152 else OK
+            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+        for k in range(count):
+            if work[512 + k] != 0.0:
+                status[first + k, 0] = _LEFT_OVER
+                continue
+            for row in range(2):
+                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                for i in range(5):
+                    q[first + k, row, i] = work[_PLACES[row, i] + k]
+
+
+def ik_batch(T, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 2, 5) and status (N, 2).
+    """
+    T = _array(T, (len(T), 4, 4), "T")
+    q, status = np.empty((len(T), 2, 5)), np.empty((len(T), 2), _BYTE)
+    if _COMPILED:
+        _share(_in_tiles, cores, T, q, status)
+        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
+            _unseeded(T[k], q[k], status[k])
+        return q, status
+    _share(_one_by_one, cores, T, q, status)
+    return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((2, 5)), np.empty(2, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(5))
+    ik_batch(T[np.newaxis])
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
+
+
+def _array(values, shape, name):
+    values = np.ascontiguousarray(values, _FLOAT)
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
+    return values
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")

@@ -1,0 +1,236 @@
+"""The solvers' C behind the functions of their Python: compiled on demand, and kept.
+
+Generated from templates/python/dhgen_native.py.jinja. Do not edit.
+
+    import dhgen_native, scara
+    robot = dhgen_native.native(scara)  # scara.c and scara.h lie beside scara.py
+    q, status = robot.ik_all(T)
+
+What comes back is a module like the one given, with the same functions, constants and errors; only
+the solving is done in C. It is not for calls from numba functions, which want the module itself.
+
+Libraries are kept in $DHGEN_CACHE_DIR, or dhgen/ in the user's cache folder, under the digest of
+their source, the compiler, its flags and the processor. Any number of processes may build at once.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import importlib.util
+import os
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from types import ModuleType
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+# Never -ffast-math: NaN has to mean something.
+FLAGS = (
+    "-std=c99",
+    "-O2",
+    "-march=native",
+    "-fno-math-errno",
+    "-fno-trapping-math",
+    "-ffp-contract=fast",
+)
+
+
+class NoCompiler(RuntimeError):  # noqa: N818
+    """There is no C compiler."""
+
+
+class BuildError(RuntimeError):
+    """The compiler refuses the source, or its flags; the text is what it says."""
+
+
+def native(
+    module: ModuleType, *, compiler: str | None = None, flags: Sequence[str] = FLAGS
+) -> ModuleType:
+    """A robot's module whose solving is done in C.
+
+    Args:
+        module: The robot's Python; its C and header are looked for in the same folder.
+        compiler: A C compiler that takes the flags of gcc: a name or a path. Without it $CC, cc,
+            gcc or clang, the first one that there is.
+        flags: For the compiler.
+
+    Raises:
+        NoCompiler: There is none.
+        BuildError: The compiler refuses.
+        FileNotFoundError: The C or its header is not there.
+    """
+    path = Path(str(module.__file__))
+    library = _build(path.with_suffix(".c"), _compiler(compiler), flags)
+    # The same text once more: its functions find those of the C where those of numba were.
+    spec = importlib.util.spec_from_file_location(module.__name__, path)
+    if spec is None or spec.loader is None:
+        raise FileNotFoundError(path)
+    robot = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(robot)
+    solver = _Solver(robot, ctypes.CDLL(str(library)))
+    vars(robot).update(solver.names(), Unreachable=module.Unreachable)
+    return robot
+
+
+class _Solver:
+    """The functions of a library, called as those of the Python are."""
+
+    def __init__(self, robot: ModuleType, library: ctypes.CDLL) -> None:
+        self._robot, self._library = robot, library
+        self._dof, self._rows = robot.DOF, robot.MAX_SOLUTIONS
+        self._given = 1 if hasattr(robot, "arm_angle") else len(getattr(robot, "FREE_JOINTS", ()))
+        self._fk, self._jacobian = self._function("fk", 2), self._function("jacobian", 2)
+        self._ik = self._function("ik", 5 if self._given else 4, ctypes.c_int)
+        self._ik_batch = self._function("ik_batch", 5 if self._given else 4)
+
+    def _function(self, end: str, arguments: int, result: Any = None) -> Callable[..., Any]:  # noqa: ANN401
+        function = self._library[f"{self._robot.NAME}_{end}"]
+        function.argtypes, function.restype = (ctypes.c_void_p,) * arguments, result
+        return function
+
+    def names(self) -> dict[str, Any]:
+        """What stands in the places of the compiled Python."""
+        names = {
+            "fk": self.fk,
+            "jacobian": self.jacobian,
+            "ik_into": _into_given(self.into) if self._given else _into_plain(self.into),
+            "_unseeded": lambda *arguments: self.into(*arguments, None),
+            "_in_tiles": self.batch,
+            "_one_by_one": self.batch,
+            "warm_up": self.warm_up,
+        }
+        if hasattr(self._robot, "arm_angle"):
+            angle = self._function("arm_angle", 1, ctypes.c_double)
+            names["arm_angle"] = lambda q: angle(self._joints(q).ctypes.data)
+        return names
+
+    def fk(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
+        """The pose (4, 4) of joint values (n,)."""
+        values, T = self._joints(q), np.empty((4, 4))
+        self._fk(values.ctypes.data, T.ctypes.data)
+        return T
+
+    def jacobian(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
+        """The geometric Jacobian (6, n): velocity of the tool's origin, then angular velocity."""
+        values, J = self._joints(q), np.empty((6, self._dof))
+        self._jacobian(values.ctypes.data, J.ctypes.data)
+        return J
+
+    def into(self, *arguments: Any) -> int:  # noqa: ANN401
+        """All solutions into arrays: T, what is given, q, status, and a seed or None."""
+        *inputs, q, status, seed = arguments
+        shapes = [(4, 4), (self._given,)] if self._given else [(4, 4)]
+        arrays = [np.ascontiguousarray(each, np.float64) for each in inputs]
+        rows = (self._rows, self._dof), (self._rows,)
+        if [each.shape for each in arrays] != shapes or (q.shape, status.shape) != rows:
+            wanted = ", ".join(map(str, (*shapes, *rows)))
+            raise ValueError(f"T{', q_free' * bool(self._given)}, q and status must be {wanted}")
+        values = None if seed is None else self._seed(seed)
+        results = _place(q, np.float64), _place(status, np.uint8)
+        count = self._ik(
+            *(each.ctypes.data for each in arrays),
+            None if values is None else values.ctypes.data,
+            *(each.ctypes.data for each in results),
+        )
+        for to, result in zip((q, status), results, strict=True):
+            if to is not result:
+                to[...] = result
+        return max(int(count), 0)
+
+    def batch(self, *arrays: NDArray[Any]) -> None:
+        """All solutions of the poses T (N, 4, 4), with what is given, into q and status."""
+        self._ik_batch(len(arrays[0]), *(each.ctypes.data for each in arrays))
+
+    def warm_up(self) -> None:
+        """Compiles what is left to numba: the choice of the nearest solution."""
+        q, status = np.zeros((self._rows, self._dof)), np.zeros(self._rows, np.uint8)
+        self._robot._nearest(q, status, q[0], True, np.empty(self._dof))  # noqa: FBT003, SLF001
+
+    def _joints(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
+        values = np.ascontiguousarray(q, np.float64)
+        if values.shape != (self._dof,):
+            raise ValueError(f"q must hold {self._dof} joint values")
+        return values
+
+    def _seed(self, q_seed: Any) -> NDArray[np.float64]:  # noqa: ANN401
+        values = np.ascontiguousarray(q_seed, np.float64)
+        if values.shape != (self._dof,):
+            raise ValueError(f"q_seed must be ({self._dof},)")
+        if not np.isfinite(values).all():
+            raise ValueError("q_seed must be finite")
+        return values
+
+
+def _into_plain(into: Callable[..., int]) -> Callable[..., int]:
+    def ik_into(T: Any, q: Any, status: Any, q_seed: Any = None) -> int:  # noqa: ANN401
+        """All solutions into the caller's arrays; how many rows are OK or FREE_JOINT."""
+        return into(T, q, status, q_seed)
+
+    return ik_into
+
+
+def _into_given(into: Callable[..., int]) -> Callable[..., int]:
+    def ik_into(T: Any, q_free: Any, q: Any, status: Any, q_seed: Any = None) -> int:  # noqa: ANN401
+        """All solutions into the caller's arrays; how many rows are OK or FREE_JOINT."""
+        return into(T, q_free, q, status, q_seed)
+
+    return ik_into
+
+
+def _place(array: NDArray[Any], kind: type) -> NDArray[Any]:
+    """The caller's array where C may write into it, or one that is."""
+    flags = array.flags
+    if array.dtype == kind and flags.c_contiguous and flags.writeable and flags.aligned:
+        return array
+    return np.empty(array.shape, kind)
+
+
+def _compiler(wanted: str | None) -> str:
+    names = (wanted,) if wanted else (os.environ.get("CC"), "cc", "gcc", "clang")
+    for name in names:
+        if name and (found := shutil.which(name)):
+            return found
+    asked = f"{wanted} is not there" if wanted else "none of $CC, cc, gcc and clang is there"
+    raise NoCompiler(f"no C compiler: {asked}; without one the robot's own module solves, by numba")
+
+
+def _build(source: Path, compiler: str, flags: Sequence[str]) -> Path:
+    """The library of a source, compiled unless it is kept already."""
+    texts = [source.read_bytes(), source.with_suffix(".h").read_bytes()]
+    # What the compiler knows of itself and of the processor, by these flags.
+    texts.append(_run(compiler, *flags, "-dM", "-E", "-x", "c", os.devnull).encode())
+    texts.append("\n".join((compiler, *flags)).encode())
+    digest = hashlib.sha256(b"\0".join(texts)).hexdigest()[:24]
+    folder = _folder()
+    library = folder / f"{source.stem}-{digest}.so"
+    if not library.exists():
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder) as place:
+            made = Path(place) / library.name
+            _run(compiler, *flags, "-shared", "-fPIC", str(source), "-o", str(made), "-lm")
+            made.replace(library)  # at once: nobody sees half of it
+    return library
+
+
+def _folder() -> Path:
+    if chosen := os.environ.get("DHGEN_CACHE_DIR"):
+        return Path(chosen)
+    user = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
+    return (Path(user) if user else Path.home() / ".cache") / "dhgen"
+
+
+def _run(*command: str) -> str:
+    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
+    if done.returncode:
+        raise BuildError(f"{' '.join(command)}\n{done.stderr}")
+    return done.stdout

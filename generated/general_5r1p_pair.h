@@ -1,0 +1,71 @@
+/* general_5r1p_pair: Arm on a rail with two parallel axes among five skew or meeting ones
+ *
+ * Inverse kinematics, generated from robots/general_5r1p_pair.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/general_5r1p_pair.yaml. The formulas and where they come from:
+ * general_5r1p_pair.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef GENERAL_5R1P_PAIR_H
+#define GENERAL_5R1P_PAIR_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define GENERAL_5R1P_PAIR_METHOD "general 5R1P"
+
+enum {
+    GENERAL_5R1P_PAIR_DOF = 6, /* joints */
+    GENERAL_5R1P_PAIR_ROWS = 16 /* branches */
+};
+
+/* What a row of general_5r1p_pair_ik holds. */
+enum {
+    /* joint values */
+    GENERAL_5R1P_PAIR_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    GENERAL_5R1P_PAIR_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    GENERAL_5R1P_PAIR_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    GENERAL_5R1P_PAIR_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    GENERAL_5R1P_PAIR_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const general_5r1p_pair_branches[16];
+
+/* The pose T of the joint values q. */
+void general_5r1p_pair_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void general_5r1p_pair_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -GENERAL_5R1P_PAIR_INVALID_POSE. */
+int general_5r1p_pair_ik(
+    const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns GENERAL_5R1P_PAIR_OK or GENERAL_5R1P_PAIR_FREE_JOINT, or, with NaN in q,
+ * minus GENERAL_5R1P_PAIR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
+ * seed
+ * that is not finite. */
+int general_5r1p_pair_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* general_5r1p_pair_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 6, status n x 16. */
+void general_5r1p_pair_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,3437 @@
+/* general_5r_pointing: Five revolute joints without structure, for a tool that points
+ *
+ * Inverse kinematics, generated from robots/general_5r_pointing.yaml and
+ * templates/c/solver.c.jinja.
+ * Do not edit: run dhgen robots/general_5r_pointing.yaml. The formulas and where they come from:
+ * general_5r_pointing.md.
+ */
+#include "general_5r_pointing.h"
+
+#include <math.h>
+
+static const double turn = 6.283185307179586;
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and the same over the arm's size; between which values starts lie, and what is added
+ * from start to start. */
+static const int solved[5] = { 0, 1, 2, 3, 4 };
+static const int turning[5] = { 1, 1, 1, 1, 1 };
+static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+static const double measure[5] = {
+    0.5649717514124294, 0.5649717514124294, 0.5649717514124294, 0.5649717514124294,
+    0.5649717514124294,
+};
+static const double span_low[5] = {
+    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double span_width[5] = {
+    5.934119456780721, 4.1887902047863905, 4.886921905584122, 6.283185307179586, 6.283185307179586,
+};
+static const double stride[5] = {
+    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
+    0.5315553977157914,
+};
+static const double no_lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
+static const double no_highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+
+/* A descent towards a pose: u are the joints that are solved for, in units. */
+struct descent {
+    const double *T;
+    double q[5], seed[5]; /* all joint values; the seed in units */
+    double e[6], length; /* the miss [arm sizes, rad], and its length */
+    double A[6][5]; /* how u moves the tool */
+};
+
+/* The rotation vector of an axis times the sine, and the cosine. */
+static void turn_vector(const double axis[3], double cosine, double vector[3])
+{
+    const double sine = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    const double scale = sine < 1e-09 ? 1.0 : atan2(sine, cosine) / sine;
+    const int opposite = sine < 1e-09 && cosine < 0.0; /* any axis will do */
+    vector[0] = opposite ? 1.5079644737231006 : scale * axis[0];
+    vector[1] = opposite ? 1.8849555921538759 : scale * axis[1];
+    vector[2] = opposite ? 2.0106192982974678 : scale * axis[2];
+}
+
+/* By how much u misses the pose, and the analytic Jacobian of that. */
+static void look(struct descent *d, const double u[5])
+{
+    double P[16], J[30], square = 0.0;
+    for (int j = 0; j < 5; j++)
+        d->q[solved[j]] = unit[j] * u[j];
+    general_5r_pointing_fk(d->q, P);
+    general_5r_pointing_jacobian(d->q, J);
+    d->e[0] = (d->T[3] - P[3]) / 1.77;
+    for (int j = 0; j < 5; j++)
+        d->A[0][j] = measure[j] * J[0 + solved[j]];
+    d->e[1] = (d->T[7] - P[7]) / 1.77;
+    for (int j = 0; j < 5; j++)
+        d->A[1][j] = measure[j] * J[5 + solved[j]];
+    d->e[2] = (d->T[11] - P[11]) / 1.77;
+    for (int j = 0; j < 5; j++)
+        d->A[2][j] = measure[j] * J[10 + solved[j]];
+    const double z[3] = { P[2], P[6], P[10] }, w[3] = { d->T[2], d->T[6], d->T[10] };
+    const double axis[3] = { z[1] * w[2] - z[2] * w[1], z[2] * w[0] - z[0] * w[2],
+        z[0] * w[1] - z[1] * w[0] };
+    turn_vector(axis, z[0] * w[0] + z[1] * w[1] + z[2] * w[2], d->e + 3);
+    for (int j = 0; j < 5; j++) {
+        const double *spin = J + 15 + solved[j]; /* turning about z changes nothing */
+        const double along = z[0] * spin[0] + z[1] * spin[5] + z[2] * spin[10];
+        for (int i = 0; i < 3; i++)
+            d->A[3 + i][j] = spin[5 * i] - along * z[i];
+    }
+    for (int i = 0; i < 6; i++)
+        square += d->e[i] * d->e[i];
+    d->length = sqrt(square);
+}
+
+/* The damped least squares step A' (A A' + damping)^-1 e. */
+static void damped_step(
+    const struct descent *d, const double e[6], double length, double step[5])
+{
+    double L[6][6], y[6];
+    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    for (int i = 0; i < 6; i++) {
+        y[i] = e[i];
+        for (int j = 0; j <= i; j++) {
+            double sum = i == j ? damping : 0.0;
+            for (int k = 0; k < 5; k++)
+                sum += d->A[i][k] * d->A[j][k];
+            for (int k = 0; k < j; k++)
+                sum -= L[i][k] * L[j][k];
+            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
+        }
+        for (int k = 0; k < i; k++)
+            y[i] -= L[i][k] * y[k];
+        y[i] /= L[i][i];
+    }
+    for (int i = 6 - 1; i >= 0; i--) {
+        for (int k = i + 1; k < 6; k++)
+            y[i] -= L[k][i] * y[k];
+        y[i] /= L[i][i];
+    }
+    for (int j = 0; j < 5; j++) {
+        step[j] = 0.0;
+        for (int i = 0; i < 6; i++)
+            step[j] += d->A[i][j] * y[i];
+    }
+}
+
+/* Makes a step no longer than it may be. */
+static void shorten(double step[5])
+{
+    double longest = 2.0;
+    for (int j = 0; j < 5; j++)
+        longest = fmax(longest, fabs(step[j]));
+    for (int j = 0; j < 5; j++)
+        step[j] *= 2.0 / longest;
+}
+
+static void copy(const double from[5], double to[5])
+{
+    for (int j = 0; j < 5; j++)
+        to[j] = from[j];
+}
+
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. */
+static double descend(struct descent *d, double u[5])
+{
+    double least = HUGE_VAL, best[5], step[5];
+    for (int k = 0; k <= 40; k++) {
+        look(d, u);
+        const int stalled = d->length >= 0.5 * least && least <= 1e-10;
+        if (d->length < least) {
+            least = d->length;
+            copy(u, best);
+        }
+        if (stalled)
+            break;
+        damped_step(d, d->e, d->length, step);
+        shorten(step);
+        for (int j = 0; j < 5; j++)
+            u[j] += step[j];
+    }
+    copy(best, u);
+    return least;
+}
+
+/* A step with a pull; joints that it would take beyond a limit are put there, and locked. */
+static void limited_step(
+    struct descent *d, const double u[5], double pull, const double low[5],
+    const double high[5], double step[5])
+{
+    double e[6], wish[5], fixed[5];
+    int locked[5], beyond = 1;
+    for (int j = 0; j < 5; j++) {
+        wish[j] = pull * (d->seed[j] - u[j]);
+        locked[j] = 0;
+    }
+    while (beyond) {
+        beyond = 0;
+        for (int i = 0; i < 6; i++) {
+            e[i] = d->e[i];
+            for (int j = 0; j < 5; j++)
+                e[i] -= d->A[i][j] * wish[j];
+        }
+        damped_step(d, e, d->length, step);
+        for (int j = 0; j < 5; j++)
+            step[j] += wish[j];
+        shorten(step);
+        for (int j = 0; j < 5; j++) {
+            const double end = u[j] + step[j];
+            if (locked[j]) {
+                step[j] = fixed[j];
+            } else if (end < low[j] || end > high[j]) {
+                step[j] = fixed[j] = (end < low[j] ? low[j] : high[j]) - u[j];
+                beyond = locked[j] = 1;
+                wish[j] = 0.0;
+                for (int i = 0; i < 6; i++) {
+                    d->e[i] -= d->A[i][j] * fixed[j];
+                    d->A[i][j] = 0.0;
+                }
+            }
+        }
+    }
+}
+
+/* Takes u to a solution on the way to the seed; returns by how much it misses the pose. */
+static double pulled(
+    struct descent *d, double u[5], const double low[5],
+    const double high[5])
+{
+    double least = HUGE_VAL, pull = 0.5, best[5], step[5];
+    for (int k = 1; k <= 60 + 40; k++) {
+        look(d, u);
+        if (pull == 0.0) {
+            if (d->length >= 0.5 * least && least <= 1e-10)
+                break;
+            if (d->length < least) {
+                least = d->length;
+                copy(u, best);
+            }
+        }
+        limited_step(d, u, pull, low, high, step);
+        double longest = 0.0;
+        for (int j = 0; j < 5; j++) {
+            longest = fmax(longest, fabs(step[j]));
+            u[j] += step[j];
+        }
+        if (k >= 60 || longest < 1e-09)
+            pull = 0.0;
+    }
+    copy(best, u);
+    return least;
+}
+
+/* Start number k; number 0 is the seed. */
+static void start_of(const struct descent *d, int k, double u[5])
+{
+    for (int j = 0; j < 5; j++)
+        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[5])
+{
+    for (int j = 0; j < 5; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
+}
+
+static double distance_between(const double a[5], const double b[5])
+{
+    double most = 0.0;
+    for (int j = 0; j < 5; j++)
+        most = fmax(most, fabs(a[j] - b[j]));
+    return most;
+}
+/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, 0 if it is a
+ * singular solution that stands alone, -1 if it is a regular one. */
+static int continuum(struct descent *d, const double u[5])
+{
+    double along[5], moved[6], square = 0.0;
+    look(d, u);
+    for (int i = 0; i < 6; i++) {
+        moved[i] = 0.0;
+        for (int j = 0; j < 5; j++)
+            moved[i] += d->A[i][j] * stride[j];
+    }
+    damped_step(d, moved, 0.0, along);
+    for (int j = 0; j < 5; j++) {
+        along[j] = stride[j] - along[j]; /* what of it leaves the tool where it is */
+        square += along[j] * along[j];
+    }
+    if (sqrt(square) <= 0.0001)
+        return -1;
+    for (int side = -1; side <= 1; side += 2) {
+        double end[5];
+        for (int j = 0; j < 5; j++)
+            end[j] = u[j] - side * 0.05 * along[j] / sqrt(square);
+        if (descend(d, end) > 1e-10 || distance_between(end, u) <= 0.002)
+            return 0;
+    }
+    return 1;
+}
+
+/* The solutions kept so far. */
+struct kept {
+    double u[16][5];
+    int count, singular[16], chosen[16];
+};
+
+static int is_known(const struct kept *kept, const double u[5], int singular)
+{
+    static const double none[5] = { 0.0 };
+    for (int k = 0; k < kept->count; k++) {
+        double gap[5];
+        for (int j = 0; j < 5; j++)
+            gap[j] = u[j] - kept->u[k][j];
+        wrap_angles(gap);
+        const int loose = singular && kept->singular[k];
+        if (distance_between(gap, none) < (loose ? 0.001 : 1e-06))
+            return 1;
+    }
+    return 0;
+}
+
+/* A solution joins those found before, unless it is one of them. */
+static void keep(struct descent *d, struct kept *kept, double u[5])
+{
+    if (kept->count == 16 || is_known(kept, u, 0))
+        return;
+    const int kind = continuum(d, u);
+    if (kind == 1) {
+        double end[5];
+        copy(u, end);
+        if (pulled(d, end, no_lowest, no_highest) <= 1e-10)
+            copy(end, u);
+    }
+    wrap_angles(u);
+    if (is_known(kept, u, kind >= 0))
+        return;
+    kept->singular[kept->count] = kind >= 0;
+    kept->chosen[kept->count] = kind == 1;
+    copy(u, kept->u[kept->count++]);
+}
+
+/* Whether a row of joint values stands before another. */
+static int stands_before(const double a[5], const double b[5])
+{
+    for (int i = 0; i < 5; i++)
+        if (fabs(a[i] - b[i]) > 1e-09)
+            return a[i] < b[i];
+    return 0;
+}
+
+/* Rows by the first joint, then by the second and so on. */
+static void sorted_rows(
+    struct descent *d, const struct kept *kept, double q[16][5], int found[16],
+    int chosen[16])
+{
+    for (int row = 0; row < 16; row++)
+        found[row] = chosen[row] = 0;
+    for (int k = 0; k < kept->count; k++) {
+        int row = k;
+        for (int j = 0; j < 5; j++)
+            d->q[solved[j]] = unit[j] * kept->u[k][j];
+        for (; row > 0 && stands_before(d->q, q[row - 1]); row--) {
+            chosen[row] = chosen[row - 1];
+            for (int i = 0; i < 5; i++)
+                q[row][i] = q[row - 1][i];
+        }
+        found[k] = 1;
+        chosen[row] = kept->chosen[k];
+        for (int i = 0; i < 5; i++)
+            q[row][i] = d->q[i];
+    }
+}
+
+/* The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or
+ * parallel
+ * axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
+ * determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
+ *
+ * The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R. Everything
+ * below that has the type general_5r_pointing_lane does GENERAL_5R_POINTING_LANES angles or
+ * candidates at once.
+ */
+/* Lanes: GNU vectors where the compiler has them, plain doubles otherwise. Vectors wider than the
+ * machine's are slow: compile for the machine, or set GENERAL_5R_POINTING_LANES to 1, 2, 4 or 8. */
+#ifndef GENERAL_5R_POINTING_LANES
+#if defined(__GNUC__) && defined(__AVX512F__)
+#define GENERAL_5R_POINTING_LANES 8
+#elif defined(__GNUC__) && defined(__AVX__)
+#define GENERAL_5R_POINTING_LANES 4
+#elif defined(__GNUC__) && defined(__SSE2__)
+#define GENERAL_5R_POINTING_LANES 2
+#else
+#define GENERAL_5R_POINTING_LANES 1
+#endif
+#endif
+
+#define GENERAL_5R_POINTING_ROOTS 24
+#define GENERAL_5R_POINTING_CANDIDATES 96
+
+#if GENERAL_5R_POINTING_LANES > 1
+typedef double general_5r_pointing_lane __attribute__((vector_size(8 * GENERAL_5R_POINTING_LANES)));
+typedef long long general_5r_pointing_mask __attribute__((vector_size(8 *
+    GENERAL_5R_POINTING_LANES)));
+/* the same where it lies between other doubles */
+typedef double general_5r_pointing_packed
+    __attribute__((vector_size(8 * GENERAL_5R_POINTING_LANES), aligned(8), may_alias));
+#define GENERAL_5R_POINTING_LOAD(from) \
+    (general_5r_pointing_lane)(*(const general_5r_pointing_packed *)(from))
+#define GENERAL_5R_POINTING_STORE(to, x) \
+    (*(general_5r_pointing_packed *)(to) = (general_5r_pointing_packed)(x))
+
+static inline general_5r_pointing_lane general_5r_pointing_select(general_5r_pointing_mask m,
+    general_5r_pointing_lane a, general_5r_pointing_lane b)
+{
+    return (general_5r_pointing_lane)((m & (general_5r_pointing_mask)a) | (~m &
+        (general_5r_pointing_mask)b));
+}
+
+static inline general_5r_pointing_lane general_5r_pointing_abs(general_5r_pointing_lane x)
+{
+    return (general_5r_pointing_lane)((general_5r_pointing_mask)x & 0x7fffffffffffffffLL);
+}
+
+/* the magnitude of the first with the sign of the second */
+static inline general_5r_pointing_lane general_5r_pointing_with_sign(general_5r_pointing_lane x,
+    general_5r_pointing_lane y)
+{
+    const general_5r_pointing_mask sign = (general_5r_pointing_mask)y & (-0x7fffffffffffffffLL - 1);
+    return (general_5r_pointing_lane)(((general_5r_pointing_mask)x & 0x7fffffffffffffffLL) | sign);
+}
+
+static inline general_5r_pointing_lane general_5r_pointing_sqrt(general_5r_pointing_lane x)
+{
+    general_5r_pointing_lane r = x;
+    for (int k = 0; k < GENERAL_5R_POINTING_LANES; k++) {
+        r[k] = sqrt(x[k]);
+    }
+    return r;
+}
+#else
+typedef double general_5r_pointing_lane;
+typedef int general_5r_pointing_mask;
+#define GENERAL_5R_POINTING_LOAD(from) (*(from))
+#define GENERAL_5R_POINTING_STORE(to, x) (*(to) = (x))
+
+static inline general_5r_pointing_lane general_5r_pointing_select(general_5r_pointing_mask m,
+    general_5r_pointing_lane a, general_5r_pointing_lane b)
+{
+    return m ? a : b;
+}
+
+static inline general_5r_pointing_lane general_5r_pointing_abs(general_5r_pointing_lane x)
+{
+    return fabs(x);
+}
+
+static inline general_5r_pointing_lane general_5r_pointing_with_sign(general_5r_pointing_lane x,
+    general_5r_pointing_lane y)
+{
+    return copysign(x, y);
+}
+
+static inline general_5r_pointing_lane general_5r_pointing_sqrt(general_5r_pointing_lane x)
+{
+    return sqrt(x);
+}
+#endif
+
+static inline general_5r_pointing_lane general_5r_pointing_all(double x)
+{
+    const general_5r_pointing_lane zero = {0};
+    return zero + x;
+}
+
+static inline general_5r_pointing_lane general_5r_pointing_max(general_5r_pointing_lane a,
+    general_5r_pointing_lane b)
+{
+    return general_5r_pointing_select(a > b, a, b);
+}
+
+static inline general_5r_pointing_lane general_5r_pointing_min(general_5r_pointing_lane a,
+    general_5r_pointing_lane b)
+{
+    return general_5r_pointing_select(a < b, a, b);
+}
+
+/* the largest of all lanes */
+static inline double general_5r_pointing_largest(general_5r_pointing_lane x)
+{
+    double each[GENERAL_5R_POINTING_LANES], most;
+    GENERAL_5R_POINTING_STORE(each, x);
+    most = each[0];
+    for (int k = 1; k < GENERAL_5R_POINTING_LANES; k++) {
+        most = each[k] > most ? each[k] : most;
+    }
+    return most;
+}
+
+/* The angle of a sine and a cosine with any positive common factor, in (-pi, pi], within 3 ulp:
+ * atan of a ratio below tan(pi/8) by a polynomial. */
+static inline general_5r_pointing_lane general_5r_pointing_angle(general_5r_pointing_lane y,
+    general_5r_pointing_lane x)
+{
+    static const double odd[] = { -0.3333333333333333, 0.19999999999995513, -0.14285714284665177,
+        0.11111111015146682, -0.0909090457366891, 0.07692183087347286, -0.0666450998991572,
+        0.05858136252639731, -0.050853834915688644, 0.039229744582632814, -0.01917454359469326 };
+    const general_5r_pointing_lane ax = general_5r_pointing_abs(x), ay = general_5r_pointing_abs(y),
+        zero = {0};
+    const general_5r_pointing_mask steep = ay > ax;
+    const general_5r_pointing_lane high = general_5r_pointing_select(steep, ay, ax), low =
+        general_5r_pointing_select(steep, ax, ay);
+    const general_5r_pointing_mask turned = low > high * 0.41421356237309515;
+    const general_5r_pointing_lane up = general_5r_pointing_select(turned, low - high, low);
+    const general_5r_pointing_lane down = general_5r_pointing_select(turned, low + high, high);
+    const general_5r_pointing_lane r = up / (down + 1e-300), u = r * r;
+    general_5r_pointing_lane a = general_5r_pointing_all(odd[10]);
+    for (int k = 9; k >= 0; k--) {
+        a = a * u + odd[k];
+    }
+    a = r + r * u * a + general_5r_pointing_select(turned, zero + 0.7853981633974483, zero);
+    a = general_5r_pointing_select(steep, 1.5707963267948966 - a, a);
+    a = general_5r_pointing_select(x < 0.0, 3.141592653589793 - a, a);
+    return general_5r_pointing_with_sign(a, y + 0.0);
+}
+
+/* The loop: K0 ... K4 and the pose, three rows of four. */
+typedef struct {
+    double link[6][12];
+} general_5r_pointing_loop;
+
+/* A formulation: the joints phi_1 (hidden) ... phi_6 are, from 0; phi = sign q, -1 reads the loop
+ * backwards. */
+typedef struct {
+    int joint[6];
+    double sign;
+} general_5r_pointing_formulation;
+
+static const general_5r_pointing_formulation general_5r_pointing_formulations[2] = {
+    { { 4, 5, 0, 1, 2, 3 }, 1.0 },
+    { { 3, 4, 5, 0, 1, 2 }, 1.0 },
+};
+
+/* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
+ * whose
+ * values are given, what stands before, between and behind these. */
+static const double general_5r_pointing_constant[7][12] = {
+    { 0.38461538461538464, -0.9230769230769231, 0.0, 0.21009837473856222, 0.23890988778694228,
+        0.09954578657789262, -0.9659258262890684, -0.04660356600545808, 0.8916238396514479,
+        0.37150993318810327, 0.2588190451025208, 7.478317479849794e-10 },
+    { 0.47058823529411764, -0.8823529411764706, 0.0, 0.8403934989542489, 0.8291405477522721,
+        0.44220829213454516, -0.3420201433256687, 0.027230633165473302, 0.3017824794050018,
+        0.16095065568266761, 0.9396926207859084, 0.045015588243639895 },
+    { 0.28, -0.96, 0.0, 0.6302951242156866, 0.40571353127107146, 0.11833311328739586,
+        0.9063077870366499, 0.12528109336044682, -0.8700554755551839, -0.253766180370262,
+        0.42261826174069944, 0.03298739095516433 },
+    { 0.6896551724137931, -0.7241379310344828, 0.0, 0.12605902484313733, 0.12574523210363928,
+        0.1197573639082279, -0.9848077530122081, -0.07712175856800875, 0.7131366487329783,
+        0.6791777606980747, 0.17364817766693044, 0.12748430444410336 },
+    { 0.29872248454147626, -0.8712739132459724, 0.3894183423086505, -0.0018597364116695418,
+        0.20485141903797224, 0.45707880306005993, 0.8655142193582449, -0.03486419238383276,
+        -0.9320948306623617, -0.17877565799132936, 0.31502141318054977, 0.09808752298987687 },
+    { 0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.355943590540993 },
+    { 1.0, 0.0, 0.0, -0.0, 0.0, 1.0, 0.0, -0.0, 0.0, 0.0, 1.0, -0.18202833920561123 },
+};
+
+/* cosine and sine of what is to be added to each joint's angle in the loop */
+static const double general_5r_pointing_advance[2][6] = {
+    { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
+        },
+    { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459 },
+};
+
+/* poses close by, for those at which the formulations fail */
+static const double general_5r_pointing_nudge[10][12] = {
+    { 0.9999995580001719, -0.000580303174204035, -0.00073976191215864, 0.0005300000000000001,
+        0.0005796963744401407, 0.9999994956001963, -0.0008202142808546233, 0.00071,
+        0.0007402375119735841, 0.0008197850810216249, 0.9999993900002373, -0.00047 },
+    { 0.9999995580001719, 0.0005796963744401407, 0.0007402375119735841, -0.0005300000000000001,
+        -0.000580303174204035, 0.9999994956001963, 0.0008197850810216249, -0.00071,
+        -0.00073976191215864, -0.0008202142808546233, 0.9999993900002373, 0.00047 },
+    { 0.9999949420151998, -0.0018617746051811336, 0.002578708850722032, -0.00183,
+        0.0018582142158804597, 0.9999973180080597, 0.001382395245764047, 0.00087,
+        -0.0025812756430085644, -0.0013775964601848774, 0.999995719612863, 0.00201 },
+    { 0.9999949420151998, 0.0018582142158804597, -0.0025812756430085644, 0.00183,
+        -0.0018617746051811336, 0.9999973180080597, -0.0013775964601848774, -0.00087,
+        0.002578708850722032, 0.001382395245764047, 0.999995719612863, -0.00201 },
+    { 0.9999377228865443, 0.009025321676340304, 0.00656459573098787, 0.0059, -0.008973844062327714,
+        0.9999290832869896, -0.007829337110224942, -0.0043, -0.0066347924773686754,
+        0.007769939863287338, 0.9999478024193579, 0.0031 },
+    { 0.9999377228865443, -0.008973844062327714, -0.0066347924773686754, -0.0059,
+        0.009025321676340304, 0.9999290832869896, 0.007769939863287338, 0.0043, 0.00656459573098787,
+        -0.007829337110224942, 0.9999478024193579, -0.0031 },
+    { 0.9996484117295773, 0.020763800426894047, 0.01648992172102878, 0.011099999999999999,
+        -0.021220469326757335, 0.9993821115042827, 0.028019401970663643, 0.0183,
+        -0.015897943517502292, -0.028359474555668215, 0.9994713580662733, 0.017099999999999997 },
+    { 0.9996484117295773, -0.021220469326757335, -0.015897943517502292, -0.011099999999999999,
+        0.020763800426894047, 0.9993821115042827, -0.028359474555668215, -0.0183,
+        0.01648992172102878, 0.028019401970663643, 0.9994713580662733, -0.017099999999999997 },
+    { 0.999472790696877, -0.013504055448103867, 0.029525940172180323, -0.0153, 0.014085964965612287,
+        0.9997088653063301, -0.01959005408153817, -0.0201, -0.02925279897008453,
+        0.019995627381619797, 0.9993720271440617, 0.012299999999999998 },
+    { 0.999472790696877, 0.014085964965612287, -0.02925279897008453, 0.0153, -0.013504055448103867,
+        0.9997088653063301, 0.019995627381619797, 0.0201, 0.029525940172180323,
+        -0.01959005408153817, 0.9993720271440617, -0.012299999999999998 },
+};
+
+/* cosines and sines of the 24 angles at which the determinant is sampled */
+static const double general_5r_pointing_sample_c[24] = {
+    1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
+        -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
+        -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
+        -0.2588190451025207, 0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386,
+        0.9659258262890682
+};
+
+static const double general_5r_pointing_sample_s[24] = {
+    0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0,
+        0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0,
+        -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682,
+        -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5,
+        -0.2588190451025207
+};
+
+/* from the samples to a_0, a_1 ... a_8, b_1 ... b_8 and seven numbers that would be zero without
+ * rounding: one row for each sample */
+static const double general_5r_pointing_harmonics[24][24] = {
+    { 0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
+        0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333,
+        0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333,
+        0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.0, 0.0, 0.0 },
+    { 0.041666666666666664, 0.08049381885742235, 0.07216878364870322, 0.05892556509887897,
+        0.041666666666666664, 0.02156825375854339, -0.0, -0.02156825375854339,
+        -0.041666666666666664, 0.02156825375854339, 0.041666666666666664, 0.05892556509887897,
+        0.07216878364870322, 0.08049381885742235, 0.08333333333333333, 0.08049381885742235,
+        0.07216878364870322, -0.05892556509887897, -0.07216878364870322, -0.08049381885742235,
+        -0.08333333333333333, 0.05892556509887897, 0.041666666666666664, 0.02156825375854339 },
+    { 0.041666666666666664, 0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664,
+        -0.07216878364870322, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664,
+        0.041666666666666664, 0.07216878364870322, 0.08333333333333333, 0.07216878364870322,
+        0.041666666666666664, -0.0, -0.041666666666666664, -0.07216878364870322, 0.0,
+        0.041666666666666664, 0.07216878364870322, 0.08333333333333333, -0.08333333333333333,
+        -0.07216878364870322, -0.041666666666666664 },
+    { 0.041666666666666664, 0.05892556509887897, -0.0, -0.05892556509887897, -0.08333333333333333,
+        -0.05892556509887897, 0.0, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897,
+        0.08333333333333333, 0.05892556509887897, -0.0, -0.05892556509887897, -0.08333333333333333,
+        -0.05892556509887897, 0.0, 0.05892556509887897, -0.0, -0.05892556509887897,
+        -0.08333333333333333, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897 },
+    { 0.041666666666666664, 0.041666666666666664, -0.041666666666666664, -0.08333333333333333,
+        -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, 0.041666666666666664,
+        -0.041666666666666664, 0.07216878364870322, 0.07216878364870322, -0.0, -0.07216878364870322,
+        -0.07216878364870322, 0.0, 0.07216878364870322, 0.07216878364870322, -0.08333333333333333,
+        -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, -0.0,
+        -0.07216878364870322, -0.07216878364870322 },
+    { 0.041666666666666664, 0.02156825375854339, -0.07216878364870322, -0.05892556509887897,
+        0.041666666666666664, 0.08049381885742235, -0.0, -0.08049381885742235,
+        -0.041666666666666664, 0.08049381885742235, 0.041666666666666664, -0.05892556509887897,
+        -0.07216878364870322, 0.02156825375854339, 0.08333333333333333, 0.02156825375854339,
+        -0.07216878364870322, 0.05892556509887897, 0.07216878364870322, -0.02156825375854339,
+        -0.08333333333333333, -0.05892556509887897, 0.041666666666666664, 0.08049381885742235 },
+    { 0.041666666666666664, -0.0, -0.08333333333333333, 0.0, 0.08333333333333333, -0.0,
+        -0.08333333333333333, 0.0, 0.08333333333333333, 0.08333333333333333, -0.0,
+        -0.08333333333333333, 0.0, 0.08333333333333333, -0.0, -0.08333333333333333, 0.0, -0.0,
+        -0.08333333333333333, 0.0, 0.08333333333333333, 0.08333333333333333, -0.0,
+        -0.08333333333333333 },
+    { 0.041666666666666664, -0.02156825375854339, -0.07216878364870322, 0.05892556509887897,
+        0.041666666666666664, -0.08049381885742235, 0.0, 0.08049381885742235, -0.041666666666666664,
+        0.08049381885742235, -0.041666666666666664, -0.05892556509887897, 0.07216878364870322,
+        0.02156825375854339, -0.08333333333333333, 0.02156825375854339, 0.07216878364870322,
+        -0.05892556509887897, 0.07216878364870322, 0.02156825375854339, -0.08333333333333333,
+        -0.05892556509887897, -0.041666666666666664, 0.08049381885742235 },
+    { 0.041666666666666664, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333,
+        -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664,
+        -0.041666666666666664, 0.07216878364870322, -0.07216878364870322, 0.0, 0.07216878364870322,
+        -0.07216878364870322, 0.0, 0.07216878364870322, -0.07216878364870322, 0.08333333333333333,
+        -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, 0.0, 0.07216878364870322,
+        -0.07216878364870322 },
+    { 0.041666666666666664, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333,
+        0.05892556509887897, -0.0, -0.05892556509887897, 0.08333333333333333, 0.05892556509887897,
+        -0.08333333333333333, 0.05892556509887897, -0.0, -0.05892556509887897, 0.08333333333333333,
+        -0.05892556509887897, 0.0, -0.05892556509887897, 0.0, 0.05892556509887897,
+        -0.08333333333333333, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897 },
+    { 0.041666666666666664, -0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664,
+        0.07216878364870322, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664,
+        0.041666666666666664, -0.07216878364870322, 0.08333333333333333, -0.07216878364870322,
+        0.041666666666666664, -0.0, -0.041666666666666664, 0.07216878364870322, 0.0,
+        0.041666666666666664, -0.07216878364870322, 0.08333333333333333, -0.08333333333333333,
+        0.07216878364870322, -0.041666666666666664 },
+    { 0.041666666666666664, -0.08049381885742235, 0.07216878364870322, -0.05892556509887897,
+        0.041666666666666664, -0.02156825375854339, 0.0, 0.02156825375854339, -0.041666666666666664,
+        0.02156825375854339, -0.041666666666666664, 0.05892556509887897, -0.07216878364870322,
+        0.08049381885742235, -0.08333333333333333, 0.08049381885742235, -0.07216878364870322,
+        0.05892556509887897, -0.07216878364870322, 0.08049381885742235, -0.08333333333333333,
+        0.05892556509887897, -0.041666666666666664, 0.02156825375854339 },
+    { 0.041666666666666664, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333,
+        0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333,
+        0.08333333333333333, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.08333333333333333,
+        0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.0, 0.0, -0.0 },
+    { 0.041666666666666664, -0.08049381885742235, 0.07216878364870322, -0.05892556509887897,
+        0.041666666666666664, -0.02156825375854339, -0.0, 0.02156825375854339,
+        -0.041666666666666664, -0.02156825375854339, 0.041666666666666664, -0.05892556509887897,
+        0.07216878364870322, -0.08049381885742235, 0.08333333333333333, -0.08049381885742235,
+        0.07216878364870322, 0.05892556509887897, -0.07216878364870322, 0.08049381885742235,
+        -0.08333333333333333, -0.05892556509887897, 0.041666666666666664, -0.02156825375854339 },
+    { 0.041666666666666664, -0.07216878364870322, 0.041666666666666664, 0.0, -0.041666666666666664,
+        0.07216878364870322, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664,
+        -0.041666666666666664, 0.07216878364870322, -0.08333333333333333, 0.07216878364870322,
+        -0.041666666666666664, -0.0, 0.041666666666666664, -0.07216878364870322, -0.0,
+        0.041666666666666664, -0.07216878364870322, 0.08333333333333333, 0.08333333333333333,
+        -0.07216878364870322, 0.041666666666666664 },
+    { 0.041666666666666664, -0.05892556509887897, -0.0, 0.05892556509887897, -0.08333333333333333,
+        0.05892556509887897, 0.0, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897,
+        0.08333333333333333, -0.05892556509887897, -0.0, 0.05892556509887897, -0.08333333333333333,
+        0.05892556509887897, 0.0, -0.05892556509887897, -0.0, 0.05892556509887897,
+        -0.08333333333333333, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897 },
+    { 0.041666666666666664, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333,
+        -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664,
+        -0.041666666666666664, -0.07216878364870322, 0.07216878364870322, 0.0, -0.07216878364870322,
+        0.07216878364870322, 0.0, -0.07216878364870322, 0.07216878364870322, 0.08333333333333333,
+        -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, 0.0,
+        -0.07216878364870322, 0.07216878364870322 },
+    { 0.041666666666666664, -0.02156825375854339, -0.07216878364870322, 0.05892556509887897,
+        0.041666666666666664, -0.08049381885742235, -0.0, 0.08049381885742235,
+        -0.041666666666666664, -0.08049381885742235, 0.041666666666666664, 0.05892556509887897,
+        -0.07216878364870322, -0.02156825375854339, 0.08333333333333333, -0.02156825375854339,
+        -0.07216878364870322, -0.05892556509887897, 0.07216878364870322, 0.02156825375854339,
+        -0.08333333333333333, 0.05892556509887897, 0.041666666666666664, -0.08049381885742235 },
+    { 0.041666666666666664, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, 0.0,
+        -0.08333333333333333, -0.0, 0.08333333333333333, -0.08333333333333333, -0.0,
+        0.08333333333333333, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, 0.0, 0.0,
+        -0.08333333333333333, -0.0, 0.08333333333333333, -0.08333333333333333, -0.0,
+        0.08333333333333333 },
+    { 0.041666666666666664, 0.02156825375854339, -0.07216878364870322, -0.05892556509887897,
+        0.041666666666666664, 0.08049381885742235, 0.0, -0.08049381885742235, -0.041666666666666664,
+        -0.08049381885742235, -0.041666666666666664, 0.05892556509887897, 0.07216878364870322,
+        -0.02156825375854339, -0.08333333333333333, -0.02156825375854339, 0.07216878364870322,
+        0.05892556509887897, 0.07216878364870322, -0.02156825375854339, -0.08333333333333333,
+        0.05892556509887897, -0.041666666666666664, -0.08049381885742235 },
+    { 0.041666666666666664, 0.041666666666666664, -0.041666666666666664, -0.08333333333333333,
+        -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, 0.041666666666666664,
+        -0.041666666666666664, -0.07216878364870322, -0.07216878364870322, -0.0,
+        0.07216878364870322, 0.07216878364870322, 0.0, -0.07216878364870322, -0.07216878364870322,
+        -0.08333333333333333, -0.041666666666666664, 0.041666666666666664, 0.08333333333333333,
+        -0.0, 0.07216878364870322, 0.07216878364870322 },
+    { 0.041666666666666664, 0.05892556509887897, 0.0, -0.05892556509887897, -0.08333333333333333,
+        -0.05892556509887897, -0.0, 0.05892556509887897, 0.08333333333333333, -0.05892556509887897,
+        -0.08333333333333333, -0.05892556509887897, -0.0, 0.05892556509887897, 0.08333333333333333,
+        0.05892556509887897, 0.0, 0.05892556509887897, 0.0, -0.05892556509887897,
+        -0.08333333333333333, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897 },
+    { 0.041666666666666664, 0.07216878364870322, 0.041666666666666664, 0.0, -0.041666666666666664,
+        -0.07216878364870322, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664,
+        -0.041666666666666664, -0.07216878364870322, -0.08333333333333333, -0.07216878364870322,
+        -0.041666666666666664, -0.0, 0.041666666666666664, 0.07216878364870322, -0.0,
+        0.041666666666666664, 0.07216878364870322, 0.08333333333333333, 0.08333333333333333,
+        0.07216878364870322, 0.041666666666666664 },
+    { 0.041666666666666664, 0.08049381885742235, 0.07216878364870322, 0.05892556509887897,
+        0.041666666666666664, 0.02156825375854339, 0.0, -0.02156825375854339, -0.041666666666666664,
+        -0.02156825375854339, -0.041666666666666664, -0.05892556509887897, -0.07216878364870322,
+        -0.08049381885742235, -0.08333333333333333, -0.08049381885742235, -0.07216878364870322,
+        -0.05892556509887897, -0.07216878364870322, -0.08049381885742235, -0.08333333333333333,
+        -0.05892556509887897, -0.041666666666666664, -0.02156825375854339 },
+};
+
+/* cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle */
+static const double general_5r_pointing_grid_c[8][128] = {
+    { 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969,
+        0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304,
+        0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088,
+        0.9495281805930367, 0.9415440651830208, 0.9329927988347388, 0.9238795325112867,
+        0.9142097557035307, 0.9039892931234433, 0.8932243011955153, 0.881921264348355,
+        0.8700869911087115, 0.8577286100002721, 0.8448535652497071, 0.8314696123025452,
+        0.8175848131515837, 0.8032075314806449, 0.7883464276266062, 0.773010453362737,
+        0.7572088465064846, 0.7409511253549591, 0.7242470829514669, 0.7071067811865476,
+        0.6895405447370669, 0.6715589548470184, 0.6531728429537768, 0.6343932841636455,
+        0.6152315905806268, 0.5956993044924334, 0.5758081914178453, 0.5555702330196022,
+        0.5349976198870973, 0.5141027441932218, 0.49289819222978404, 0.47139673682599764,
+        0.4496113296546066, 0.4275550934302821, 0.40524131400498986, 0.3826834323650898,
+        0.35989503653498817, 0.33688985339222005, 0.31368174039889146, 0.2902846772544624,
+        0.26671275747489837, 0.2429801799032639, 0.2191012401568698, 0.19509032201612828,
+        0.17096188876030122, 0.14673047445536175, 0.1224106751992162, 0.0980171403295606,
+        0.07356456359966743, 0.049067674327418015, 0.024541228522912288, 0.0, -0.024541228522912288,
+        -0.049067674327418015, -0.07356456359966743, -0.0980171403295606, -0.1224106751992162,
+        -0.14673047445536175, -0.17096188876030122, -0.19509032201612828, -0.2191012401568698,
+        -0.2429801799032639, -0.26671275747489837, -0.2902846772544624, -0.31368174039889146,
+        -0.33688985339222005, -0.35989503653498817, -0.3826834323650898, -0.40524131400498986,
+        -0.4275550934302821, -0.4496113296546066, -0.47139673682599764, -0.49289819222978404,
+        -0.5141027441932218, -0.5349976198870973, -0.5555702330196022, -0.5758081914178453,
+        -0.5956993044924334, -0.6152315905806268, -0.6343932841636455, -0.6531728429537768,
+        -0.6715589548470184, -0.6895405447370669, -0.7071067811865476, -0.7242470829514669,
+        -0.7409511253549591, -0.7572088465064846, -0.773010453362737, -0.7883464276266062,
+        -0.8032075314806449, -0.8175848131515837, -0.8314696123025452, -0.8448535652497071,
+        -0.8577286100002721, -0.8700869911087115, -0.881921264348355, -0.8932243011955153,
+        -0.9039892931234433, -0.9142097557035307, -0.9238795325112867, -0.9329927988347388,
+        -0.9415440651830208, -0.9495281805930367, -0.9569403357322088, -0.9637760657954398,
+        -0.970031253194544, -0.9757021300385286, -0.9807852804032304, -0.9852776423889412,
+        -0.989176509964781, -0.99247953459871, -0.9951847266721969, -0.9972904566786902,
+        -0.9987954562051724, -0.9996988186962042 },
+    { 1.0, 0.9987954562051724, 0.9951847266721969, 0.989176509964781, 0.9807852804032304,
+        0.970031253194544, 0.9569403357322088, 0.9415440651830208, 0.9238795325112867,
+        0.9039892931234433, 0.881921264348355, 0.8577286100002721, 0.8314696123025452,
+        0.8032075314806449, 0.773010453362737, 0.7409511253549591, 0.7071067811865476,
+        0.6715589548470184, 0.6343932841636455, 0.5956993044924334, 0.5555702330196022,
+        0.5141027441932218, 0.47139673682599764, 0.4275550934302821, 0.3826834323650898,
+        0.33688985339222005, 0.2902846772544624, 0.2429801799032639, 0.19509032201612828,
+        0.14673047445536175, 0.0980171403295606, 0.049067674327418015, 0.0, -0.049067674327418015,
+        -0.0980171403295606, -0.14673047445536175, -0.19509032201612828, -0.2429801799032639,
+        -0.2902846772544624, -0.33688985339222005, -0.3826834323650898, -0.4275550934302821,
+        -0.47139673682599764, -0.5141027441932218, -0.5555702330196022, -0.5956993044924334,
+        -0.6343932841636455, -0.6715589548470184, -0.7071067811865476, -0.7409511253549591,
+        -0.773010453362737, -0.8032075314806449, -0.8314696123025452, -0.8577286100002721,
+        -0.881921264348355, -0.9039892931234433, -0.9238795325112867, -0.9415440651830208,
+        -0.9569403357322088, -0.970031253194544, -0.9807852804032304, -0.989176509964781,
+        -0.9951847266721969, -0.9987954562051724, -1.0, -0.9987954562051724, -0.9951847266721969,
+        -0.989176509964781, -0.9807852804032304, -0.970031253194544, -0.9569403357322088,
+        -0.9415440651830208, -0.9238795325112867, -0.9039892931234433, -0.881921264348355,
+        -0.8577286100002721, -0.8314696123025452, -0.8032075314806449, -0.773010453362737,
+        -0.7409511253549591, -0.7071067811865476, -0.6715589548470184, -0.6343932841636455,
+        -0.5956993044924334, -0.5555702330196022, -0.5141027441932218, -0.47139673682599764,
+        -0.4275550934302821, -0.3826834323650898, -0.33688985339222005, -0.2902846772544624,
+        -0.2429801799032639, -0.19509032201612828, -0.14673047445536175, -0.0980171403295606,
+        -0.049067674327418015, 0.0, 0.049067674327418015, 0.0980171403295606, 0.14673047445536175,
+        0.19509032201612828, 0.2429801799032639, 0.2902846772544624, 0.33688985339222005,
+        0.3826834323650898, 0.4275550934302821, 0.47139673682599764, 0.5141027441932218,
+        0.5555702330196022, 0.5956993044924334, 0.6343932841636455, 0.6715589548470184,
+        0.7071067811865476, 0.7409511253549591, 0.773010453362737, 0.8032075314806449,
+        0.8314696123025452, 0.8577286100002721, 0.881921264348355, 0.9039892931234433,
+        0.9238795325112867, 0.9415440651830208, 0.9569403357322088, 0.970031253194544,
+        0.9807852804032304, 0.989176509964781, 0.9951847266721969, 0.9987954562051724 },
+    { 1.0, 0.9972904566786902, 0.989176509964781, 0.9757021300385286, 0.9569403357322088,
+        0.9329927988347388, 0.9039892931234433, 0.8700869911087115, 0.8314696123025452,
+        0.7883464276266062, 0.7409511253549591, 0.6895405447370669, 0.6343932841636455,
+        0.5758081914178453, 0.5141027441932218, 0.4496113296546066, 0.3826834323650898,
+        0.31368174039889146, 0.2429801799032639, 0.17096188876030122, 0.0980171403295606,
+        0.024541228522912288, -0.049067674327418015, -0.1224106751992162, -0.19509032201612828,
+        -0.26671275747489837, -0.33688985339222005, -0.40524131400498986, -0.47139673682599764,
+        -0.5349976198870973, -0.5956993044924334, -0.6531728429537768, -0.7071067811865476,
+        -0.7572088465064846, -0.8032075314806449, -0.8448535652497071, -0.881921264348355,
+        -0.9142097557035307, -0.9415440651830208, -0.9637760657954398, -0.9807852804032304,
+        -0.99247953459871, -0.9987954562051724, -0.9996988186962042, -0.9951847266721969,
+        -0.9852776423889412, -0.970031253194544, -0.9495281805930367, -0.9238795325112867,
+        -0.8932243011955153, -0.8577286100002721, -0.8175848131515837, -0.773010453362737,
+        -0.7242470829514669, -0.6715589548470184, -0.6152315905806268, -0.5555702330196022,
+        -0.49289819222978404, -0.4275550934302821, -0.35989503653498817, -0.2902846772544624,
+        -0.2191012401568698, -0.14673047445536175, -0.07356456359966743, 0.0, 0.07356456359966743,
+        0.14673047445536175, 0.2191012401568698, 0.2902846772544624, 0.35989503653498817,
+        0.4275550934302821, 0.49289819222978404, 0.5555702330196022, 0.6152315905806268,
+        0.6715589548470184, 0.7242470829514669, 0.773010453362737, 0.8175848131515837,
+        0.8577286100002721, 0.8932243011955153, 0.9238795325112867, 0.9495281805930367,
+        0.970031253194544, 0.9852776423889412, 0.9951847266721969, 0.9996988186962042,
+        0.9987954562051724, 0.99247953459871, 0.9807852804032304, 0.9637760657954398,
+        0.9415440651830208, 0.9142097557035307, 0.881921264348355, 0.8448535652497071,
+        0.8032075314806449, 0.7572088465064846, 0.7071067811865476, 0.6531728429537768,
+        0.5956993044924334, 0.5349976198870973, 0.47139673682599764, 0.40524131400498986,
+        0.33688985339222005, 0.26671275747489837, 0.19509032201612828, 0.1224106751992162,
+        0.049067674327418015, -0.024541228522912288, -0.0980171403295606, -0.17096188876030122,
+        -0.2429801799032639, -0.31368174039889146, -0.3826834323650898, -0.4496113296546066,
+        -0.5141027441932218, -0.5758081914178453, -0.6343932841636455, -0.6895405447370669,
+        -0.7409511253549591, -0.7883464276266062, -0.8314696123025452, -0.8700869911087115,
+        -0.9039892931234433, -0.9329927988347388, -0.9569403357322088, -0.9757021300385286,
+        -0.989176509964781, -0.9972904566786902 },
+    { 1.0, 0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867,
+        0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476,
+        0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898,
+        0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606,
+        -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764,
+        -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737,
+        -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088,
+        -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304,
+        -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452,
+        -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022,
+        -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828,
+        -0.0980171403295606, 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624,
+        0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455,
+        0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355,
+        0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0,
+        0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867,
+        0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476,
+        0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898,
+        0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606,
+        -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764,
+        -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737,
+        -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088,
+        -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304,
+        -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452,
+        -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022,
+        -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828,
+        -0.0980171403295606, 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624,
+        0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455,
+        0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355,
+        0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969 },
+    { 1.0, 0.99247953459871, 0.970031253194544, 0.9329927988347388, 0.881921264348355,
+        0.8175848131515837, 0.7409511253549591, 0.6531728429537768, 0.5555702330196022,
+        0.4496113296546066, 0.33688985339222005, 0.2191012401568698, 0.0980171403295606,
+        -0.024541228522912288, -0.14673047445536175, -0.26671275747489837, -0.3826834323650898,
+        -0.49289819222978404, -0.5956993044924334, -0.6895405447370669, -0.773010453362737,
+        -0.8448535652497071, -0.9039892931234433, -0.9495281805930367, -0.9807852804032304,
+        -0.9972904566786902, -0.9987954562051724, -0.9852776423889412, -0.9569403357322088,
+        -0.9142097557035307, -0.8577286100002721, -0.7883464276266062, -0.7071067811865476,
+        -0.6152315905806268, -0.5141027441932218, -0.40524131400498986, -0.2902846772544624,
+        -0.17096188876030122, -0.049067674327418015, 0.07356456359966743, 0.19509032201612828,
+        0.31368174039889146, 0.4275550934302821, 0.5349976198870973, 0.6343932841636455,
+        0.7242470829514669, 0.8032075314806449, 0.8700869911087115, 0.9238795325112867,
+        0.9637760657954398, 0.989176509964781, 0.9996988186962042, 0.9951847266721969,
+        0.9757021300385286, 0.9415440651830208, 0.8932243011955153, 0.8314696123025452,
+        0.7572088465064846, 0.6715589548470184, 0.5758081914178453, 0.47139673682599764,
+        0.35989503653498817, 0.2429801799032639, 0.1224106751992162, 0.0, -0.1224106751992162,
+        -0.2429801799032639, -0.35989503653498817, -0.47139673682599764, -0.5758081914178453,
+        -0.6715589548470184, -0.7572088465064846, -0.8314696123025452, -0.8932243011955153,
+        -0.9415440651830208, -0.9757021300385286, -0.9951847266721969, -0.9996988186962042,
+        -0.989176509964781, -0.9637760657954398, -0.9238795325112867, -0.8700869911087115,
+        -0.8032075314806449, -0.7242470829514669, -0.6343932841636455, -0.5349976198870973,
+        -0.4275550934302821, -0.31368174039889146, -0.19509032201612828, -0.07356456359966743,
+        0.049067674327418015, 0.17096188876030122, 0.2902846772544624, 0.40524131400498986,
+        0.5141027441932218, 0.6152315905806268, 0.7071067811865476, 0.7883464276266062,
+        0.8577286100002721, 0.9142097557035307, 0.9569403357322088, 0.9852776423889412,
+        0.9987954562051724, 0.9972904566786902, 0.9807852804032304, 0.9495281805930367,
+        0.9039892931234433, 0.8448535652497071, 0.773010453362737, 0.6895405447370669,
+        0.5956993044924334, 0.49289819222978404, 0.3826834323650898, 0.26671275747489837,
+        0.14673047445536175, 0.024541228522912288, -0.0980171403295606, -0.2191012401568698,
+        -0.33688985339222005, -0.4496113296546066, -0.5555702330196022, -0.6531728429537768,
+        -0.7409511253549591, -0.8175848131515837, -0.881921264348355, -0.9329927988347388,
+        -0.970031253194544, -0.99247953459871 },
+    { 1.0, 0.989176509964781, 0.9569403357322088, 0.9039892931234433, 0.8314696123025452,
+        0.7409511253549591, 0.6343932841636455, 0.5141027441932218, 0.3826834323650898,
+        0.2429801799032639, 0.0980171403295606, -0.049067674327418015, -0.19509032201612828,
+        -0.33688985339222005, -0.47139673682599764, -0.5956993044924334, -0.7071067811865476,
+        -0.8032075314806449, -0.881921264348355, -0.9415440651830208, -0.9807852804032304,
+        -0.9987954562051724, -0.9951847266721969, -0.970031253194544, -0.9238795325112867,
+        -0.8577286100002721, -0.773010453362737, -0.6715589548470184, -0.5555702330196022,
+        -0.4275550934302821, -0.2902846772544624, -0.14673047445536175, 0.0, 0.14673047445536175,
+        0.2902846772544624, 0.4275550934302821, 0.5555702330196022, 0.6715589548470184,
+        0.773010453362737, 0.8577286100002721, 0.9238795325112867, 0.970031253194544,
+        0.9951847266721969, 0.9987954562051724, 0.9807852804032304, 0.9415440651830208,
+        0.881921264348355, 0.8032075314806449, 0.7071067811865476, 0.5956993044924334,
+        0.47139673682599764, 0.33688985339222005, 0.19509032201612828, 0.049067674327418015,
+        -0.0980171403295606, -0.2429801799032639, -0.3826834323650898, -0.5141027441932218,
+        -0.6343932841636455, -0.7409511253549591, -0.8314696123025452, -0.9039892931234433,
+        -0.9569403357322088, -0.989176509964781, -1.0, -0.989176509964781, -0.9569403357322088,
+        -0.9039892931234433, -0.8314696123025452, -0.7409511253549591, -0.6343932841636455,
+        -0.5141027441932218, -0.3826834323650898, -0.2429801799032639, -0.0980171403295606,
+        0.049067674327418015, 0.19509032201612828, 0.33688985339222005, 0.47139673682599764,
+        0.5956993044924334, 0.7071067811865476, 0.8032075314806449, 0.881921264348355,
+        0.9415440651830208, 0.9807852804032304, 0.9987954562051724, 0.9951847266721969,
+        0.970031253194544, 0.9238795325112867, 0.8577286100002721, 0.773010453362737,
+        0.6715589548470184, 0.5555702330196022, 0.4275550934302821, 0.2902846772544624,
+        0.14673047445536175, 0.0, -0.14673047445536175, -0.2902846772544624, -0.4275550934302821,
+        -0.5555702330196022, -0.6715589548470184, -0.773010453362737, -0.8577286100002721,
+        -0.9238795325112867, -0.970031253194544, -0.9951847266721969, -0.9987954562051724,
+        -0.9807852804032304, -0.9415440651830208, -0.881921264348355, -0.8032075314806449,
+        -0.7071067811865476, -0.5956993044924334, -0.47139673682599764, -0.33688985339222005,
+        -0.19509032201612828, -0.049067674327418015, 0.0980171403295606, 0.2429801799032639,
+        0.3826834323650898, 0.5141027441932218, 0.6343932841636455, 0.7409511253549591,
+        0.8314696123025452, 0.9039892931234433, 0.9569403357322088, 0.989176509964781 },
+    { 1.0, 0.9852776423889412, 0.9415440651830208, 0.8700869911087115, 0.773010453362737,
+        0.6531728429537768, 0.5141027441932218, 0.35989503653498817, 0.19509032201612828,
+        0.024541228522912288, -0.14673047445536175, -0.31368174039889146, -0.47139673682599764,
+        -0.6152315905806268, -0.7409511253549591, -0.8448535652497071, -0.9238795325112867,
+        -0.9757021300385286, -0.9987954562051724, -0.99247953459871, -0.9569403357322088,
+        -0.8932243011955153, -0.8032075314806449, -0.6895405447370669, -0.5555702330196022,
+        -0.40524131400498986, -0.2429801799032639, -0.07356456359966743, 0.0980171403295606,
+        0.26671275747489837, 0.4275550934302821, 0.5758081914178453, 0.7071067811865476,
+        0.8175848131515837, 0.9039892931234433, 0.9637760657954398, 0.9951847266721969,
+        0.9972904566786902, 0.970031253194544, 0.9142097557035307, 0.8314696123025452,
+        0.7242470829514669, 0.5956993044924334, 0.4496113296546066, 0.2902846772544624,
+        0.1224106751992162, -0.049067674327418015, -0.2191012401568698, -0.3826834323650898,
+        -0.5349976198870973, -0.6715589548470184, -0.7883464276266062, -0.881921264348355,
+        -0.9495281805930367, -0.989176509964781, -0.9996988186962042, -0.9807852804032304,
+        -0.9329927988347388, -0.8577286100002721, -0.7572088465064846, -0.6343932841636455,
+        -0.49289819222978404, -0.33688985339222005, -0.17096188876030122, 0.0, 0.17096188876030122,
+        0.33688985339222005, 0.49289819222978404, 0.6343932841636455, 0.7572088465064846,
+        0.8577286100002721, 0.9329927988347388, 0.9807852804032304, 0.9996988186962042,
+        0.989176509964781, 0.9495281805930367, 0.881921264348355, 0.7883464276266062,
+        0.6715589548470184, 0.5349976198870973, 0.3826834323650898, 0.2191012401568698,
+        0.049067674327418015, -0.1224106751992162, -0.2902846772544624, -0.4496113296546066,
+        -0.5956993044924334, -0.7242470829514669, -0.8314696123025452, -0.9142097557035307,
+        -0.970031253194544, -0.9972904566786902, -0.9951847266721969, -0.9637760657954398,
+        -0.9039892931234433, -0.8175848131515837, -0.7071067811865476, -0.5758081914178453,
+        -0.4275550934302821, -0.26671275747489837, -0.0980171403295606, 0.07356456359966743,
+        0.2429801799032639, 0.40524131400498986, 0.5555702330196022, 0.6895405447370669,
+        0.8032075314806449, 0.8932243011955153, 0.9569403357322088, 0.99247953459871,
+        0.9987954562051724, 0.9757021300385286, 0.9238795325112867, 0.8448535652497071,
+        0.7409511253549591, 0.6152315905806268, 0.47139673682599764, 0.31368174039889146,
+        0.14673047445536175, -0.024541228522912288, -0.19509032201612828, -0.35989503653498817,
+        -0.5141027441932218, -0.6531728429537768, -0.773010453362737, -0.8700869911087115,
+        -0.9415440651830208, -0.9852776423889412 },
+    { 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476,
+        0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828,
+        -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452,
+        -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867,
+        -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898,
+        -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022,
+        0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0,
+        0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476,
+        0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828,
+        -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452,
+        -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867,
+        -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898,
+        -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022,
+        0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0,
+        0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476,
+        0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828,
+        -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452,
+        -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867,
+        -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898,
+        -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022,
+        0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0,
+        0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476,
+        0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828,
+        -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452,
+        -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867,
+        -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898,
+        -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022,
+        0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304 },
+};
+
+static const double general_5r_pointing_grid_s[8][128] = {
+    { 0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606,
+        0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828,
+        0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624,
+        0.31368174039889146, 0.33688985339222005, 0.35989503653498817, 0.3826834323650898,
+        0.40524131400498986, 0.4275550934302821, 0.4496113296546066, 0.47139673682599764,
+        0.49289819222978404, 0.5141027441932218, 0.5349976198870973, 0.5555702330196022,
+        0.5758081914178453, 0.5956993044924334, 0.6152315905806268, 0.6343932841636455,
+        0.6531728429537768, 0.6715589548470184, 0.6895405447370669, 0.7071067811865476,
+        0.7242470829514669, 0.7409511253549591, 0.7572088465064846, 0.773010453362737,
+        0.7883464276266062, 0.8032075314806449, 0.8175848131515837, 0.8314696123025452,
+        0.8448535652497071, 0.8577286100002721, 0.8700869911087115, 0.881921264348355,
+        0.8932243011955153, 0.9039892931234433, 0.9142097557035307, 0.9238795325112867,
+        0.9329927988347388, 0.9415440651830208, 0.9495281805930367, 0.9569403357322088,
+        0.9637760657954398, 0.970031253194544, 0.9757021300385286, 0.9807852804032304,
+        0.9852776423889412, 0.989176509964781, 0.99247953459871, 0.9951847266721969,
+        0.9972904566786902, 0.9987954562051724, 0.9996988186962042, 1.0, 0.9996988186962042,
+        0.9987954562051724, 0.9972904566786902, 0.9951847266721969, 0.99247953459871,
+        0.989176509964781, 0.9852776423889412, 0.9807852804032304, 0.9757021300385286,
+        0.970031253194544, 0.9637760657954398, 0.9569403357322088, 0.9495281805930367,
+        0.9415440651830208, 0.9329927988347388, 0.9238795325112867, 0.9142097557035307,
+        0.9039892931234433, 0.8932243011955153, 0.881921264348355, 0.8700869911087115,
+        0.8577286100002721, 0.8448535652497071, 0.8314696123025452, 0.8175848131515837,
+        0.8032075314806449, 0.7883464276266062, 0.773010453362737, 0.7572088465064846,
+        0.7409511253549591, 0.7242470829514669, 0.7071067811865476, 0.6895405447370669,
+        0.6715589548470184, 0.6531728429537768, 0.6343932841636455, 0.6152315905806268,
+        0.5956993044924334, 0.5758081914178453, 0.5555702330196022, 0.5349976198870973,
+        0.5141027441932218, 0.49289819222978404, 0.47139673682599764, 0.4496113296546066,
+        0.4275550934302821, 0.40524131400498986, 0.3826834323650898, 0.35989503653498817,
+        0.33688985339222005, 0.31368174039889146, 0.2902846772544624, 0.26671275747489837,
+        0.2429801799032639, 0.2191012401568698, 0.19509032201612828, 0.17096188876030122,
+        0.14673047445536175, 0.1224106751992162, 0.0980171403295606, 0.07356456359966743,
+        0.049067674327418015, 0.024541228522912288 },
+    { 0.0, 0.049067674327418015, 0.0980171403295606, 0.14673047445536175, 0.19509032201612828,
+        0.2429801799032639, 0.2902846772544624, 0.33688985339222005, 0.3826834323650898,
+        0.4275550934302821, 0.47139673682599764, 0.5141027441932218, 0.5555702330196022,
+        0.5956993044924334, 0.6343932841636455, 0.6715589548470184, 0.7071067811865476,
+        0.7409511253549591, 0.773010453362737, 0.8032075314806449, 0.8314696123025452,
+        0.8577286100002721, 0.881921264348355, 0.9039892931234433, 0.9238795325112867,
+        0.9415440651830208, 0.9569403357322088, 0.970031253194544, 0.9807852804032304,
+        0.989176509964781, 0.9951847266721969, 0.9987954562051724, 1.0, 0.9987954562051724,
+        0.9951847266721969, 0.989176509964781, 0.9807852804032304, 0.970031253194544,
+        0.9569403357322088, 0.9415440651830208, 0.9238795325112867, 0.9039892931234433,
+        0.881921264348355, 0.8577286100002721, 0.8314696123025452, 0.8032075314806449,
+        0.773010453362737, 0.7409511253549591, 0.7071067811865476, 0.6715589548470184,
+        0.6343932841636455, 0.5956993044924334, 0.5555702330196022, 0.5141027441932218,
+        0.47139673682599764, 0.4275550934302821, 0.3826834323650898, 0.33688985339222005,
+        0.2902846772544624, 0.2429801799032639, 0.19509032201612828, 0.14673047445536175,
+        0.0980171403295606, 0.049067674327418015, 0.0, -0.049067674327418015, -0.0980171403295606,
+        -0.14673047445536175, -0.19509032201612828, -0.2429801799032639, -0.2902846772544624,
+        -0.33688985339222005, -0.3826834323650898, -0.4275550934302821, -0.47139673682599764,
+        -0.5141027441932218, -0.5555702330196022, -0.5956993044924334, -0.6343932841636455,
+        -0.6715589548470184, -0.7071067811865476, -0.7409511253549591, -0.773010453362737,
+        -0.8032075314806449, -0.8314696123025452, -0.8577286100002721, -0.881921264348355,
+        -0.9039892931234433, -0.9238795325112867, -0.9415440651830208, -0.9569403357322088,
+        -0.970031253194544, -0.9807852804032304, -0.989176509964781, -0.9951847266721969,
+        -0.9987954562051724, -1.0, -0.9987954562051724, -0.9951847266721969, -0.989176509964781,
+        -0.9807852804032304, -0.970031253194544, -0.9569403357322088, -0.9415440651830208,
+        -0.9238795325112867, -0.9039892931234433, -0.881921264348355, -0.8577286100002721,
+        -0.8314696123025452, -0.8032075314806449, -0.773010453362737, -0.7409511253549591,
+        -0.7071067811865476, -0.6715589548470184, -0.6343932841636455, -0.5956993044924334,
+        -0.5555702330196022, -0.5141027441932218, -0.47139673682599764, -0.4275550934302821,
+        -0.3826834323650898, -0.33688985339222005, -0.2902846772544624, -0.2429801799032639,
+        -0.19509032201612828, -0.14673047445536175, -0.0980171403295606, -0.049067674327418015 },
+    { 0.0, 0.07356456359966743, 0.14673047445536175, 0.2191012401568698, 0.2902846772544624,
+        0.35989503653498817, 0.4275550934302821, 0.49289819222978404, 0.5555702330196022,
+        0.6152315905806268, 0.6715589548470184, 0.7242470829514669, 0.773010453362737,
+        0.8175848131515837, 0.8577286100002721, 0.8932243011955153, 0.9238795325112867,
+        0.9495281805930367, 0.970031253194544, 0.9852776423889412, 0.9951847266721969,
+        0.9996988186962042, 0.9987954562051724, 0.99247953459871, 0.9807852804032304,
+        0.9637760657954398, 0.9415440651830208, 0.9142097557035307, 0.881921264348355,
+        0.8448535652497071, 0.8032075314806449, 0.7572088465064846, 0.7071067811865476,
+        0.6531728429537768, 0.5956993044924334, 0.5349976198870973, 0.47139673682599764,
+        0.40524131400498986, 0.33688985339222005, 0.26671275747489837, 0.19509032201612828,
+        0.1224106751992162, 0.049067674327418015, -0.024541228522912288, -0.0980171403295606,
+        -0.17096188876030122, -0.2429801799032639, -0.31368174039889146, -0.3826834323650898,
+        -0.4496113296546066, -0.5141027441932218, -0.5758081914178453, -0.6343932841636455,
+        -0.6895405447370669, -0.7409511253549591, -0.7883464276266062, -0.8314696123025452,
+        -0.8700869911087115, -0.9039892931234433, -0.9329927988347388, -0.9569403357322088,
+        -0.9757021300385286, -0.989176509964781, -0.9972904566786902, -1.0, -0.9972904566786902,
+        -0.989176509964781, -0.9757021300385286, -0.9569403357322088, -0.9329927988347388,
+        -0.9039892931234433, -0.8700869911087115, -0.8314696123025452, -0.7883464276266062,
+        -0.7409511253549591, -0.6895405447370669, -0.6343932841636455, -0.5758081914178453,
+        -0.5141027441932218, -0.4496113296546066, -0.3826834323650898, -0.31368174039889146,
+        -0.2429801799032639, -0.17096188876030122, -0.0980171403295606, -0.024541228522912288,
+        0.049067674327418015, 0.1224106751992162, 0.19509032201612828, 0.26671275747489837,
+        0.33688985339222005, 0.40524131400498986, 0.47139673682599764, 0.5349976198870973,
+        0.5956993044924334, 0.6531728429537768, 0.7071067811865476, 0.7572088465064846,
+        0.8032075314806449, 0.8448535652497071, 0.881921264348355, 0.9142097557035307,
+        0.9415440651830208, 0.9637760657954398, 0.9807852804032304, 0.99247953459871,
+        0.9987954562051724, 0.9996988186962042, 0.9951847266721969, 0.9852776423889412,
+        0.970031253194544, 0.9495281805930367, 0.9238795325112867, 0.8932243011955153,
+        0.8577286100002721, 0.8175848131515837, 0.773010453362737, 0.7242470829514669,
+        0.6715589548470184, 0.6152315905806268, 0.5555702330196022, 0.49289819222978404,
+        0.4275550934302821, 0.35989503653498817, 0.2902846772544624, 0.2191012401568698,
+        0.14673047445536175, 0.07356456359966743 },
+    { 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898,
+        0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476,
+        0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867,
+        0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0, 0.9951847266721969,
+        0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355,
+        0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455,
+        0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624,
+        0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828,
+        -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022,
+        -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452,
+        -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304,
+        -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088,
+        -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737,
+        -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764,
+        -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606, 0.0,
+        0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898,
+        0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476,
+        0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867,
+        0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0, 0.9951847266721969,
+        0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355,
+        0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455,
+        0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624,
+        0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828,
+        -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022,
+        -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452,
+        -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304,
+        -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088,
+        -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737,
+        -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764,
+        -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606 },
+    { 0.0, 0.1224106751992162, 0.2429801799032639, 0.35989503653498817, 0.47139673682599764,
+        0.5758081914178453, 0.6715589548470184, 0.7572088465064846, 0.8314696123025452,
+        0.8932243011955153, 0.9415440651830208, 0.9757021300385286, 0.9951847266721969,
+        0.9996988186962042, 0.989176509964781, 0.9637760657954398, 0.9238795325112867,
+        0.8700869911087115, 0.8032075314806449, 0.7242470829514669, 0.6343932841636455,
+        0.5349976198870973, 0.4275550934302821, 0.31368174039889146, 0.19509032201612828,
+        0.07356456359966743, -0.049067674327418015, -0.17096188876030122, -0.2902846772544624,
+        -0.40524131400498986, -0.5141027441932218, -0.6152315905806268, -0.7071067811865476,
+        -0.7883464276266062, -0.8577286100002721, -0.9142097557035307, -0.9569403357322088,
+        -0.9852776423889412, -0.9987954562051724, -0.9972904566786902, -0.9807852804032304,
+        -0.9495281805930367, -0.9039892931234433, -0.8448535652497071, -0.773010453362737,
+        -0.6895405447370669, -0.5956993044924334, -0.49289819222978404, -0.3826834323650898,
+        -0.26671275747489837, -0.14673047445536175, -0.024541228522912288, 0.0980171403295606,
+        0.2191012401568698, 0.33688985339222005, 0.4496113296546066, 0.5555702330196022,
+        0.6531728429537768, 0.7409511253549591, 0.8175848131515837, 0.881921264348355,
+        0.9329927988347388, 0.970031253194544, 0.99247953459871, 1.0, 0.99247953459871,
+        0.970031253194544, 0.9329927988347388, 0.881921264348355, 0.8175848131515837,
+        0.7409511253549591, 0.6531728429537768, 0.5555702330196022, 0.4496113296546066,
+        0.33688985339222005, 0.2191012401568698, 0.0980171403295606, -0.024541228522912288,
+        -0.14673047445536175, -0.26671275747489837, -0.3826834323650898, -0.49289819222978404,
+        -0.5956993044924334, -0.6895405447370669, -0.773010453362737, -0.8448535652497071,
+        -0.9039892931234433, -0.9495281805930367, -0.9807852804032304, -0.9972904566786902,
+        -0.9987954562051724, -0.9852776423889412, -0.9569403357322088, -0.9142097557035307,
+        -0.8577286100002721, -0.7883464276266062, -0.7071067811865476, -0.6152315905806268,
+        -0.5141027441932218, -0.40524131400498986, -0.2902846772544624, -0.17096188876030122,
+        -0.049067674327418015, 0.07356456359966743, 0.19509032201612828, 0.31368174039889146,
+        0.4275550934302821, 0.5349976198870973, 0.6343932841636455, 0.7242470829514669,
+        0.8032075314806449, 0.8700869911087115, 0.9238795325112867, 0.9637760657954398,
+        0.989176509964781, 0.9996988186962042, 0.9951847266721969, 0.9757021300385286,
+        0.9415440651830208, 0.8932243011955153, 0.8314696123025452, 0.7572088465064846,
+        0.6715589548470184, 0.5758081914178453, 0.47139673682599764, 0.35989503653498817,
+        0.2429801799032639, 0.1224106751992162 },
+    { 0.0, 0.14673047445536175, 0.2902846772544624, 0.4275550934302821, 0.5555702330196022,
+        0.6715589548470184, 0.773010453362737, 0.8577286100002721, 0.9238795325112867,
+        0.970031253194544, 0.9951847266721969, 0.9987954562051724, 0.9807852804032304,
+        0.9415440651830208, 0.881921264348355, 0.8032075314806449, 0.7071067811865476,
+        0.5956993044924334, 0.47139673682599764, 0.33688985339222005, 0.19509032201612828,
+        0.049067674327418015, -0.0980171403295606, -0.2429801799032639, -0.3826834323650898,
+        -0.5141027441932218, -0.6343932841636455, -0.7409511253549591, -0.8314696123025452,
+        -0.9039892931234433, -0.9569403357322088, -0.989176509964781, -1.0, -0.989176509964781,
+        -0.9569403357322088, -0.9039892931234433, -0.8314696123025452, -0.7409511253549591,
+        -0.6343932841636455, -0.5141027441932218, -0.3826834323650898, -0.2429801799032639,
+        -0.0980171403295606, 0.049067674327418015, 0.19509032201612828, 0.33688985339222005,
+        0.47139673682599764, 0.5956993044924334, 0.7071067811865476, 0.8032075314806449,
+        0.881921264348355, 0.9415440651830208, 0.9807852804032304, 0.9987954562051724,
+        0.9951847266721969, 0.970031253194544, 0.9238795325112867, 0.8577286100002721,
+        0.773010453362737, 0.6715589548470184, 0.5555702330196022, 0.4275550934302821,
+        0.2902846772544624, 0.14673047445536175, 0.0, -0.14673047445536175, -0.2902846772544624,
+        -0.4275550934302821, -0.5555702330196022, -0.6715589548470184, -0.773010453362737,
+        -0.8577286100002721, -0.9238795325112867, -0.970031253194544, -0.9951847266721969,
+        -0.9987954562051724, -0.9807852804032304, -0.9415440651830208, -0.881921264348355,
+        -0.8032075314806449, -0.7071067811865476, -0.5956993044924334, -0.47139673682599764,
+        -0.33688985339222005, -0.19509032201612828, -0.049067674327418015, 0.0980171403295606,
+        0.2429801799032639, 0.3826834323650898, 0.5141027441932218, 0.6343932841636455,
+        0.7409511253549591, 0.8314696123025452, 0.9039892931234433, 0.9569403357322088,
+        0.989176509964781, 1.0, 0.989176509964781, 0.9569403357322088, 0.9039892931234433,
+        0.8314696123025452, 0.7409511253549591, 0.6343932841636455, 0.5141027441932218,
+        0.3826834323650898, 0.2429801799032639, 0.0980171403295606, -0.049067674327418015,
+        -0.19509032201612828, -0.33688985339222005, -0.47139673682599764, -0.5956993044924334,
+        -0.7071067811865476, -0.8032075314806449, -0.881921264348355, -0.9415440651830208,
+        -0.9807852804032304, -0.9987954562051724, -0.9951847266721969, -0.970031253194544,
+        -0.9238795325112867, -0.8577286100002721, -0.773010453362737, -0.6715589548470184,
+        -0.5555702330196022, -0.4275550934302821, -0.2902846772544624, -0.14673047445536175 },
+    { 0.0, 0.17096188876030122, 0.33688985339222005, 0.49289819222978404, 0.6343932841636455,
+        0.7572088465064846, 0.8577286100002721, 0.9329927988347388, 0.9807852804032304,
+        0.9996988186962042, 0.989176509964781, 0.9495281805930367, 0.881921264348355,
+        0.7883464276266062, 0.6715589548470184, 0.5349976198870973, 0.3826834323650898,
+        0.2191012401568698, 0.049067674327418015, -0.1224106751992162, -0.2902846772544624,
+        -0.4496113296546066, -0.5956993044924334, -0.7242470829514669, -0.8314696123025452,
+        -0.9142097557035307, -0.970031253194544, -0.9972904566786902, -0.9951847266721969,
+        -0.9637760657954398, -0.9039892931234433, -0.8175848131515837, -0.7071067811865476,
+        -0.5758081914178453, -0.4275550934302821, -0.26671275747489837, -0.0980171403295606,
+        0.07356456359966743, 0.2429801799032639, 0.40524131400498986, 0.5555702330196022,
+        0.6895405447370669, 0.8032075314806449, 0.8932243011955153, 0.9569403357322088,
+        0.99247953459871, 0.9987954562051724, 0.9757021300385286, 0.9238795325112867,
+        0.8448535652497071, 0.7409511253549591, 0.6152315905806268, 0.47139673682599764,
+        0.31368174039889146, 0.14673047445536175, -0.024541228522912288, -0.19509032201612828,
+        -0.35989503653498817, -0.5141027441932218, -0.6531728429537768, -0.773010453362737,
+        -0.8700869911087115, -0.9415440651830208, -0.9852776423889412, -1.0, -0.9852776423889412,
+        -0.9415440651830208, -0.8700869911087115, -0.773010453362737, -0.6531728429537768,
+        -0.5141027441932218, -0.35989503653498817, -0.19509032201612828, -0.024541228522912288,
+        0.14673047445536175, 0.31368174039889146, 0.47139673682599764, 0.6152315905806268,
+        0.7409511253549591, 0.8448535652497071, 0.9238795325112867, 0.9757021300385286,
+        0.9987954562051724, 0.99247953459871, 0.9569403357322088, 0.8932243011955153,
+        0.8032075314806449, 0.6895405447370669, 0.5555702330196022, 0.40524131400498986,
+        0.2429801799032639, 0.07356456359966743, -0.0980171403295606, -0.26671275747489837,
+        -0.4275550934302821, -0.5758081914178453, -0.7071067811865476, -0.8175848131515837,
+        -0.9039892931234433, -0.9637760657954398, -0.9951847266721969, -0.9972904566786902,
+        -0.970031253194544, -0.9142097557035307, -0.8314696123025452, -0.7242470829514669,
+        -0.5956993044924334, -0.4496113296546066, -0.2902846772544624, -0.1224106751992162,
+        0.049067674327418015, 0.2191012401568698, 0.3826834323650898, 0.5349976198870973,
+        0.6715589548470184, 0.7883464276266062, 0.881921264348355, 0.9495281805930367,
+        0.989176509964781, 0.9996988186962042, 0.9807852804032304, 0.9329927988347388,
+        0.8577286100002721, 0.7572088465064846, 0.6343932841636455, 0.49289819222978404,
+        0.33688985339222005, 0.17096188876030122 },
+    { 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476,
+        0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304,
+        0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022,
+        0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898,
+        -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867,
+        -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452,
+        -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0,
+        0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476,
+        0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304,
+        0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022,
+        0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898,
+        -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867,
+        -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452,
+        -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0,
+        0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476,
+        0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304,
+        0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022,
+        0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898,
+        -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867,
+        -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452,
+        -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0,
+        0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476,
+        0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304,
+        0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022,
+        0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898,
+        -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867,
+        -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452,
+        -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828 },
+};
+
+/* C = A B for rigid transforms, three rows of four. */
+static inline void general_5r_pointing_compose(const double A[12], const double B[12], double C[12])
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 4; j++) {
+            C[4 * i + j] = A[4 * i] * B[j] + A[4 * i + 1] * B[4 + j] + A[4 * i + 2] * B[8 + j] +
+                           (j == 3 ? A[4 * i + 3] : 0.0);
+        }
+    }
+}
+
+static inline void general_5r_pointing_invert(const double A[12], double B[12])
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            B[4 * i + j] = A[4 * j + i];
+        }
+        B[4 * i + 3] = -(A[i] * A[3] + A[4 + i] * A[7] + A[8 + i] * A[11]);
+    }
+}
+
+static inline void general_5r_pointing_copy(const double A[12], double B[12])
+{
+    for (int i = 0; i < 12; i++) {
+        B[i] = A[i];
+    }
+}
+
+/* A becomes A B. */
+static inline void general_5r_pointing_then(double A[12], const double B[12])
+{
+    double C[12];
+    general_5r_pointing_compose(A, B, C);
+    general_5r_pointing_copy(C, A);
+}
+
+/* The links K0 ... K4 of the loop and its pose P = L T R, in arm sizes. */
+static void general_5r_pointing_close(const double T[16], general_5r_pointing_loop *loop)
+{
+    double *const P = loop->link[5], right[12];
+    general_5r_pointing_copy(general_5r_pointing_constant[0], loop->link[0]);
+    general_5r_pointing_copy(general_5r_pointing_constant[1], loop->link[1]);
+    general_5r_pointing_copy(general_5r_pointing_constant[2], loop->link[2]);
+    general_5r_pointing_copy(general_5r_pointing_constant[3], loop->link[3]);
+    general_5r_pointing_copy(general_5r_pointing_constant[4], loop->link[4]);
+    general_5r_pointing_copy(general_5r_pointing_constant[5], P);
+    general_5r_pointing_copy(general_5r_pointing_constant[6], right);
+    general_5r_pointing_then(P, T);
+    general_5r_pointing_then(P, right);
+    for (int i = 3; i < 12; i += 4) {
+        P[i] *= 2.100983747385622;
+    }
+}
+
+/* a rigid transform for each lane */
+typedef general_5r_pointing_lane general_5r_pointing_rigid[3][4];
+
+/* T Rz */
+static inline void general_5r_pointing_turn(general_5r_pointing_rigid T, general_5r_pointing_lane c,
+    general_5r_pointing_lane s)
+{
+    for (int i = 0; i < 3; i++) {
+        const general_5r_pointing_lane x = T[i][0];
+        T[i][0] = x * c + T[i][1] * s;
+        T[i][1] = T[i][1] * c - x * s;
+    }
+}
+
+/* The motion of a joint: by its cosine and sine, or by a length that stands in the sine's place. */
+static inline void general_5r_pointing_move(general_5r_pointing_rigid T, int joint,
+    general_5r_pointing_lane c, general_5r_pointing_lane s)
+{
+    (void)joint;
+    general_5r_pointing_turn(T, c, s);
+}
+
+/* T K, the same K for every lane */
+static inline void general_5r_pointing_follow(general_5r_pointing_rigid T, const double K[12])
+{
+    for (int i = 0; i < 3; i++) {
+        const general_5r_pointing_lane x = T[i][0], y = T[i][1], z = T[i][2];
+        for (int j = 0; j < 3; j++) {
+            T[i][j] = x * K[j] + y * K[4 + j] + z * K[8 + j];
+        }
+        T[i][3] += x * K[3] + y * K[7] + z * K[11];
+    }
+}
+
+static inline void general_5r_pointing_begin(general_5r_pointing_rigid T, const double K[12])
+{
+    for (int i = 0; i < 12; i++) {
+        T[i / 4][i % 4] = general_5r_pointing_all(K[i]);
+    }
+}
+
+static inline void general_5r_pointing_to_unit(general_5r_pointing_lane *c, general_5r_pointing_lane
+    *s)
+{
+    const general_5r_pointing_lane square = *c * *c + *s * *s, factor = 1.0 /
+        general_5r_pointing_sqrt(square + 1e-300);
+    *c = general_5r_pointing_select(square > 1e-300, *c * factor, general_5r_pointing_all(1.0));
+    *s = general_5r_pointing_select(square > 1e-300, *s * factor, general_5r_pointing_all(0.0));
+}
+
+/* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes
+ * zero; row[i] points to the i-th of them. Returns the new diagonal. */
+static inline general_5r_pointing_lane general_5r_pointing_reflect(general_5r_pointing_lane *const
+    *row, int rows, int column, int columns)
+{
+    general_5r_pointing_lane axis[6], square = {0}, length, factor;
+    for (int i = 0; i < rows; i++) {
+        axis[i] = row[i][column];
+        square += axis[i] * axis[i];
+    }
+    length = general_5r_pointing_with_sign(general_5r_pointing_sqrt(square), axis[0]);
+    axis[0] += length;
+    factor = 1.0 / (length * axis[0] + 1e-300);
+    for (int j = column + 1; j < columns; j++) {
+        general_5r_pointing_lane sum = axis[0] * row[0][j];
+        for (int i = 1; i < rows; i++) {
+            sum += axis[i] * row[i][j];
+        }
+        sum *= factor;
+        for (int i = 0; i < rows; i++) {
+            row[i][j] -= axis[i] * sum;
+        }
+    }
+    row[0][column] = -length;
+    return -length;
+}
+
+/* The features of a point and a direction, at once for several columns: 1, l, p, p.p, p.l, p x l
+ * and
+ * (p.p) l - 2 (p.l) p, as a rigid motion acts on them. */
+static inline void general_5r_pointing_act(const double K[12], general_5r_pointing_lane x[15])
+{
+    const double t[3] = {K[3], K[7], K[11]};
+    const double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
+    general_5r_pointing_lane u[3], q[3], v[3], w[3], along;
+    for (int i = 0; i < 3; i++) {
+        const double *const row = K + 4 * i;
+        u[i] = row[0] * x[1] + row[1] * x[2] + row[2] * x[3];
+        q[i] = row[0] * x[4] + row[1] * x[5] + row[2] * x[6];
+        v[i] = row[0] * x[9] + row[1] * x[10] + row[2] * x[11];
+        w[i] = row[0] * x[12] + row[1] * x[13] + row[2] * x[14];
+    }
+    along = t[0] * u[0] + t[1] * u[1] + t[2] * u[2];
+    x[7] += 2.0 * (t[0] * q[0] + t[1] * q[1] + t[2] * q[2]) + square * x[0];
+    x[8] += along;
+    for (int i = 0; i < 3; i++) {
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+        x[1 + i] = u[i];
+        x[4 + i] = q[i] + t[i] * x[0];
+        x[9 + i] = v[i] + (t[i1] * u[i2] - t[i2] * u[i1]);
+        x[12 + i] = w[i] - 2.0 * (t[i] * x[8] + (t[i1] * v[i2] - t[i2] * v[i1])) + square * u[i];
+    }
+}
+
+/* What a joint that turns makes of features: the coefficients of 1, cos and sin of its angle. */
+static inline void general_5r_pointing_cosines(const general_5r_pointing_lane x[15],
+    general_5r_pointing_lane part[3][15])
+{
+    static const int vector[4] = {1, 4, 9, 12};
+    const general_5r_pointing_lane zero = {0};
+    for (int i = 0; i < 15; i++) {
+        part[0][i] = x[i];
+        part[1][i] = part[2][i] = zero;
+    }
+    for (int i = 0; i < 4; i++) {
+        const int at = vector[i];
+        part[0][at] = part[0][at + 1] = zero;
+        part[1][at] = part[2][at + 1] = x[at];
+        part[1][at + 1] = x[at + 1];
+        part[2][at] = -x[at + 1];
+    }
+}
+
+/* The same by x^2, x and 1 for x = tan(phi/2), times 1 + x^2. */
+static inline void general_5r_pointing_tangents(const general_5r_pointing_lane x[15],
+    general_5r_pointing_lane part[3][15])
+{
+    general_5r_pointing_cosines(x, part);
+    for (int i = 0; i < 15; i++) {
+        const general_5r_pointing_lane one = part[0][i], cosine = part[1][i];
+        part[0][i] = one - cosine;
+        part[1][i] = 2.0 * part[2][i];
+        part[2][i] = one + cosine;
+    }
+}
+
+typedef void general_5r_pointing_joint_parts(const general_5r_pointing_lane x[15],
+    general_5r_pointing_lane part[3][15]);
+
+/* Columns of features pass a link, and each becomes three by what the joint before it does: column
+ * a columns + k is part a of column k. */
+static void general_5r_pointing_pass(const double K[12], double from[15][40], int columns,
+                         general_5r_pointing_joint_parts *parts, double to[15][40])
+{
+    /* from the last on, so that what runs over is written again */
+    for (int k = (columns - 1) / GENERAL_5R_POINTING_LANES * GENERAL_5R_POINTING_LANES; k >= 0; k -=
+        GENERAL_5R_POINTING_LANES) {
+        general_5r_pointing_lane x[15], part[3][15];
+        for (int i = 0; i < 15; i++) {
+            x[i] = GENERAL_5R_POINTING_LOAD(&from[i][k]);
+        }
+        general_5r_pointing_act(K, x);
+        parts(x, part);
+        for (int i = 0; i < 15; i++) {
+            for (int a = 0; a < 3; a++) {
+                GENERAL_5R_POINTING_STORE(&to[i][a * columns + k], part[a][i]);
+            }
+        }
+    }
+}
+
+/* Reflections that clear the columns of A, `rows` long, one after the other; `axis` and `factor`
+ * say
+ * how to reflect others. */
+static inline void general_5r_pointing_clear(double A[6][8], int rows, int columns, double
+    axis[6][8],
+                                 double factor[6])
+{
+    for (int c = 0; c < columns; c++) {
+        double square = 0.0, length;
+        for (int i = c; i < rows; i++) {
+            axis[c][i] = A[c][i];
+            square += A[c][i] * A[c][i];
+        }
+        length = copysign(sqrt(square), A[c][c]);
+        axis[c][c] += length;
+        factor[c] = 1.0 / (length * axis[c][c] + 1e-300);
+        for (int j = c + 1; j < columns; j++) {
+            double sum = 0.0;
+            for (int i = c; i < rows; i++) {
+                sum += axis[c][i] * A[j][i];
+            }
+            sum *= factor[c];
+            for (int i = c; i < rows; i++) {
+                A[j][i] -= axis[c][i] * sum;
+            }
+        }
+    }
+}
+
+static inline void general_5r_pointing_mirror(double axis[6][8], const double factor[6], int rows,
+    int columns,
+                                  general_5r_pointing_lane x[8])
+{
+    for (int c = 0; c < columns; c++) {
+        general_5r_pointing_lane sum = axis[c][c] * x[c];
+        for (int i = c + 1; i < rows; i++) {
+            sum += axis[c][i] * x[i];
+        }
+        sum *= factor[c];
+        for (int i = c; i < rows; i++) {
+            x[i] -= axis[c][i] * sum;
+        }
+    }
+}
+
+/* The six equations of a formulation: index 32 r + 9 a + 3 j + i for equation r, 1, c1, s1 (a), the
+ * powers x3^2, x3, 1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths. */
+static void general_5r_pointing_equations(const general_5r_pointing_formulation *form, double
+    link[6][12], double E[192])
+{
+    double x[15][40] = { {0.0} }, y[15][40] = { {0.0} }, right[15][40] = { {0.0} };
+    double inverse[12], A[6][8], still_axis[6][8], still_factor[6], pair_axis[6][8], pair_factor[6];
+    /* the features that the outer joint of the right side leaves alone, and those that it mixes:
+     * the
+     * former hold two of the eight monomials, the latter six */
+    static const int still[6] = {3, 6, 7, 8, 11, 14}, pair[8] = {1, 2, 4, 5, 9, 10, 12, 13};
+    (void)form;
+    x[0][0] = x[3][0] = 1.0; /* the origin and z */
+    general_5r_pointing_invert(link[3], inverse);
+    general_5r_pointing_pass(inverse, x, 1, general_5r_pointing_cosines, y);
+    general_5r_pointing_invert(link[4], inverse);
+    general_5r_pointing_pass(inverse, y, 3, general_5r_pointing_cosines, right);
+    for (int i = 0; i < 6; i++) {
+        A[0][i] = right[still[i]][1];
+        A[1][i] = right[still[i]][2];
+    }
+    general_5r_pointing_clear(A, 6, 2, still_axis, still_factor);
+    for (int i = 0; i < 8; i++) {
+        for (int k = 0; k < 6; k++) {
+            A[k][i] = right[pair[i]][3 + k];
+        }
+    }
+    general_5r_pointing_clear(A, 8, 6, pair_axis, pair_factor);
+    general_5r_pointing_pass(link[2], x, 1, general_5r_pointing_tangents, y);
+    general_5r_pointing_pass(link[1], y, 3, general_5r_pointing_tangents, x);
+    general_5r_pointing_pass(link[0], x, 9, general_5r_pointing_cosines, y);
+    for (int k = 0; k < 32; k += GENERAL_5R_POINTING_LANES) {
+        general_5r_pointing_lane z[15], alone[8], mixed[8];
+        for (int i = 0; i < 15; i++) {
+            z[i] = GENERAL_5R_POINTING_LOAD(&y[i][k]);
+        }
+        general_5r_pointing_act(link[5], z);
+        for (int i = 0; i < 6; i++) {
+            /* the constant column of the right side, times 1 + x2^2 and 1 + x3^2 */
+            alone[i] = z[still[i]] - right[still[i]][0] * z[0];
+        }
+        for (int i = 0; i < 8; i++) {
+            mixed[i] = z[pair[i]];
+        }
+        general_5r_pointing_mirror(still_axis, still_factor, 6, 2, alone);
+        general_5r_pointing_mirror(pair_axis, pair_factor, 8, 6, mixed);
+        for (int r = 0; r < 6; r++) {
+            GENERAL_5R_POINTING_STORE(E + 32 * r + k, r < 4 ? alone[2 + r] : mixed[2 + r]);
+        }
+    }
+}
+
+/* The determinant at hidden angles, and the upper triangular factor whose null vectors are
+ * (x3, 1) x (x2^2, x2, 1). With A2, A1, A0 the blocks of x3^2, x3, 1 the matrix is
+ * [A2 A1 A0 0; 0 A2 A1 A0]; reflections fold it to 9x9 and to 6x6. */
+static inline general_5r_pointing_lane general_5r_pointing_fold(const double *E,
+    general_5r_pointing_lane c, general_5r_pointing_lane s,
+                                        general_5r_pointing_lane factor[6][6])
+{
+    general_5r_pointing_lane M[6][9], W[6][9], determinant;
+    general_5r_pointing_lane *const rows[6] = {M[0], M[1], M[2], M[3], M[4], M[5]};
+    general_5r_pointing_lane *const last[6] = {factor[0], factor[1], factor[2], factor[3],
+        factor[4], factor[5]};
+    const general_5r_pointing_lane zero = {0};
+    for (int r = 0; r < 6; r++) {
+        for (int k = 0; k < 9; k++) {
+            const int at = 32 * r + 3 * (k % 3) + k / 3;
+            M[r][k] = E[at] + E[9 + at] * c + E[18 + at] * s;
+        }
+    }
+    determinant = general_5r_pointing_reflect(rows, 6, 0, 9);
+    determinant *= general_5r_pointing_reflect(rows + 1, 5, 1, 9);
+    determinant *= general_5r_pointing_reflect(rows + 2, 4, 2, 9);
+    /* now M is [R B1 B0; 0 D1 D0]; the other shift has R B1 B0 under D1 D0 0 */
+    for (int r = 0; r < 3; r++) {
+        for (int k = 0; k < 9; k++) {
+            W[r][k] = M[r][k];
+            W[3 + r][k] = k < 6 ? M[3 + r][3 + k] : zero;
+            if (k < 6) {
+                factor[3 + r][k] = M[3 + r][3 + k];
+            }
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        general_5r_pointing_lane *const four[4] = {W[k], W[3], W[4], W[5]};
+        determinant *= general_5r_pointing_reflect(four, 4, k, 9);
+    }
+    for (int r = 0; r < 3; r++) {
+        for (int k = 0; k < 6; k++) {
+            factor[r][k] = W[3 + r][3 + k];
+        }
+    }
+    determinant *= general_5r_pointing_reflect(last, 6, 0, 6);
+    determinant *= general_5r_pointing_reflect(last + 1, 5, 1, 6);
+    determinant *= general_5r_pointing_reflect(last + 2, 4, 2, 6);
+    determinant *= general_5r_pointing_reflect(last + 3, 3, 3, 6);
+    determinant *= general_5r_pointing_reflect(last + 4, 2, 4, 6);
+    return determinant * factor[5][5];
+}
+
+/* f(x) = sum a_m cos mx + b_m sin mx, m = 0 ... 8, and where it vanishes. */
+typedef struct {
+    double a[9], b[9];
+    double scale;    /* the largest sample */
+    double noise;    /* the harmonics beyond the eighth, over scale */
+    double rounding; /* how far f may be from what it stands for */
+} general_5r_pointing_trigonometric;
+
+/* f, f', f'' at the edges of the cells; the first edge stands at the end again */
+typedef struct {
+    double value[264], slope[264], bend[264];
+} general_5r_pointing_grid;
+
+/* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
+ * within the rounding of f, or nearly (two roots, none or one). `complete` says that no cell was
+ * given
+ * up. */
+typedef struct {
+    int simple, doubles, complete;
+    double c[GENERAL_5R_POINTING_ROOTS + 8], s[GENERAL_5R_POINTING_ROOTS + 8];
+    double double_c[GENERAL_5R_POINTING_ROOTS], double_s[GENERAL_5R_POINTING_ROOTS];
+} general_5r_pointing_roots;
+
+static void general_5r_pointing_fit(const double samples[24], general_5r_pointing_trigonometric *f)
+{
+    double h[24] = {0.0}, most = 0.0, beyond = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    for (int k = 0; k < 24; k++) {
+        for (int j = 0; j < 24; j++) {
+            h[j] += samples[k] * general_5r_pointing_harmonics[k][j];
+        }
+    }
+    for (int j = 17; j < 24; j++) {
+        beyond = fabs(h[j]) > beyond ? fabs(h[j]) : beyond;
+    }
+    f->a[0] = h[0];
+    f->b[0] = 0.0;
+    for (int m = 1; m < 9; m++) {
+        f->a[m] = h[m];
+        f->b[m] = h[8 + m];
+    }
+    f->scale = most;
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 8.0 * f->noise);
+}
+
+/* f, f', f'' where the cosine and sine are given */
+static void general_5r_pointing_at(const general_5r_pointing_trigonometric *f, double cosine, double
+    sine, double out[3])
+{
+    double c = 1.0, s = 0.0;
+    out[0] = out[1] = out[2] = 0.0;
+    for (int m = 0; m < 9; m++) {
+        const double even = f->a[m] * c + f->b[m] * s, odd = f->b[m] * c - f->a[m] * s;
+        const double next = c * cosine - s * sine;
+        out[0] += even;
+        out[1] += m * odd;
+        out[2] -= m * m * even;
+        s = s * cosine + c * sine;
+        c = next;
+    }
+}
+
+static void general_5r_pointing_fill_grid(const general_5r_pointing_trigonometric *f,
+    general_5r_pointing_grid *g)
+{
+    for (int i = 0; i < 128; i += GENERAL_5R_POINTING_LANES) {
+        /* [0]: even multiples, the same half a turn on; [1]: odd ones, the opposite there */
+        general_5r_pointing_lane value[2], slope[2], bend[2];
+        value[0] = general_5r_pointing_all(f->a[0]);
+        value[1] = slope[0] = slope[1] = bend[0] = bend[1] = general_5r_pointing_all(0.0);
+        for (int m = 1; m < 9; m++) {
+            const general_5r_pointing_lane c =
+                GENERAL_5R_POINTING_LOAD(&general_5r_pointing_grid_c[m - 1][i]);
+            const general_5r_pointing_lane s =
+                GENERAL_5R_POINTING_LOAD(&general_5r_pointing_grid_s[m - 1][i]);
+            const double ma = m * f->a[m], mb = m * f->b[m];
+            value[m % 2] += f->a[m] * c + f->b[m] * s;
+            slope[m % 2] += mb * c - ma * s;
+            bend[m % 2] -= m * ma * c + m * mb * s;
+        }
+        GENERAL_5R_POINTING_STORE(&g->value[i], value[0] + value[1]);
+        GENERAL_5R_POINTING_STORE(&g->slope[i], slope[0] + slope[1]);
+        GENERAL_5R_POINTING_STORE(&g->bend[i], bend[0] + bend[1]);
+        GENERAL_5R_POINTING_STORE(&g->value[i + 128], value[0] - value[1]);
+        GENERAL_5R_POINTING_STORE(&g->slope[i + 128], slope[0] - slope[1]);
+        GENERAL_5R_POINTING_STORE(&g->bend[i + 128], bend[0] - bend[1]);
+    }
+    g->value[256] = g->value[0];
+    g->slope[256] = g->slope[0];
+    g->bend[256] = g->bend[0];
+}
+
+/* Which of 64 cells may have roots: those where the Bernstein coefficients of the quintic through
+ * f, f', f'' at both edges are not all of one sign beyond doubt. */
+static unsigned long long general_5r_pointing_open_cells(const general_5r_pointing_grid *g, int
+    from, double doubt)
+{
+    const double h = 0.02454369260617026;
+    unsigned long long bits = 0;
+#if GENERAL_5R_POINTING_LANES > 1
+    general_5r_pointing_mask weight, sum = {0};
+    for (int k = 0; k < GENERAL_5R_POINTING_LANES; k++) {
+        weight[k] = 1LL << k;
+    }
+#endif
+    for (int i = 0; i < 64; i += GENERAL_5R_POINTING_LANES) {
+        const general_5r_pointing_lane f0 = GENERAL_5R_POINTING_LOAD(&g->value[from + i]);
+        const general_5r_pointing_lane f1 = GENERAL_5R_POINTING_LOAD(&g->value[from + i + 1]);
+        const general_5r_pointing_lane d0 = GENERAL_5R_POINTING_LOAD(&g->slope[from + i]) * (h /
+            5.0);
+        const general_5r_pointing_lane d1 = GENERAL_5R_POINTING_LOAD(&g->slope[from + i + 1]) * (h /
+            5.0);
+        const general_5r_pointing_lane s0 = GENERAL_5R_POINTING_LOAD(&g->bend[from + i]) * (h * h /
+            20.0);
+        const general_5r_pointing_lane s1 = GENERAL_5R_POINTING_LOAD(&g->bend[from + i + 1]) * (h *
+            h / 20.0);
+        const general_5r_pointing_lane b1 = f0 + d0, b2 = f0 + 2.0 * d0 + s0;
+        const general_5r_pointing_lane b3 = f1 - 2.0 * d1 + s1, b4 = f1 - d1;
+        const general_5r_pointing_lane least = general_5r_pointing_min(
+            general_5r_pointing_min(general_5r_pointing_min(f0, f1), general_5r_pointing_min(b1,
+                b2)), general_5r_pointing_min(b3, b4));
+        const general_5r_pointing_lane most = general_5r_pointing_max(
+            general_5r_pointing_max(general_5r_pointing_max(f0, f1), general_5r_pointing_max(b1,
+                b2)), general_5r_pointing_max(b3, b4));
+        const general_5r_pointing_mask open = (least <= doubt) & (most >= -doubt);
+#if GENERAL_5R_POINTING_LANES > 1
+        sum |= (open & weight) << i;
+#else
+        bits |= (unsigned long long)(open != 0) << i;
+#endif
+    }
+#if GENERAL_5R_POINTING_LANES > 1
+    for (int k = 0; k < GENERAL_5R_POINTING_LANES; k++) {
+        bits |= (unsigned long long)sum[k];
+    }
+#endif
+    return bits;
+}
+
+static void general_5r_pointing_add_root(general_5r_pointing_roots *roots, double x, int twice)
+{
+    const double c = cos(x), s = sin(x);
+    int *const count = twice ? &roots->doubles : &roots->simple;
+    if (twice) {
+        for (int i = 0; i < roots->doubles; i++) {
+            const double gap = fabs(s * roots->double_c[i] - c * roots->double_s[i]);
+            if (gap < 0.02454369260617026 / 64.0 && c * roots->double_c[i] + s * roots->double_s[i]
+                > 0.0) {
+                return; /* neighbouring cells that were given up together */
+            }
+        }
+    }
+    if (*count == GENERAL_5R_POINTING_ROOTS) {
+        roots->complete = 0;
+        return;
+    }
+    (twice ? roots->double_c : roots->c)[*count] = c;
+    (twice ? roots->double_s : roots->s)[*count] = s;
+    *count += 1;
+}
+
+/* Where the quintic through f, f', f'' at two angles vanishes (order 0), or its derivative (order
+ * 1),
+ * in parts of the way between them. */
+static double general_5r_pointing_on_quintic(int order, double h, const double low[3], const double
+    high[3])
+{
+    const double d = h * low[1], s = h * h * low[2];
+    const double D = high[0] - low[0] - d - 0.5 * s, D1 = h * high[1] - d - s;
+    const double D2 = h * h * high[2] - s;
+    const double c3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, c4 = 7.0 * D1 - 15.0 * D - D2;
+    const double c5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
+    const int rising = low[order] < 0.0;
+    double x = 0.5, from = 0.0, to = 1.0;
+    for (int i = 0; i < 12; i++) {
+        const double f = low[0] + x * (d + x * (0.5 * s + x * (c3 + x * (c4 + x * c5))));
+        const double f1 = d + x * (s + x * (3.0 * c3 + x * (4.0 * c4 + x * (5.0 * c5))));
+        const double f2 = s + x * (6.0 * c3 + x * (12.0 * c4 + x * (20.0 * c5)));
+        const double value = order ? f1 : f, slope = order ? f2 : f1;
+        double next;
+        if ((value < 0.0) == rising) {
+            from = x;
+        } else {
+            to = x;
+        }
+        next = fabs(slope) > 0.0 ? x - value / slope : from;
+        next = next > from && next < to ? next : 0.5 * (from + to);
+        if (fabs(next - x) < 1e-09) {
+            return next;
+        }
+        x = next;
+    }
+    return x;
+}
+
+/* Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs: from
+ * where the quintic says by Newton, with bisection where it leaves. */
+static double general_5r_pointing_between(const general_5r_pointing_trigonometric *f, int order,
+    double low,
+                              const double at_low[3], double high, const double at_high[3])
+{
+    const int rising = at_low[order] < 0.0;
+    double x = low + (high - low) * general_5r_pointing_on_quintic(order, high - low, at_low,
+        at_high);
+    for (int i = 0; i < 48; i++) {
+        double at[3], step;
+        general_5r_pointing_at(f, cos(x), sin(x), at);
+        if ((at[order] < 0.0) == rising) {
+            low = x;
+        } else {
+            high = x;
+        }
+        step = fabs(at[order + 1]) > 0.0 ? -at[order] / at[order + 1] : high - low;
+        if (!(x + step > low && x + step < high)) {
+            step = 0.5 * (low + high) - x;
+        }
+        x += step;
+        if (fabs(step) < 1e-09) {
+            break;
+        }
+    }
+    return x;
+}
+
+/* The roots of a cell where f has one extremum at most. */
+static void general_5r_pointing_few(const general_5r_pointing_trigonometric *f, double low, const
+    double at_low[3],
+                        double high, const double at_high[3], general_5r_pointing_roots *roots)
+{
+    double x, at[3];
+    if (at_low[1] * at_high[1] >= 0.0) {
+        if ((at_low[0] < 0.0) != (at_high[0] < 0.0)) {
+            general_5r_pointing_add_root(roots, general_5r_pointing_between(f, 0, low, at_low, high,
+                at_high), 0);
+        }
+        return;
+    }
+    x = general_5r_pointing_between(f, 1, low, at_low, high, at_high);
+    general_5r_pointing_at(f, cos(x), sin(x), at);
+    if (fabs(at[0]) <= f->rounding ||
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        general_5r_pointing_add_root(roots, x, 1);
+        return;
+    }
+    if ((at_low[0] < 0.0) != (at[0] < 0.0)) {
+        general_5r_pointing_add_root(roots, general_5r_pointing_between(f, 0, low, at_low, x, at),
+            0);
+    }
+    if ((at_high[0] < 0.0) != (at[0] < 0.0)) {
+        general_5r_pointing_add_root(roots, general_5r_pointing_between(f, 0, x, at, high, at_high),
+            0);
+    }
+}
+
+/* What is known about f between two angles. */
+enum { GENERAL_5R_POINTING_ROOTLESS, GENERAL_5R_POINTING_FLAT, GENERAL_5R_POINTING_TAME,
+    GENERAL_5R_POINTING_WILD };
+
+/* Rootless; flat, nothing but rounding; tame, with one extremum at most; or none of these. The
+ * Bernstein coefficients of the quintic through f, f', f'' at both ends and their differences bound
+ * f, f' and f''. */
+static int general_5r_pointing_kind(const general_5r_pointing_trigonometric *f, const double low[3],
+    const double high[3],
+                        double h)
+{
+    const double part = h / 0.02454369260617026, square = part * part;
+    const double doubt = f->rounding + f->scale * 2e-09 * square * square * square;
+    const double b[6] = {low[0],
+                         low[0] + h * low[1] / 5.0,
+                         low[0] + 2.0 * h * low[1] / 5.0 + h * h * low[2] / 20.0,
+                         high[0] - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0,
+                         high[0] - h * high[1] / 5.0,
+                         high[0]};
+    double least[3] = {b[5], HUGE_VAL, HUGE_VAL}, most[3] = {b[5], -HUGE_VAL, -HUGE_VAL};
+    for (int i = 0; i < 5; i++) {
+        const double first = b[i + 1] - b[i];
+        least[0] = b[i] < least[0] ? b[i] : least[0];
+        most[0] = b[i] > most[0] ? b[i] : most[0];
+        least[1] = first < least[1] ? first : least[1];
+        most[1] = first > most[1] ? first : most[1];
+        if (i < 4) {
+            const double second = b[i + 2] - b[i + 1] - first;
+            least[2] = second < least[2] ? second : least[2];
+            most[2] = second > most[2] ? second : most[2];
+        }
+    }
+    if (least[0] > doubt || most[0] < -doubt) {
+        return GENERAL_5R_POINTING_ROOTLESS;
+    }
+    if (least[0] >= -f->rounding && most[0] <= f->rounding) {
+        return GENERAL_5R_POINTING_FLAT;
+    }
+    /* what rounding does to f' and f'' shrinks with the width, down to that of the quintic's ends
+     * */
+    return least[1] > doubt * part || most[1] < -doubt * part || least[2] > doubt * square ||
+                   most[2] < -doubt * square
+               ? GENERAL_5R_POINTING_TAME
+               : GENERAL_5R_POINTING_WILD;
+}
+
+/* The roots of a cell where f may turn more than once: halve it until it does not. */
+static void general_5r_pointing_many(const general_5r_pointing_trigonometric *f, double low, double
+    high,
+                         const double first[3], const double last[3], int *budget,
+                         general_5r_pointing_roots *roots)
+{
+    double edge[16], at[16][3]; /* the upper edges still to come */
+    double at_low[3];
+    int depth[16], open = 1;
+    edge[0] = high;
+    depth[0] = 0;
+    for (int i = 0; i < 3; i++) {
+        at_low[i] = first[i];
+        at[0][i] = last[i];
+    }
+    while (open > 0) {
+        const int top = open - 1;
+        const double h = edge[top] - low;
+        const int kind = general_5r_pointing_kind(f, at_low, at[top], h);
+        if (kind != GENERAL_5R_POINTING_ROOTLESS) {
+            if (kind == GENERAL_5R_POINTING_TAME) {
+                general_5r_pointing_few(f, low, at_low, edge[top], at[top], roots);
+            } else if (kind == GENERAL_5R_POINTING_FLAT || depth[top] == 14 || *budget == 0) {
+                roots->complete = 0;
+                general_5r_pointing_add_root(roots, low + 0.5 * h, 1);
+            } else {
+                *budget -= 1;
+                edge[open] = low + 0.5 * h;
+                depth[top] += 1;
+                depth[open] = depth[top];
+                general_5r_pointing_at(f, cos(edge[open]), sin(edge[open]), at[open]);
+                open++;
+                continue;
+            }
+        }
+        low = edge[top];
+        for (int i = 0; i < 3; i++) {
+            at_low[i] = at[top][i];
+        }
+        open--;
+    }
+}
+
+/* Roots of cells where f rises or falls throughout: `cell` has their numbers. First on the quintic,
+ * then one step of Newton on f itself. */
+static void general_5r_pointing_refine(const general_5r_pointing_trigonometric *f, const
+    general_5r_pointing_grid *g, const int *cell,
+                           int count, double *cosine, double *sine)
+{
+    const double h = 0.02454369260617026;
+    for (int from = 0; from < count; from += GENERAL_5R_POINTING_LANES) {
+        double in[8][GENERAL_5R_POINTING_LANES];
+        general_5r_pointing_lane c, s, low, high, x, value, slope, cm, sm;
+        for (int k = 0; k < GENERAL_5R_POINTING_LANES; k++) {
+            const int i = cell[from + k < count ? from + k : count - 1];
+            const int half = i % 128;
+            in[0][k] = g->value[i];
+            in[1][k] = g->value[i + 1];
+            in[2][k] = h * g->slope[i];
+            in[3][k] = h * g->slope[i + 1];
+            in[4][k] = h * h * g->bend[i];
+            in[5][k] = h * h * g->bend[i + 1];
+            in[6][k] = i < 128 ? general_5r_pointing_grid_c[0][half] :
+                -general_5r_pointing_grid_c[0][half];
+            in[7][k] = i < 128 ? general_5r_pointing_grid_s[0][half] :
+                -general_5r_pointing_grid_s[0][half];
+        }
+        const general_5r_pointing_lane f0 = GENERAL_5R_POINTING_LOAD(in[0]), f1 =
+            GENERAL_5R_POINTING_LOAD(in[1]), d0 = GENERAL_5R_POINTING_LOAD(in[2]);
+        const general_5r_pointing_lane s0 = GENERAL_5R_POINTING_LOAD(in[4]);
+        const general_5r_pointing_lane D = f1 - f0 - d0 - 0.5 * s0, D1 =
+            GENERAL_5R_POINTING_LOAD(in[3]) - d0 - s0;
+        const general_5r_pointing_lane D2 = GENERAL_5R_POINTING_LOAD(in[5]) - s0;
+        const general_5r_pointing_lane q3 = 10.0 * D - 4.0 * D1 + 0.5 * D2, q4 = 7.0 * D1 - 15.0 * D
+            - D2;
+        const general_5r_pointing_lane q5 = 6.0 * D - 3.0 * D1 + 0.5 * D2;
+        const general_5r_pointing_lane rising =
+            general_5r_pointing_with_sign(general_5r_pointing_all(1.0), f1 - f0);
+        low = general_5r_pointing_all(0.0);
+        high = general_5r_pointing_all(1.0);
+        x = f0 / (f0 - f1);
+        for (int i = 0; i < 4; i++) {
+            value = f0 + x * (d0 + x * (0.5 * s0 + x * (q3 + x * (q4 + x * q5))));
+            slope = d0 + x * (s0 + x * (3.0 * q3 + x * (4.0 * q4 + x * (5.0 * q5))));
+            low = general_5r_pointing_select(value * rising < 0.0, x, low);
+            high = general_5r_pointing_select(value * rising < 0.0, high, x);
+            x = x - value / slope;
+            x = general_5r_pointing_select((x >= low) & (x <= high), x, 0.5 * (low + high));
+        }
+        x *= h;
+        for (int i = 0; i < 2; i++) {
+            const general_5r_pointing_lane u = x * x, c0 = i ? c : GENERAL_5R_POINTING_LOAD(in[6]),
+                s_0 = i ? s : GENERAL_5R_POINTING_LOAD(in[7]);
+            const general_5r_pointing_lane dc = 1.0 - u * (0.5 - u * (1.0 / 24.0 - u * (1.0 /
+                720.0)));
+            const general_5r_pointing_lane ds =
+                x * (1.0 - u * (1.0 / 6.0 - u * (1.0 / 120.0 - u * (1.0 / 5040.0))));
+            c = c0 * dc - s_0 * ds;
+            s = s_0 * dc + c0 * ds;
+            if (i) {
+                break;
+            }
+            value = general_5r_pointing_all(f->a[0]);
+            slope = general_5r_pointing_all(0.0);
+            cm = c;
+            sm = s;
+            for (int m = 1; m < 9; m++) {
+                const general_5r_pointing_lane next = cm * c - sm * s;
+                value += f->a[m] * cm + f->b[m] * sm;
+                slope += m * (f->b[m] * cm - f->a[m] * sm);
+                sm = sm * c + cm * s;
+                cm = next;
+            }
+            x = general_5r_pointing_max(general_5r_pointing_min(-value / slope,
+                general_5r_pointing_all(1e-3 * h)), general_5r_pointing_all(-1e-3 * h));
+        }
+        GENERAL_5R_POINTING_STORE(cosine + from, c);
+        GENERAL_5R_POINTING_STORE(sine + from, s);
+    }
+}
+
+static int general_5r_pointing_lowest(unsigned long long bits)
+{
+#ifdef __GNUC__
+    return __builtin_ctzll(bits);
+#else
+    int i = 0;
+    while (!(bits >> i & 1)) {
+        i++;
+    }
+    return i;
+#endif
+}
+
+static void general_5r_pointing_find_roots(const general_5r_pointing_trigonometric *f,
+    general_5r_pointing_roots *roots)
+{
+    general_5r_pointing_grid g;
+    int plain[GENERAL_5R_POINTING_ROOTS], special[256], plains = 0, specials = 0;
+    int budget = 100; /* against an f that is next to nothing for long stretches */
+    const double h = 0.02454369260617026;
+    general_5r_pointing_fill_grid(f, &g);
+    roots->doubles = 0;
+    roots->complete = 1;
+    for (int word = 0; word < 256 / 64; word++) {
+        unsigned long long bits =
+            general_5r_pointing_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
+        for (; bits; bits &= bits - 1) {
+            const int i = 64 * word + general_5r_pointing_lowest(bits);
+            const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
+            const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
+            if (low[1] * high[1] > 0.0 && plains < GENERAL_5R_POINTING_ROOTS &&
+                general_5r_pointing_kind(f, low, high, h) == GENERAL_5R_POINTING_TAME) {
+                if ((low[0] < 0.0) != (high[0] < 0.0)) {
+                    plain[plains++] = i;
+                }
+            } else {
+                special[specials++] = i;
+            }
+        }
+    }
+    general_5r_pointing_refine(f, &g, plain, plains, roots->c, roots->s);
+    roots->simple = plains;
+    for (int k = 0; k < specials; k++) {
+        const int i = special[k];
+        /* the edges' own values, so that neighbouring cells agree about their signs */
+        const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
+        const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
+        if (general_5r_pointing_kind(f, low, high, h) == GENERAL_5R_POINTING_TAME) {
+            general_5r_pointing_few(f, i * h, low, (i + 1) * h, high, roots);
+        } else {
+            general_5r_pointing_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+        }
+    }
+}
+
+/* A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle
+ * maps
+ * the circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where
+ * all
+ * roots lie together, as near the boundary of reach, f drowns in rounding without it. */
+typedef struct {
+    double x, y;
+} general_5r_pointing_lens;
+
+/* Cosine and sine of phi from those of psi. Returns |1 + conj(a) w|^2, whose eighth power makes of
+ * f a
+ * polynomial in psi. */
+static inline general_5r_pointing_lane general_5r_pointing_through(const general_5r_pointing_lens
+    *a, general_5r_pointing_lane *c, general_5r_pointing_lane *s)
+{
+    const general_5r_pointing_lane u = *c + a->x, v = *s + a->y;
+    const general_5r_pointing_lane d = 1.0 + a->x * *c + a->y * *s, e = a->x * *s - a->y * *c;
+    const general_5r_pointing_lane square = d * d + e * e;
+    *c = (u * d + v * e) / square;
+    *s = (v * d - u * e) / square;
+    return square;
+}
+
+/* The samples of f in phi become those of a polynomial in psi. */
+static inline general_5r_pointing_lane general_5r_pointing_weighted(general_5r_pointing_lane f,
+    general_5r_pointing_lane square)
+{
+    const general_5r_pointing_lane fourth = square * square, eighth = fourth * fourth;
+    return f * (eighth * eighth);
+}
+
+/* The lens under which the roots are spread, from samples without one; 0 when they are already. log
+ * |f|
+ * is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside the
+ * circle, that of its mirror image for z outside. */
+static int general_5r_pointing_spread(const double samples[24], general_5r_pointing_lens *a)
+{
+    double x = 0.0, y = 0.0, square, part;
+    for (int k = 0; k < 12; k++) {
+        const double ratio = log((fabs(samples[k]) + 1e-300) / (fabs(samples[k + 12]) + 1e-300));
+        x += ratio * general_5r_pointing_sample_c[k];
+        y += ratio * general_5r_pointing_sample_s[k];
+    }
+    x *= -0.005208333333333333;
+    y *= -0.005208333333333333;
+    square = x * x + y * y;
+    if (!(square > 0.12249999999999998)) {
+        return 0;
+    }
+    part = fmin(1.0, 0.9 / sqrt(square));
+    a->x = part * x;
+    a->y = part * y;
+    return 1;
+}
+
+/* Roots as they are without the lens. */
+static void general_5r_pointing_behind(const general_5r_pointing_lens *a, int count, double *cosine,
+    double *sine)
+{
+    for (int i = 0; i < count; i += GENERAL_5R_POINTING_LANES) {
+        general_5r_pointing_lane c = GENERAL_5R_POINTING_LOAD(cosine + i), s =
+            GENERAL_5R_POINTING_LOAD(sine + i);
+        (void)general_5r_pointing_through(a, &c, &s);
+        GENERAL_5R_POINTING_STORE(cosine + i, c);
+        GENERAL_5R_POINTING_STORE(sine + i, s);
+    }
+}
+
+/* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
+ * simple
+ * roots come first, one candidate each; after them those of roots that may be double, `group` being
+ * the same for all that belong to one such root. */
+typedef struct {
+    int count, groups, group[GENERAL_5R_POINTING_CANDIDATES];
+    double c[GENERAL_5R_POINTING_CANDIDATES], s[GENERAL_5R_POINTING_CANDIDATES],
+        n[6][GENERAL_5R_POINTING_CANDIDATES];
+} general_5r_pointing_candidates;
+
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
+static inline void general_5r_pointing_inverse_iteration(general_5r_pointing_lane U[6][6], const
+    general_5r_pointing_lane inverse[6],
+                                             general_5r_pointing_lane x[6])
+{
+    general_5r_pointing_lane square = {0};
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < i; j++) {
+            x[i] -= U[j][i] * x[j];
+        }
+        x[i] *= inverse[i];
+    }
+    for (int i = 5; i >= 0; i--) {
+        for (int j = i + 1; j < 6; j++) {
+            x[i] -= U[i][j] * x[j];
+        }
+        x[i] *= inverse[i];
+        square += x[i] * x[i];
+    }
+    square = 1.0 / general_5r_pointing_sqrt(square);
+    for (int i = 0; i < 6; i++) {
+        x[i] *= square;
+    }
+}
+
+/* The reciprocals of a diagonal, kept finite. */
+static inline void general_5r_pointing_reciprocals(general_5r_pointing_lane U[6][6],
+    general_5r_pointing_lane inverse[6])
+{
+    general_5r_pointing_lane most = general_5r_pointing_abs(U[0][0]);
+    for (int i = 1; i < 6; i++) {
+        most = general_5r_pointing_max(most, general_5r_pointing_abs(U[i][i]));
+    }
+    most = most * 1e-15 + 1e-300;
+    for (int i = 0; i < 6; i++) {
+        const general_5r_pointing_lane d = U[i][i];
+        inverse[i] = 1.0 / general_5r_pointing_select(general_5r_pointing_abs(d) > most, d,
+            general_5r_pointing_with_sign(most, d));
+    }
+}
+
+/* One candidate for each simple root. */
+static void general_5r_pointing_null_vectors(const double *E, const general_5r_pointing_roots
+    *roots,
+                                 general_5r_pointing_candidates *out)
+{
+    static const double start[6] = { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 };
+    for (int from = 0; from < roots->simple; from += GENERAL_5R_POINTING_LANES) {
+        double cs[2][GENERAL_5R_POINTING_LANES];
+        general_5r_pointing_lane factor[6][6], inverse[6], x[6], c, s;
+        for (int k = 0; k < GENERAL_5R_POINTING_LANES; k++) {
+            const int i = from + k < roots->simple ? from + k : from;
+            cs[0][k] = roots->c[i];
+            cs[1][k] = roots->s[i];
+        }
+        c = GENERAL_5R_POINTING_LOAD(cs[0]);
+        s = GENERAL_5R_POINTING_LOAD(cs[1]);
+        (void)general_5r_pointing_fold(E, c, s, factor);
+        general_5r_pointing_reciprocals(factor, inverse);
+        for (int i = 0; i < 6; i++) {
+            x[i] = general_5r_pointing_all(start[i]);
+        }
+        general_5r_pointing_inverse_iteration(factor, inverse, x);
+        general_5r_pointing_inverse_iteration(factor, inverse, x);
+        GENERAL_5R_POINTING_STORE(out->c + from, c);
+        GENERAL_5R_POINTING_STORE(out->s + from, s);
+        for (int i = 0; i < 6; i++) {
+            GENERAL_5R_POINTING_STORE(out->n[i] + from, x[i]);
+        }
+    }
+    out->count = roots->simple;
+    out->groups = 0;
+}
+
+static void general_5r_pointing_add_candidate(general_5r_pointing_candidates *out, double c, double
+    s, const double n[6])
+{
+    if (out->count == GENERAL_5R_POINTING_CANDIDATES) {
+        return;
+    }
+    out->group[out->count] = out->groups;
+    out->c[out->count] = c;
+    out->s[out->count] = s;
+    for (int i = 0; i < 6; i++) {
+        out->n[i][out->count] = n[i];
+    }
+    out->count++;
+}
+
+/* Vectors w of the plane with up w = x down w for some x (least squares): their sums of the two
+ * null vectors become candidates. The shift's rows are n[up[i]] and n[down[i]]. */
+static void general_5r_pointing_split(double n[2][6], int rows, const int *up, const int *down,
+    double c,
+                          double s, general_5r_pointing_candidates *out)
+{
+    double A[2][2] = { {0.0} }, G[2][2] = { {0.0} }, H[2][2] = { {0.0} };
+    double M[2][2], det, det_h, half, spread;
+    for (int i = 0; i < 2; i++) {
+        for (int j = 0; j < 2; j++) {
+            for (int k = 0; k < rows; k++) {
+                A[i][j] += n[i][down[k]] * n[j][up[k]];
+                G[i][j] += n[i][down[k]] * n[j][down[k]];
+                H[i][j] += n[i][up[k]] * n[j][up[k]];
+            }
+        }
+    }
+    det = G[0][0] * G[1][1] - G[0][1] * G[0][1];
+    det_h = H[0][0] * H[1][1] - H[0][1] * H[0][1];
+    if (det < det_h) { /* 1/x is the better unknown */
+        const double swap = A[0][1];
+        A[0][1] = A[1][0];
+        A[1][0] = swap;
+        det = det_h;
+        G[0][0] = H[0][0];
+        G[0][1] = H[0][1];
+        G[1][1] = H[1][1];
+    }
+    if (det < 1e-24) {
+        return;
+    }
+    for (int j = 0; j < 2; j++) {
+        M[0][j] = (G[1][1] * A[0][j] - G[0][1] * A[1][j]) / det;
+        M[1][j] = (G[0][0] * A[1][j] - G[0][1] * A[0][j]) / det;
+    }
+    half = 0.5 * (M[0][0] - M[1][1]);
+    spread = half * half + M[0][1] * M[1][0];
+    spread = spread > 0.0 ? sqrt(spread) : 0.0;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        /* (M - x) w = 0 from the longer of its rows */
+        const double x = 0.5 * (M[0][0] + M[1][1]) + sign * spread;
+        const double a = M[0][0] - x, d = M[1][1] - x;
+        const int upper = fabs(a) + fabs(M[0][1]) > fabs(d) + fabs(M[1][0]);
+        const double w0 = upper ? M[0][1] : d, w1 = upper ? -a : -M[1][0];
+        double sum[6];
+        for (int i = 0; i < 6; i++) {
+            sum[i] = w0 * n[0][i] + w1 * n[1][i];
+        }
+        general_5r_pointing_add_candidate(out, c, s, sum);
+    }
+}
+
+/* Candidates where two roots may have met: the null space may be a plane, which is split where one
+ * of the two shifts, x3 or x2, has an eigenvalue. */
+static void general_5r_pointing_null_plane(const double *E, double c, double s,
+    general_5r_pointing_candidates *out)
+{
+    static const int up_3[3] = {0, 1, 2}, down_3[3] = {3, 4, 5};
+    static const int up_2[4] = {0, 1, 3, 4}, down_2[4] = {1, 2, 4, 5};
+    static const double start[2][6] = {
+        { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
+        { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
+    };
+    general_5r_pointing_lane factor[6][6], inverse[6], x[2][6];
+    double n[2][6];
+    (void)general_5r_pointing_fold(E, general_5r_pointing_all(c), general_5r_pointing_all(s),
+        factor);
+    general_5r_pointing_reciprocals(factor, inverse);
+    for (int i = 0; i < 6; i++) {
+        x[0][i] = general_5r_pointing_all(start[0][i]);
+        x[1][i] = general_5r_pointing_all(start[1][i]);
+    }
+    for (int step = 0; step < 4; step++) {
+        general_5r_pointing_lane along = {0};
+        general_5r_pointing_inverse_iteration(factor, inverse, x[0]);
+        general_5r_pointing_inverse_iteration(factor, inverse, x[1]);
+        for (int i = 0; i < 6; i++) {
+            along += x[0][i] * x[1][i];
+        }
+        for (int i = 0; i < 6; i++) {
+            x[1][i] -= along * x[0][i];
+        }
+    }
+    for (int r = 0; r < 2; r++) {
+        double length = 0.0;
+        for (int i = 0; i < 6; i++) {
+            n[r][i] = general_5r_pointing_largest(x[r][i]);
+            length += n[r][i] * n[r][i];
+        }
+        length = sqrt(length) + 1e-300;
+        for (int i = 0; i < 6; i++) {
+            n[r][i] /= length;
+        }
+    }
+    general_5r_pointing_add_candidate(out, c, s, n[0]);
+    general_5r_pointing_split(n, 3, up_3, down_3, c, s, out);
+    general_5r_pointing_split(n, 4, up_2, down_2, c, s, out);
+    out->groups++;
+}
+
+/* The terms a c + b s + w of five invariants of B = Rz K Rz(phi5) M Rz: l_z, p_z, p.l, p.p / 2 and
+ * (p x l)_z; and the 2x5 matrix that solves them for c and s by least squares. */
+static void general_5r_pointing_invariants(const double K[12], const double M[12], double w[5],
+                               double solve[2][5])
+{
+    const double t[3] = {K[3], K[7], K[11]};
+    const double e[3] = {M[2], M[6], M[10]}, u[3] = {M[3], M[7], M[11]};
+    const double v[3] = {u[1] * e[2] - u[2] * e[1], u[2] * e[0] - u[0] * e[2],
+                         u[0] * e[1] - u[1] * e[0]};
+    double foot[3], side[3], a[5], b[5], aa = 0.0, ab = 0.0, bb = 0.0, det;
+    const double *const axis = K + 8;
+    for (int j = 0; j < 3; j++) {
+        foot[j] = K[j] * t[0] + K[4 + j] * t[1] + K[8 + j] * t[2];
+        side[j] = K[4 + j] * t[0] - K[j] * t[1]; /* K' (z x t) */
+    }
+    const double *const left[5] = {axis, axis, foot, foot, axis};
+    const double *const right[5] = {e, u, e, u, v};
+    for (int i = 0; i < 5; i++) {
+        a[i] = left[i][0] * right[i][0] + left[i][1] * right[i][1];
+        b[i] = left[i][1] * right[i][0] - left[i][0] * right[i][1];
+        w[i] = left[i][2] * right[i][2];
+    }
+    a[4] += side[0] * e[0] + side[1] * e[1];
+    b[4] += side[1] * e[0] - side[0] * e[1];
+    w[4] += side[2] * e[2];
+    w[1] += t[2];
+    w[2] += u[0] * e[0] + u[1] * e[1] + u[2] * e[2];
+    w[3] += 0.5 * (t[0] * t[0] + t[1] * t[1] + t[2] * t[2] + u[0] * u[0] + u[1] * u[1] + u[2] *
+        u[2]);
+    for (int i = 0; i < 5; i++) {
+        aa += a[i] * a[i];
+        ab += a[i] * b[i];
+        bb += b[i] * b[i];
+    }
+    det = aa * bb - ab * ab + 1e-300;
+    for (int i = 0; i < 5; i++) {
+        solve[0][i] = (bb * a[i] - ab * b[i]) / det;
+        solve[1][i] = (aa * b[i] - ab * a[i]) / det;
+    }
+}
+
+/* phi_2 and phi_3 from the null vector */
+static inline void general_5r_pointing_partners(const int joint[6], const general_5r_pointing_lane
+    n[6], general_5r_pointing_lane c[6],
+                                    general_5r_pointing_lane s[6])
+{
+    const general_5r_pointing_lane up = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    const general_5r_pointing_lane down = n[3] * n[3] + n[4] * n[4] + n[5] * n[5];
+    general_5r_pointing_lane row[3], sign, top, bottom;
+    for (int i = 0; i < 3; i++) {
+        row[i] = general_5r_pointing_select(up > down, n[i], n[3 + i]);
+    }
+    sign = general_5r_pointing_with_sign(general_5r_pointing_all(1.0), row[0] + row[2]);
+    c[1] = sign * (row[2] - row[0]);
+    s[1] = sign * 2.0 * row[1];
+    top = n[0] * row[0] + n[1] * row[1] + n[2] * row[2];
+    bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2];
+    c[2] = bottom * bottom - top * top;
+    s[2] = 2.0 * top * bottom;
+    general_5r_pointing_to_unit(&c[1], &s[1]);
+    general_5r_pointing_to_unit(&c[2], &s[2]);
+    (void)joint;
+}
+
+/* phi_4, phi_5, phi_6 from phi_1, phi_2, phi_3; `w` and `solve` are those of the invariants. */
+static inline void general_5r_pointing_others(const int joint[6], double link[6][12], const double
+    w[5],
+                                  double solve[2][5], general_5r_pointing_lane c[6],
+                                      general_5r_pointing_lane s[6])
+{
+    general_5r_pointing_rigid G, C;
+    general_5r_pointing_lane l[3], q[3], value[5], x, y;
+    general_5r_pointing_begin(G, link[5]);
+    for (int i = 0; i < 3; i++) {
+        general_5r_pointing_move(G, joint[i], c[i], s[i]);
+        general_5r_pointing_follow(G, link[i]);
+    }
+    /* B is the inverse of G; l and q are its third and fourth column */
+    for (int j = 0; j < 3; j++) {
+        l[j] = G[2][j];
+        q[j] = -(G[0][j] * G[0][3] + G[1][j] * G[1][3] + G[2][j] * G[2][3]);
+    }
+    value[0] = l[2];
+    value[1] = q[2];
+    value[2] = -G[2][3]; /* q.l */
+    value[3] = 0.5 * (G[0][3] * G[0][3] + G[1][3] * G[1][3] + G[2][3] * G[2][3]);
+    value[4] = q[0] * l[1] - q[1] * l[0];
+    c[4] = s[4] = general_5r_pointing_all(0.0);
+    for (int i = 0; i < 5; i++) {
+        c[4] += solve[0][i] * (value[i] - w[i]);
+        s[4] += solve[1][i] * (value[i] - w[i]);
+    }
+    general_5r_pointing_to_unit(&c[4], &s[4]);
+    general_5r_pointing_begin(C, link[3]);
+    general_5r_pointing_turn(C, c[4], s[4]);
+    general_5r_pointing_follow(C, link[4]);
+    c[3] = C[0][2] * l[0] + C[1][2] * l[1] + C[0][3] * q[0] + C[1][3] * q[1];
+    s[3] = C[0][2] * l[1] - C[1][2] * l[0] + C[0][3] * q[1] - C[1][3] * q[0];
+    general_5r_pointing_to_unit(&c[3], &s[3]);
+    c[5] = s[5] = general_5r_pointing_all(0.0);
+    for (int i = 0; i < 2; i++) {
+        /* columns of Rz(phi_4) C against columns of B */
+        for (int j = 0; j < 2; j++) {
+            x = c[3] * C[0][j] - s[3] * C[1][j];
+            y = s[3] * C[0][j] + c[3] * C[1][j];
+            value[0] = x * G[i][0] + y * G[i][1] + C[2][j] * G[i][2];
+            if (i == j) {
+                c[5] += value[0];
+            } else {
+                s[5] += i ? -value[0] : value[0];
+            }
+        }
+    }
+    general_5r_pointing_to_unit(&c[5], &s[5]);
+}
+
+/* The loop's error at cosines and sines of the joints: translation and rotation vector that are
+ * missing. J, when given, takes the rows of the Jacobian with the error as seventh column. Returns
+ * the square of the error. */
+static inline general_5r_pointing_lane general_5r_pointing_error(const general_5r_pointing_loop
+    *loop, const general_5r_pointing_lane c[6],
+                                         const general_5r_pointing_lane s[6],
+                                             general_5r_pointing_lane J[6][7])
+{
+    static const double identity[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
+    const double *const P = loop->link[5];
+    general_5r_pointing_rigid T;
+    general_5r_pointing_lane z[6][3], o[6][3], S[3][3], square = {0}, trace;
+    general_5r_pointing_begin(T, identity);
+    for (int k = 0; k < 6; k++) {
+        if (k) {
+            general_5r_pointing_follow(T, loop->link[k - 1]);
+        }
+        for (int i = 0; i < 3; i++) {
+            z[k][i] = T[i][2];
+            o[k][i] = T[i][3];
+        }
+        general_5r_pointing_move(T, k, c[k], s[k]);
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            S[i][j] = P[4 * i] * T[j][0] + P[4 * i + 1] * T[j][1] + P[4 * i + 2] * T[j][2];
+        }
+        J[i][6] = P[4 * i + 3] - T[i][3];
+    }
+    J[3][6] = 0.5 * (S[2][1] - S[1][2]);
+    J[4][6] = 0.5 * (S[0][2] - S[2][0]);
+    J[5][6] = 0.5 * (S[1][0] - S[0][1]);
+    for (int i = 0; i < 6; i++) {
+        square += J[i][6] * J[i][6];
+    }
+    for (int k = 0; k < 6; k++) {
+        for (int i = 0; i < 3; i++) {
+            const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+            J[i][k] = z[k][i1] * (T[i2][3] - o[k][i2]) - z[k][i2] * (T[i1][3] - o[k][i1]);
+            J[3 + i][k] = z[k][i];
+        }
+    }
+    /* half a turn away the skew part vanishes too: the trace tells */
+    trace = S[0][0] + S[1][1] + S[2][2];
+    return general_5r_pointing_select(trace < 0.0, square + 1.0, square);
+}
+
+/* A step of Newton: the least-squares solution of J x = error by reflections. Where a diagonal is
+ * next to nothing the step stays zero instead of leaping. Returns the smallest diagonal over the
+ * largest. */
+static inline general_5r_pointing_lane general_5r_pointing_step(general_5r_pointing_lane J[6][7],
+    general_5r_pointing_lane x[6])
+{
+    general_5r_pointing_lane *const row[6] = {J[0], J[1], J[2], J[3], J[4], J[5]};
+    general_5r_pointing_lane most, least;
+    const general_5r_pointing_lane zero = {0};
+    general_5r_pointing_reflect(row, 6, 0, 7);
+    general_5r_pointing_reflect(row + 1, 5, 1, 7);
+    general_5r_pointing_reflect(row + 2, 4, 2, 7);
+    general_5r_pointing_reflect(row + 3, 3, 3, 7);
+    general_5r_pointing_reflect(row + 4, 2, 4, 7);
+    most = least = general_5r_pointing_abs(J[0][0]);
+    for (int i = 1; i < 6; i++) {
+        most = general_5r_pointing_max(most, general_5r_pointing_abs(J[i][i]));
+        least = general_5r_pointing_min(least, general_5r_pointing_abs(J[i][i]));
+    }
+    least /= most;
+    most *= 1e-09;
+    for (int i = 5; i >= 0; i--) {
+        general_5r_pointing_lane sum = J[i][6];
+        for (int j = i + 1; j < 6; j++) {
+            sum -= J[i][j] * x[j];
+        }
+        sum /= J[i][i];
+        sum = general_5r_pointing_max(general_5r_pointing_min(sum, zero + 1.0), zero - 1.0);
+        x[i] = general_5r_pointing_select(general_5r_pointing_abs(J[i][i]) > most, sum, zero);
+    }
+    return least;
+}
+
+/* The same damped, for starts far away and for singular solutions: (J' J + d) x = J' error. */
+static inline void general_5r_pointing_damped_step(general_5r_pointing_lane J[6][7],
+    general_5r_pointing_lane damping, general_5r_pointing_lane x[6])
+{
+    general_5r_pointing_lane A[6][7];
+    for (int i = 0; i < 6; i++) {
+        for (int j = i; j < 7; j++) {
+            A[i][j] = J[0][i] * J[0][j];
+            for (int k = 1; k < 6; k++) {
+                A[i][j] += J[k][i] * J[k][j];
+            }
+        }
+        A[i][i] += damping;
+    }
+    for (int i = 0; i < 6; i++) {
+        const general_5r_pointing_lane pivot = 1.0 / (A[i][i] + 1e-30);
+        for (int j = i + 1; j < 6; j++) {
+            const general_5r_pointing_lane factor = A[i][j] * pivot;
+            for (int k = j; k < 7; k++) {
+                A[j][k] -= factor * A[i][k];
+            }
+        }
+    }
+    for (int i = 5; i >= 0; i--) {
+        x[i] = A[i][6];
+        for (int j = i + 1; j < 6; j++) {
+            x[i] -= A[i][j] * x[j];
+        }
+        x[i] /= A[i][i] + 1e-30;
+        x[i] = general_5r_pointing_max(general_5r_pointing_min(x[i], general_5r_pointing_all(1.0)),
+            general_5r_pointing_all(-1.0));
+    }
+}
+
+/* Newton on the loop; what remains in c and s is the best iterate, and its error is returned. */
+static inline general_5r_pointing_lane general_5r_pointing_polish(const general_5r_pointing_loop
+    *loop, general_5r_pointing_lane c[6], general_5r_pointing_lane s[6],
+                                          int steps, int afar)
+{
+    general_5r_pointing_lane J[6][7], x[6], tc[6], ts[6], least, now;
+    for (int i = 0; i < 6; i++) {
+        tc[i] = c[i];
+        ts[i] = s[i];
+    }
+    least = now = general_5r_pointing_error(loop, c, s, J);
+    for (int step = 0; step < steps; step++) {
+        general_5r_pointing_mask better;
+        if (general_5r_pointing_largest(least) < 1e-29) {
+            break;
+        }
+        if (afar) {
+            general_5r_pointing_damped_step(J, general_5r_pointing_min(now * 0.01,
+                general_5r_pointing_all(0.01)), x);
+        } else {
+            (void)general_5r_pointing_step(J, x);
+        }
+        for (int i = 0; i < 6; i++) {
+            /* a turn by 2 atan(x/2), without trigonometry */
+            const general_5r_pointing_lane u = 0.25 * x[i] * x[i], f = 1.0 / (1.0 + u);
+            const general_5r_pointing_lane dc = (1.0 - u) * f, ds = x[i] * f, old = tc[i];
+            tc[i] = old * dc - ts[i] * ds;
+            ts[i] = ts[i] * dc + old * ds;
+        }
+        now = general_5r_pointing_error(loop, tc, ts, J);
+        better = now < least;
+        for (int i = 0; i < 6; i++) {
+            c[i] = general_5r_pointing_select(better, tc[i], c[i]);
+            s[i] = general_5r_pointing_select(better, ts[i], s[i]);
+        }
+        least = general_5r_pointing_select(better, now, least);
+    }
+    return general_5r_pointing_sqrt(least);
+}
+
+/* The solutions found so far. */
+typedef struct {
+    int count;
+    unsigned singular; /* bit i: the arm is singular at solution i */
+    int doubles; /* roots that met */
+    double q[16][6], residual[16];
+} general_5r_pointing_found;
+
+/* The largest difference of two joint vectors, modulo turns. */
+static double general_5r_pointing_gap(const double a[6], const double b[6])
+{
+    double most = 0.0;
+    for (int j = 0; j < 6; j++) {
+        double gap = fabs(a[j] - b[j]);
+        gap = gap > 3.141592653589793 ? 6.283185307179586 - gap : gap;
+        most = gap > most ? gap : most;
+    }
+    return most;
+}
+
+/* Add a solution unless it is known or none; its place, or -1. */
+static int general_5r_pointing_keep(general_5r_pointing_found *found, double theta[6], double
+    residual)
+{
+    if (!(residual <= 1e-10)) {
+        return -1;
+    }
+    for (int i = 0; i < found->count; i++) {
+        if (general_5r_pointing_gap(found->q[i], theta) < 1e-06) {
+            if (residual < found->residual[i]) {
+                found->residual[i] = residual;
+                for (int j = 0; j < 6; j++) {
+                    found->q[i][j] = theta[j];
+                }
+            }
+            return i;
+        }
+    }
+    if (found->count == 16) {
+        return -1;
+    }
+    found->residual[found->count] = residual;
+    for (int j = 0; j < 6; j++) {
+        found->q[found->count][j] = theta[j];
+    }
+    return found->count++;
+}
+
+/* Polish candidates, given by cosines and sines, and keep what they lead to; bit i of the answer:
+ * the
+ * i-th solution was met. `place` takes which solution each candidate became, or -1. With `doubtful`
+ * candidates singular solutions are marked. */
+static unsigned general_5r_pointing_offer(const general_5r_pointing_loop *loop,
+    general_5r_pointing_lane c[6], general_5r_pointing_lane s[6], int count,
+                              int steps, int doubtful, general_5r_pointing_found *found,
+                              int place[GENERAL_5R_POINTING_LANES])
+{
+    double residual[GENERAL_5R_POINTING_LANES], theta[6][GENERAL_5R_POINTING_LANES],
+        pivot[GENERAL_5R_POINTING_LANES] = {0.0};
+    unsigned met = 0;
+    GENERAL_5R_POINTING_STORE(residual, general_5r_pointing_polish(loop, c, s, steps, steps > 4));
+    if (doubtful) {
+        general_5r_pointing_lane J[6][7], x[6];
+        (void)general_5r_pointing_error(loop, c, s, J);
+        GENERAL_5R_POINTING_STORE(pivot, general_5r_pointing_step(J, x));
+    }
+    for (int i = 0; i < 6; i++) {
+        const double cosine = general_5r_pointing_advance[0][i], sine =
+            general_5r_pointing_advance[1][i];
+        GENERAL_5R_POINTING_STORE(theta[i],
+                      general_5r_pointing_angle(s[i] * cosine + c[i] * sine, c[i] * cosine - s[i] *
+                          sine));
+    }
+    for (int k = 0; k < count; k++) {
+        double row[6];
+        for (int i = 0; i < 6; i++) {
+            /* half a turn is +pi, also when rounding says otherwise */
+            row[i] = theta[i][k] < -3.141592653589783 ? 3.141592653589793 : theta[i][k];
+        }
+        place[k] = general_5r_pointing_keep(found, row, residual[k]);
+        if (place[k] >= 0) {
+            met |= 1u << place[k];
+            if (doubtful && pivot[k] < 1e-06) {
+                found->singular |= 1u << place[k];
+            }
+        }
+    }
+    return met;
+}
+
+static int general_5r_pointing_bits(unsigned set)
+{
+    int count = 0;
+    for (; set; set &= set - 1) {
+        count++;
+    }
+    return count;
+}
+
+/* Whether the number of regular solutions is even. */
+static int general_5r_pointing_paired(const general_5r_pointing_found *found)
+{
+    return (found->count - general_5r_pointing_bits(found->singular)) % 2 == 0;
+}
+
+/* The links L0 ... L5 of a formulation. */
+static void general_5r_pointing_around(const general_5r_pointing_formulation *form, const
+    general_5r_pointing_loop *loop,
+                           double link[6][12])
+{
+    for (int i = 0; i < 6; i++) {
+        const int joint = form->joint[i];
+        if (form->sign > 0.0 && joint < 5) {
+            general_5r_pointing_copy(loop->link[joint], link[i]);
+        } else if (form->sign > 0.0) {
+            general_5r_pointing_invert(loop->link[5], link[i]);
+        } else if (joint > 0) {
+            general_5r_pointing_invert(loop->link[joint - 1], link[i]);
+        } else {
+            general_5r_pointing_copy(loop->link[5], link[i]);
+        }
+    }
+}
+
+/* Roots that nearly meet are tried as one double root too. */
+static void general_5r_pointing_close_roots(const double *E, const general_5r_pointing_roots *roots,
+    general_5r_pointing_candidates *out)
+{
+    for (int i = 0; i < roots->simple; i++) {
+        for (int j = 0; j < i; j++) {
+            const double c = roots->c[i] + roots->c[j], s = roots->s[i] + roots->s[j];
+            const double square = c * c + s * s;
+            if (square > 3.999999) {
+                const double factor = 1.0 / sqrt(square);
+                general_5r_pointing_null_plane(E, c * factor, s * factor, out);
+            }
+        }
+    }
+}
+
+/* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
+ * there
+ * is another one for each of them and two more for each double root, or a singular one; and regular
+ * solutions come in pairs. */
+static int general_5r_pointing_settle(const general_5r_pointing_formulation *form, const
+    general_5r_pointing_loop *loop,
+                          double link[6][12], const general_5r_pointing_candidates *all, int simple,
+                          int doubles, general_5r_pointing_found *found)
+{
+    double w[5], solve[2][5];
+    unsigned met = 0, of_group[GENERAL_5R_POINTING_CANDIDATES] = {0};
+    int complete = 1, expected = simple;
+    general_5r_pointing_invariants(link[3], link[4], w, solve);
+    for (int from = 0; from < all->count; from += GENERAL_5R_POINTING_LANES) {
+        const int count = all->count - from < GENERAL_5R_POINTING_LANES ? all->count - from :
+            GENERAL_5R_POINTING_LANES;
+        general_5r_pointing_lane n[6], c[6], s[6], tc[6], ts[6];
+        int place[GENERAL_5R_POINTING_LANES];
+        c[0] = GENERAL_5R_POINTING_LOAD(all->c + from);
+        s[0] = GENERAL_5R_POINTING_LOAD(all->s + from);
+        for (int i = 0; i < 6; i++) {
+            n[i] = GENERAL_5R_POINTING_LOAD(all->n[i] + from);
+        }
+        general_5r_pointing_partners(form->joint, n, c, s);
+        general_5r_pointing_others(form->joint, link, w, solve, c, s);
+        for (int i = 0; i < 6; i++) {
+            tc[form->joint[i]] = c[i];
+            ts[form->joint[i]] = form->sign * s[i];
+        }
+        met |= general_5r_pointing_offer(loop, tc, ts, count, 4, from + count > simple, found,
+            place);
+        for (int k = 0; k < count; k++) {
+            if (from + k < simple) {
+                complete &= place[k] >= 0;
+            } else if (place[k] >= 0) {
+                of_group[all->group[from + k]] |= 1u << place[k];
+            }
+        }
+    }
+    for (int i = all->groups - doubles; i < all->groups; i++) {
+        expected += of_group[i] & found->singular ? 1 : 2;
+    }
+    return complete && general_5r_pointing_bits(met) >= expected &&
+        general_5r_pointing_paired(found);
+}
+
+/* The determinant at the sample angles, through a lens. */
+static void general_5r_pointing_sample(const double *E, const general_5r_pointing_lens *lens, double
+    samples[24])
+{
+    for (int k = 0; k < 24; k += GENERAL_5R_POINTING_LANES) {
+        general_5r_pointing_lane factor[6][6];
+        general_5r_pointing_lane c = GENERAL_5R_POINTING_LOAD(general_5r_pointing_sample_c + k), s =
+            GENERAL_5R_POINTING_LOAD(general_5r_pointing_sample_s + k);
+        const general_5r_pointing_lane square = general_5r_pointing_through(lens, &c, &s);
+        GENERAL_5R_POINTING_STORE(samples + k,
+            general_5r_pointing_weighted(general_5r_pointing_fold(E, c, s, factor), square));
+    }
+}
+
+/* Find what a formulation finds; whether that is certainly everything. */
+static int general_5r_pointing_attempt(const general_5r_pointing_formulation *form, const
+    general_5r_pointing_loop *loop,
+                           general_5r_pointing_found *found)
+{
+    double link[6][12], E[192], samples[24];
+    general_5r_pointing_trigonometric f;
+    general_5r_pointing_roots roots;
+    general_5r_pointing_candidates all;
+    general_5r_pointing_lens lens = {0.0, 0.0};
+    general_5r_pointing_around(form, loop, link);
+    general_5r_pointing_equations(form, link, E);
+    general_5r_pointing_sample(E, &lens, samples);
+    if (general_5r_pointing_spread(samples, &lens)) {
+        general_5r_pointing_sample(E, &lens, samples);
+    }
+    general_5r_pointing_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    general_5r_pointing_find_roots(&f, &roots);
+    general_5r_pointing_behind(&lens, roots.simple, roots.c, roots.s);
+    general_5r_pointing_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
+    general_5r_pointing_null_vectors(E, &roots, &all);
+    general_5r_pointing_close_roots(E, &roots, &all);
+    for (int i = 0; i < roots.doubles; i++) {
+        general_5r_pointing_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
+    }
+    found->doubles += roots.doubles;
+    return general_5r_pointing_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
+        roots.complete;
+}
+
+/* Find what the methods find, one after the other, until that is certainly everything. */
+static int general_5r_pointing_try(const general_5r_pointing_loop *loop, general_5r_pointing_found
+    *found)
+{
+    int complete = 0;
+    for (int i = 0; i < 2 && !complete; i++) {
+        complete = general_5r_pointing_attempt(&general_5r_pointing_formulations[i], loop, found);
+    }
+    return complete;
+}
+
+/* Newton from joint angles (count, 6) far from or near to solutions. */
+static unsigned general_5r_pointing_follow_back(const general_5r_pointing_loop *loop, double
+    (*start)[6], int count,
+                                    general_5r_pointing_found *found, int *lost)
+{
+    unsigned met = 0;
+    for (int from = 0; from < count; from += GENERAL_5R_POINTING_LANES) {
+        const int now = count - from < GENERAL_5R_POINTING_LANES ? count - from :
+            GENERAL_5R_POINTING_LANES;
+        double cs[2][6][GENERAL_5R_POINTING_LANES];
+        general_5r_pointing_lane c[6], s[6];
+        int place[GENERAL_5R_POINTING_LANES];
+        for (int i = 0; i < 6; i++) {
+            for (int k = 0; k < GENERAL_5R_POINTING_LANES; k++) {
+                const double angle = start[from + (k < now ? k : 0)][i];
+                const double cosine = cos(angle), sine = sin(angle);
+                cs[0][i][k] = cosine * general_5r_pointing_advance[0][i] + sine *
+                    general_5r_pointing_advance[1][i];
+                cs[1][i][k] = sine * general_5r_pointing_advance[0][i] - cosine *
+                    general_5r_pointing_advance[1][i];
+            }
+            c[i] = GENERAL_5R_POINTING_LOAD(cs[0][i]);
+            s[i] = GENERAL_5R_POINTING_LOAD(cs[1][i]);
+        }
+        met |= general_5r_pointing_offer(loop, c, s, now, 40, 1, found, place);
+        for (int k = 0; k < now; k++) {
+            *lost += place[k] < 0;
+        }
+    }
+    return met;
+}
+
+/* Solve poses close by, and follow their solutions back. Where two solutions meet they are on one
+ * side
+ * only: both sides have to have as many as are found. Around a singular pose none of them has to
+ * have
+ * all solutions: then all are looked at. */
+static int general_5r_pointing_from_nearby(const general_5r_pointing_loop *loop,
+    general_5r_pointing_found *found)
+{
+    int followed = 0, before = -1;
+    for (int n = 0; n < 10; n++) {
+        general_5r_pointing_loop nearby = *loop;
+        general_5r_pointing_found other;
+        int complete, count = -1, lost = 0;
+        unsigned met;
+        general_5r_pointing_then(nearby.link[5], general_5r_pointing_nudge[n]);
+        other.count = 0;
+        other.singular = 0;
+        other.doubles = 0;
+        complete = general_5r_pointing_try(&nearby, &other);
+        met = general_5r_pointing_follow_back(loop, other.q, other.count, found, &lost);
+        if (complete && !lost && met) {
+            count = general_5r_pointing_bits(met) == other.count ? other.count : -1;
+            followed |= (met & found->singular) != 0;
+        }
+        if (n % 2 && before == found->count && count == found->count && !found->singular &&
+            general_5r_pointing_paired(found)) {
+            return 1;
+        }
+        before = count;
+    }
+    return followed && general_5r_pointing_paired(found);
+}
+
+/* Newton from many starts, the same on every run. */
+static void general_5r_pointing_from_anywhere(const general_5r_pointing_loop *loop,
+    general_5r_pointing_found *found)
+{
+    unsigned long long seed = 1;
+    for (int batch = 0; batch < 16; batch++) {
+        double start[8][6];
+        int lost = 0;
+        for (int i = 0; i < 48; i++) {
+            seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+            start[i / 6][i % 6] = ((double)(seed >> 33) / 4294967296.0 - 0.25) * 4.0 *
+                3.141592653589793;
+        }
+        (void)general_5r_pointing_follow_back(loop, start, 8, found, &lost);
+    }
+}
+
+/* Singular solutions are known less well: those that lie together become one. */
+static void general_5r_pointing_merge(general_5r_pointing_found *found)
+{
+    const unsigned singular = found->singular;
+    unsigned kept = 0;
+    int count = 0;
+    for (int i = 0; i < found->count; i++) {
+        int known = 0;
+        for (int j = 0; j < count && singular >> i & 1u; j++) {
+            known |= (kept >> j & 1u) && general_5r_pointing_gap(found->q[i], found->q[j]) < 0.001;
+        }
+        if (!known) {
+            kept |= (singular >> i & 1u) << count;
+            found->residual[count] = found->residual[i];
+            for (int j = 0; j < 6; j++) {
+                found->q[count][j] = found->q[i][j];
+            }
+            count++;
+        }
+    }
+    found->count = count;
+    found->singular = kept;
+}
+
+/* Whether row a comes before row b: by the first angle, angles that agree to rounding by the next.
+ * */
+static int general_5r_pointing_before(const double a[6], const double b[6])
+{
+    for (int i = 0; i < 6; i++) {
+        if (fabs(a[i] - b[i]) > 1e-09) {
+            return a[i] < b[i];
+        }
+    }
+    return 0;
+}
+
+/* All solutions of a rigid T = C0 J(q1) C1 ... J(q6) C6, at most 16.
+ *
+ * T: row by row. q: the angles, in (-pi, pi], or length, rows in the order of q1, rows whose
+ * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
+ * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
+ * are
+ * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
+static int general_5r_pointing_general(const double T[16], double q[16][6],
+                         double residual[16])
+{
+    general_5r_pointing_found found;
+    general_5r_pointing_loop whole;
+    const general_5r_pointing_loop *const loop = &whole;
+    int order[16], complete;
+    general_5r_pointing_close(T, &whole);
+    found.count = 0;
+    found.singular = 0;
+    found.doubles = 0;
+    const double *const P = loop->link[5];
+    if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.0000000039999986) {
+        return 0;
+    }
+    complete = general_5r_pointing_try(loop, &found) || general_5r_pointing_from_nearby(loop,
+        &found);
+    if (!complete) {
+        general_5r_pointing_from_anywhere(loop, &found);
+    }
+    general_5r_pointing_merge(&found);
+    for (int i = 0; i < found.count; i++) {
+        int j = i;
+        for (; j > 0 && general_5r_pointing_before(found.q[i], found.q[order[j - 1]]); j--) {
+            order[j] = order[j - 1];
+        }
+        order[j] = i;
+    }
+    for (int i = 0; i < found.count; i++) {
+        for (int j = 0; j < 6; j++) {
+            q[i][j] = found.q[order[i]][j];
+        }
+        residual[i] = found.residual[order[i]];
+    }
+    return complete && !found.singular && !found.doubles ? found.count : -1 - found.count;
+}
+
+/* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
+ * followed too; singular solutions out of a continuum go to the seed. */
+static void all_joints(
+    const double T[16], const double seed[5], double q[16][5],
+    int found[16], int chosen[16])
+{
+    static const double facing[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+    static const double zero[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+    /* Any turn about the tool's axis serves (T. Duff et al., 2017: an orthonormal basis of z). */
+    const double side = copysign(1.0, T[10]), a = -1.0 / (side + T[10]), b = T[2] * T[6] * a;
+    const double whole[16] = {
+        1.0 + side * T[2] * T[2] * a, b,                      T[2],  T[3],
+        side * b,                     side + T[6] * T[6] * a, T[6],  T[7],
+        -side * T[2],                 -T[6],                  T[10], T[11],
+        0.0,                          0.0,                    0.0,   1.0,
+    };
+    struct descent d = { .T = T };
+    struct kept kept = { .count = 0 };
+    double angles[16][6], residual[16], u[5];
+    const int count = general_5r_pointing_general(whole, angles, residual);
+    for (int j = 0; j < 5; j++)
+        u[j] = d.seed[j] = seed[solved[j]] / unit[j];
+    if (count < 0 && descend(&d, u) <= 1e-10)
+        keep(&d, &kept, u);
+    for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
+        for (int j = 0; j < 5; j++)
+            u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
+        if (count < 0) {
+            keep(&d, &kept, u);
+            continue;
+        }
+        wrap_angles(u);
+        kept.singular[k] = kept.chosen[k] = 0;
+        copy(u, kept.u[kept.count++]);
+    }
+    for (int k = 1; count < 0 && k < 12; k++) {
+        start_of(&d, k, u);
+        if (descend(&d, u) <= 1e-10)
+            keep(&d, &kept, u);
+    }
+    sorted_rows(&d, &kept, q, found, chosen);
+}
+
+static const double d1 = 0.35; /* joint offset 1 [m] */
+static const double a1 = 0.1; /* link length 1 [m] */
+static const double d2 = 0.08; /* joint offset 2 [m] */
+static const double a2 = 0.4; /* link length 2 [m] */
+static const double ca2 = 0.9396926207859084; /* cosine of twist 2 */
+static const double sa2 = 0.3420201433256687; /* sine of twist 2 */
+static const double d3 = -0.05; /* joint offset 3 [m] */
+static const double a3 = 0.3; /* link length 3 [m] */
+static const double ca3 = 0.42261826174069944; /* cosine of twist 3 */
+static const double sa3 = 0.9063077870366499; /* sine of twist 3 */
+static const double d4 = 0.12; /* joint offset 4 [m] */
+static const double a4 = 0.06; /* link length 4 [m] */
+static const double ca4 = 0.17364817766693041; /* cosine of twist 4 */
+static const double sa4 = 0.984807753012208; /* sine of twist 4 */
+static const double d5 = 0.09; /* joint offset 5 [m] */
+static const double a5 = 0.05; /* link length 5 [m] */
+static const double ca5 = 0.3420201433256688; /* cosine of twist 5 */
+static const double sa5 = 0.9396926207859083; /* sine of twist 5 */
+static const double cae11 = 0.9210609940028851; /* cosine of tool frame, entry 1,1 */
+static const double sae11 = 0.3894183423086505; /* sine of tool frame, entry 1,1 */
+static const double ex = 0.02; /* x of the tool frame [m] */
+static const double ez = 0.15; /* z of the tool frame [m] */
+static const double f1 = 0.25881904510252074; /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
+static const double f2 = 0.9659258262890683; /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
+static const double f3 = 0.02070552360820166; /* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
+static const double f4 = 0.08852132690137686; /* sa2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+static const double f5 = 0.24321034680169396; /* ca2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+static const double g1 = 0.25881904510252074; /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
+static const double g2 = 0.9659258262890683; /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
+static const double g3 = 0.02070552360820166; /* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
+static const double g4 = 0.08852132690137686; /* sa2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+static const double g5 = 0.24321034680169396; /* ca2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+
+const char *const general_5r_pointing_branches[16] = {
+    "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",
+    "root11", "root12", "root13", "root14", "root15", "root16",
+};
+
+static const double lowest[5] = {
+    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double highest[5] = {
+    2.9670597283903604, 2.0943951023931953, 2.443460952792061, 3.141592653589793, 3.141592653589793,
+};
+
+void general_5r_pointing_fk(const double q[5], double T[16])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double v1 = s1 * f1;
+    const double y1_y = c1 * f1;
+    const double z1_x = s1 * f2;
+    const double v2 = c1 * f2;
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2;
+    const double x2_y = s1 * c2 + y1_y * s2;
+    const double x2_z = f2 * s2;
+    const double v3 = v1 * c2 + c1 * s2;
+    const double v4 = y1_y * c2 - s1 * s2;
+    const double v5 = f2 * c2;
+    const double y2_x = z1_x * sa2 - v3 * ca2;
+    const double y2_y = v4 * ca2 - v2 * sa2;
+    const double y2_z = v5 * ca2 + f4;
+    const double z2_x = v3 * sa2 + z1_x * ca2;
+    const double v6 = v4 * sa2 + v2 * ca2;
+    const double z2_z = f5 - v5 * sa2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3;
+    const double x3_y = x2_y * c3 + y2_y * s3;
+    const double x3_z = x2_z * c3 + y2_z * s3;
+    const double v7 = y2_x * c3 - x2_x * s3;
+    const double v8 = y2_y * c3 - x2_y * s3;
+    const double v9 = y2_z * c3 - x2_z * s3;
+    const double y3_x = v7 * ca3 - z2_x * sa3;
+    const double y3_y = v8 * ca3 + v6 * sa3;
+    const double y3_z = v9 * ca3 - z2_z * sa3;
+    const double z3_x = v7 * sa3 + z2_x * ca3;
+    const double z3_y = v8 * sa3 - v6 * ca3;
+    const double z3_z = v9 * sa3 + z2_z * ca3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4;
+    const double x4_y = x3_y * c4 + y3_y * s4;
+    const double x4_z = x3_z * c4 + y3_z * s4;
+    const double v10 = y3_x * c4 - x3_x * s4;
+    const double v11 = y3_y * c4 - x3_y * s4;
+    const double v12 = y3_z * c4 - x3_z * s4;
+    const double y4_x = v10 * ca4 + z3_x * sa4;
+    const double y4_y = v11 * ca4 + z3_y * sa4;
+    const double y4_z = v12 * ca4 + z3_z * sa4;
+    const double z4_x = z3_x * ca4 - v10 * sa4;
+    const double z4_y = z3_y * ca4 - v11 * sa4;
+    const double z4_z = z3_z * ca4 - v12 * sa4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5;
+    const double x5_y = x4_y * c5 + y4_y * s5;
+    const double x5_z = x4_z * c5 + y4_z * s5;
+    const double v13 = y4_x * c5 - x4_x * s5;
+    const double v14 = y4_y * c5 - x4_y * s5;
+    const double v15 = y4_z * c5 - x4_z * s5;
+    const double T12_ = v13 * ca5 - z4_x * sa5;
+    const double T22_ = v14 * ca5 - z4_y * sa5;
+    const double T32_ = v15 * ca5 - z4_z * sa5;
+    const double z5_x = v13 * sa5 + z4_x * ca5;
+    const double z5_y = v14 * sa5 + z4_y * ca5;
+    const double z5_z = v15 * sa5 + z4_z * ca5;
+    const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x *
+        d4 + x5_x * a5 + z4_x * d5 + x5_x * ex + z5_x * ez;
+    const double T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + x4_y * a4 + z3_y * d4
+        + x5_y * a5 + z4_y * d5 + x5_y * ex + z5_y * ez;
+    const double T34_ = d1 + x2_z * a2 + f3 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z *
+        a5 + z4_z * d5 + x5_z * ex + z5_z * ez;
+    const double T11_ = x5_x * cae11 - z5_x * sae11;
+    const double T21_ = x5_y * cae11 - z5_y * sae11;
+    const double T31_ = x5_z * cae11 - z5_z * sae11;
+    const double T13_ = x5_x * sae11 + z5_x * cae11;
+    const double T23_ = x5_y * sae11 + z5_y * cae11;
+    const double T33_ = x5_z * sae11 + z5_z * cae11;
+    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
+    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
+    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[12] = T[13] = T[14] = 0.0;
+    T[15] = 1.0;
+}
+
+void general_5r_pointing_jacobian(const double q[5], double J[30])
+{
+    const double c1 = cos(q[0]);
+    const double s1 = sin(q[0]);
+    const double p1_x = c1 * a1;
+    const double p1_y = s1 * a1;
+    const double v1 = s1 * g1;
+    const double y1_y = c1 * g1;
+    const double J42 = s1 * g2;
+    const double v2 = c1 * g2;
+    const double c2 = cos(q[1]);
+    const double s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2;
+    const double x2_y = s1 * c2 + y1_y * s2;
+    const double x2_z = g2 * s2;
+    const double v3 = v1 * c2 + c1 * s2;
+    const double v4 = y1_y * c2 - s1 * s2;
+    const double v5 = g2 * c2;
+    const double p2_x = p1_x + x2_x * a2 + J42 * d2;
+    const double p2_y = p1_y + x2_y * a2 - v2 * d2;
+    const double p2_z = d1 + x2_z * a2 + g3;
+    const double y2_x = J42 * sa2 - v3 * ca2;
+    const double y2_y = v4 * ca2 - v2 * sa2;
+    const double y2_z = v5 * ca2 + g4;
+    const double J43 = v3 * sa2 + J42 * ca2;
+    const double v6 = v4 * sa2 + v2 * ca2;
+    const double J63 = g5 - v5 * sa2;
+    const double c3 = cos(q[2]);
+    const double s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3;
+    const double x3_y = x2_y * c3 + y2_y * s3;
+    const double x3_z = x2_z * c3 + y2_z * s3;
+    const double v7 = y2_x * c3 - x2_x * s3;
+    const double v8 = y2_y * c3 - x2_y * s3;
+    const double v9 = y2_z * c3 - x2_z * s3;
+    const double p3_x = p2_x + x3_x * a3 + J43 * d3;
+    const double p3_y = p2_y + x3_y * a3 - v6 * d3;
+    const double p3_z = p2_z + x3_z * a3 + J63 * d3;
+    const double y3_x = v7 * ca3 - J43 * sa3;
+    const double y3_y = v8 * ca3 + v6 * sa3;
+    const double y3_z = v9 * ca3 - J63 * sa3;
+    const double J44 = v7 * sa3 + J43 * ca3;
+    const double J54 = v8 * sa3 - v6 * ca3;
+    const double J64 = v9 * sa3 + J63 * ca3;
+    const double c4 = cos(q[3]);
+    const double s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4;
+    const double x4_y = x3_y * c4 + y3_y * s4;
+    const double x4_z = x3_z * c4 + y3_z * s4;
+    const double v10 = y3_x * c4 - x3_x * s4;
+    const double v11 = y3_y * c4 - x3_y * s4;
+    const double v12 = y3_z * c4 - x3_z * s4;
+    const double p4_x = p3_x + x4_x * a4 + J44 * d4;
+    const double p4_y = p3_y + x4_y * a4 + J54 * d4;
+    const double p4_z = p3_z + x4_z * a4 + J64 * d4;
+    const double y4_x = v10 * ca4 + J44 * sa4;
+    const double y4_y = v11 * ca4 + J54 * sa4;
+    const double y4_z = v12 * ca4 + J64 * sa4;
+    const double J45 = J44 * ca4 - v10 * sa4;
+    const double J55 = J54 * ca4 - v11 * sa4;
+    const double J65 = J64 * ca4 - v12 * sa4;
+    const double c5 = cos(q[4]);
+    const double s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5;
+    const double x5_y = x4_y * c5 + y4_y * s5;
+    const double x5_z = x4_z * c5 + y4_z * s5;
+    const double J21 = p4_x + x5_x * a5 + J45 * d5 + x5_x * ex + ((y4_x * c5 - x4_x * s5) * sa5 +
+        J45 * ca5) * ez;
+    const double v13 = p4_y + x5_y * a5 + J55 * d5 + x5_y * ex + ((y4_y * c5 - x4_y * s5) * sa5 +
+        J55 * ca5) * ez;
+    const double v14 = p4_z + x5_z * a5 + J65 * d5 + x5_z * ex + ((y4_z * c5 - x4_z * s5) * sa5 +
+        J65 * ca5) * ez;
+    const double v15 = J21 - p1_x;
+    const double v16 = v13 - p1_y;
+    const double v17 = v14 - d1;
+    const double J22 = g1 * v15 - J42 * v17;
+    const double J32 = J42 * v16 + v2 * v15;
+    const double v18 = J21 - p2_x;
+    const double v19 = v13 - p2_y;
+    const double v20 = v14 - p2_z;
+    const double J23 = J63 * v18 - J43 * v20;
+    const double J33 = J43 * v19 + v6 * v18;
+    const double v21 = J21 - p3_x;
+    const double v22 = v13 - p3_y;
+    const double v23 = v14 - p3_z;
+    const double J14 = J54 * v23 - J64 * v22;
+    const double J24 = J64 * v21 - J44 * v23;
+    const double J34 = J44 * v22 - J54 * v21;
+    const double v24 = J21 - p4_x;
+    const double v25 = v13 - p4_y;
+    const double v26 = v14 - p4_z;
+    const double J15 = J55 * v26 - J65 * v25;
+    const double J25 = J65 * v24 - J45 * v26;
+    const double J35 = J45 * v25 - J55 * v24;
+    J[0] = -v13; J[1] = -(v2 * v17 + g1 * v16); J[2] = -(v6 * v20 + J63 * v19); J[3] = J14;
+    J[4] = J15;
+    J[5] = J21; J[6] = J22; J[7] = J23; J[8] = J24; J[9] = J25;
+    J[10] = 0.0; J[11] = J32; J[12] = J33; J[13] = J34; J[14] = J35;
+    J[15] = 0.0; J[16] = J42; J[17] = J43; J[18] = J44; J[19] = J45;
+    J[20] = 0.0; J[21] = -v2; J[22] = -v6; J[23] = J54; J[24] = J55;
+    J[25] = 1.0; J[26] = g1; J[27] = J63; J[28] = J64; J[29] = J65;
+}
+
+/* Copies a pose; a rotation that is only rounded becomes the nearest one.
+ * Returns 0 for what is no pose. */
+static int read_pose(const double given[16], double T[16])
+{
+    for (int i = 0; i < 16; i++)
+        T[i] = given[i];
+    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+        return 0;
+    const double square = T[2] * T[2] + T[6] * T[6] + T[10] * T[10];
+    const double miss = (square - 1.0) * (square - 1.0);
+    if (!(miss <= 1e-09))
+        return 0;
+    if (miss > 1e-24) {
+        const double length = sqrt(square);
+        T[2] /= length;
+        T[6] /= length;
+        T[10] /= length;
+    }
+    return 1;
+}
+
+/* Fills the rows of the branches that have a solution, and no others. */
+static void solve(
+    const double T[16], const double seed[5], double q[16][5], unsigned char status[16])
+{
+
+    /* all joints: the general 6R loop */
+    double solution_roots[16][5];
+    int solution_found[16], solution_chosen[16];
+    all_joints(T, seed, solution_roots, solution_found, solution_chosen);
+
+    for (int i1 = 0; i1 < 16; i1++) { /* root1 to root16 */
+        const double q1 = solution_roots[i1][0];
+        const double q2 = solution_roots[i1][1];
+        const double q3 = solution_roots[i1][2];
+        const double q4 = solution_roots[i1][3];
+        const double q5 = solution_roots[i1][4];
+        const int found = solution_found[i1];
+        const int chosen = solution_chosen[i1];
+        /* all joints: the general 6R loop */
+        if (!found) continue; /* out of reach */
+        const int row = i1;
+        q[row][0] = q1;
+        q[row][1] = q2;
+        q[row][2] = q3;
+        q[row][3] = q4;
+        q[row][4] = q5;
+        status[row] = (chosen) ? GENERAL_5R_POINTING_FREE_JOINT : GENERAL_5R_POINTING_OK;
+    }
+}
+
+/* A joint value moved by whole turns, near to another value but inside its limits. */
+static double turned(int joint, double given, double towards)
+{
+    const double low = lowest[joint] - 1e-09;
+    const double high = highest[joint] + 1e-09;
+    double value = given;
+    value += turn * floor((towards - value) / turn + 0.5);
+    if (value > high)
+        value -= turn * ceil((value - high) / turn);
+    if (value < low)
+        value += turn * ceil((low - value) / turn);
+    return value <= high ? value : given;
+}
+
+static int inside(int joint, double value)
+{
+    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
+}
+
+int general_5r_pointing_ik(
+    const double T[16], const double *q_seed, double q[16][5], unsigned char status[16])
+{
+    static const double zeros[5] = { 0.0 };
+    const double *seed = q_seed ? q_seed : zeros;
+    double pose[16];
+    int count = 0;
+    const int valid = read_pose(T, pose);
+    for (int row = 0; row < 16; row++) {
+        status[row] = valid ? GENERAL_5R_POINTING_UNREACHABLE : GENERAL_5R_POINTING_INVALID_POSE;
+        for (int i = 0; i < 5; i++)
+            q[row][i] = NAN;
+    }
+    if (!valid)
+        return -GENERAL_5R_POINTING_INVALID_POSE;
+    solve(pose, seed, q, status);
+    for (int row = 0; row < 16; row++) {
+        if (status[row] == GENERAL_5R_POINTING_UNREACHABLE)
+            continue;
+        for (int i = 0; i < 5; i++) {
+            q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!inside(i, q[row][i]))
+                status[row] = GENERAL_5R_POINTING_OUT_OF_LIMITS;
+        }
+        count += status[row] != GENERAL_5R_POINTING_OUT_OF_LIMITS;
+    }
+    return count;
+}
+
+int general_5r_pointing_ik_nearest(const double T[16], const double q_seed[5], double q[5])
+{
+    double all[16][5], least = HUGE_VAL;
+    unsigned char status[16];
+    int result = -GENERAL_5R_POINTING_UNREACHABLE;
+    for (int i = 0; i < 5; i++)
+        q[i] = NAN;
+    for (int i = 0; i < 5; i++)
+        if (!isfinite(q_seed[i]))
+            return -GENERAL_5R_POINTING_INVALID_POSE;
+    if (general_5r_pointing_ik(T, q_seed, all, status) < 0)
+        return -GENERAL_5R_POINTING_INVALID_POSE;
+    for (int row = 0; row < 16; row++) {
+        double distance = 0.0;
+        if (status[row] == GENERAL_5R_POINTING_OUT_OF_LIMITS && result < 0)
+            result = -GENERAL_5R_POINTING_OUT_OF_LIMITS;
+        if (status[row] != GENERAL_5R_POINTING_OK && status[row] != GENERAL_5R_POINTING_FREE_JOINT)
+            continue;
+        for (int i = 0; i < 5; i++) {
+            all[row][i] = turned(i, all[row][i], q_seed[i]);
+            const double moved = all[row][i] - q_seed[i];
+            distance += moved * moved;
+        }
+        if (distance < least) {
+            least = distance;
+            result = status[row];
+            for (int i = 0; i < 5; i++)
+                q[i] = all[row][i];
+        }
+    }
+    return result;
+}
+
+void general_5r_pointing_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
+{
+    size_t k = 0;
+    for (; k < n; k++)
+        (void)general_5r_pointing_ik(
+            T + 16 * k, NULL, (double (*)[5])(q + 80 * k), status + 16 * k);
+}

@@ -1,0 +1,70 @@
+/* general_prrprr: General arm with slides as joints 1 and 4
+ *
+ * Inverse kinematics, generated from robots/general_prrprr.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/general_prrprr.yaml. The formulas and where they come from:
+ * general_prrprr.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef GENERAL_PRRPRR_H
+#define GENERAL_PRRPRR_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define GENERAL_PRRPRR_METHOD "general 4R2P"
+
+enum {
+    GENERAL_PRRPRR_DOF = 6, /* joints */
+    GENERAL_PRRPRR_ROWS = 8 /* branches */
+};
+
+/* What a row of general_prrprr_ik holds. */
+enum {
+    /* joint values */
+    GENERAL_PRRPRR_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    GENERAL_PRRPRR_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    GENERAL_PRRPRR_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    GENERAL_PRRPRR_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    GENERAL_PRRPRR_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const general_prrprr_branches[8];
+
+/* The pose T of the joint values q. */
+void general_prrprr_fk(const double q[6], double T[16]);
+
+/* The geometric Jacobian, 6 x 6 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void general_prrprr_jacobian(const double q[6], double J[36]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -GENERAL_PRRPRR_INVALID_POSE. */
+int general_prrprr_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns GENERAL_PRRPRR_OK or GENERAL_PRRPRR_FREE_JOINT, or, with NaN in q,
+ * minus GENERAL_PRRPRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int general_prrprr_ik_nearest(const double T[16], const double q_seed[6], double q[6]);
+
+/* general_prrprr_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 8 x 6, status n x 8. */
+void general_prrprr_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,58 @@
+"""Arms from files, and their solutions against the oracle."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.general.arm import joint_values
+from dhgen.general.reference import solve
+from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.robot.load import load
+from dhgen.robot.robot import JointKind
+from dhgen.survey.oracle.newton import all_solutions
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.kinematics.chain import Chain
+    from dhgen.robot.robot import Robot
+
+
+def written(folder: Path, rows: Sequence[str]) -> Robot:
+    path = folder / "arm.yaml"
+    text = "".join(f"  - {row}\n" for row in rows)
+    path.write_text(f"name: arm\ntask: pose\njoints:\n{text}", encoding="utf-8")
+    return load(path)
+
+
+def poses(chain: Chain, count: int, seed: int) -> list[np.ndarray]:
+    q = np.random.default_rng(seed).uniform(-1.5, 1.5, (count, chain.dof))
+    return [np.asarray(numeric_arm(chain).pose(row)) for row in q]
+
+
+def alike(rows: np.ndarray, others: np.ndarray, turning: np.ndarray) -> np.ndarray:
+    """Which rows are which others, whole turns aside."""
+    gap = rows[:, None] - others[None]
+    turned = np.remainder(gap + np.pi, 2 * np.pi) - np.pi
+    return np.asarray(np.abs(np.where(turning, turned, gap)).max(axis=2) < 1e-6)
+
+
+def assert_all_solutions(robot: Robot, kernel: GeneralKernel, poses: Sequence[np.ndarray]) -> None:
+    """Certainly all solutions, and those that the oracle finds, one to one."""
+    chain = build_chain(robot)
+    turning = np.array([joint.kind is JointKind.REVOLUTE for joint in chain.joints])
+    for T in poses:
+        found = solve(T, kernel)
+        q = joint_values(found.q, chain)
+        assert found.complete
+        assert 2 <= len(q) <= kernel.rows
+        np.testing.assert_allclose(numeric_arm(chain).pose(q) - T, 0.0, atol=1e-9)
+        same = alike(q, all_solutions(robot, T), turning)
+        assert same.shape[0] == same.shape[1]
+        assert (same.sum(axis=0) == 1).all()
+        assert (same.sum(axis=1) == 1).all()

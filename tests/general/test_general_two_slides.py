@@ -1,0 +1,162 @@
+"""Arms with four turns and two slides, wherever these are: all solutions, against the oracle."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.errors import UnsolvedError
+from dhgen.general.arm import general_kernel, joint_values
+from dhgen.general.circle import sample_cosines, trigonometric
+from dhgen.general.four_turns import DEGREE, FourTurns
+from dhgen.general.reference import solve
+from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.derivation import derive
+from tests.general.arms import in_c, in_python
+from tests.general.files import assert_all_solutions, poses, written
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.kinematics.chain import Chain
+    from dhgen.robot.robot import Robot
+
+PLACES = list(combinations(range(6), 2))
+POSES = 3
+COSINES_SINES = tuple(np.array(each) for each in sample_cosines())
+STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+
+
+def random_rows(slides: tuple[int, ...], seed: int) -> list[str]:
+    random = np.random.default_rng(seed)
+    rows = []
+    for place in range(6):
+        fixed, length, a, alpha = random.uniform(-1.0, 1.0, 4) * [2.0, 0.4, 0.4, 3.0]
+        own = f"theta: {fixed:.3f}, d: -q" if place in slides else f"theta: q, d: {length:.3f}"
+        rows.append(f"{{{own}, a: {a:.3f}, alpha: {alpha:.3f}}}")
+    return rows
+
+
+def known(chain: Chain) -> GeneralKernel:
+    kernel = general_kernel(chain)
+    assert kernel is not None
+    assert kernel.method == "general 4R2P"
+    return kernel
+
+
+# Arms at right angles: where the slides are parallel the polynomial has roots at infinity, simple
+# ones and double ones; and one without lengths.
+SPECIAL = (
+    (
+        "{theta: q, a: -0.327, alpha: pi/2}",
+        "{theta: q, alpha: -2.703}",
+        "{theta: 0, d: q, a: -0.191, alpha: -pi/2}",
+        "{theta: q, d: 0.114, alpha: -pi/2}",
+        "{theta: 0.224, d: q, alpha: -1.816}",
+        "{theta: q, d: -0.061}",
+    ),
+    (
+        "{theta: q, a: 0.126, alpha: -pi/2}",
+        "{theta: q, alpha: pi/2}",
+        "{theta: q, d: -0.113}",
+        "{theta: pi/2, d: q, alpha: pi/2}",
+        "{theta: q, d: -0.351, alpha: -pi/2}",
+        "{theta: pi/2, d: q, a: 0.346, alpha: -pi/2}",
+    ),
+    (
+        "{theta: q, d: 0.110}",
+        "{theta: 0, d: q, alpha: 0.952}",
+        "{theta: -1.086, d: q, alpha: -2.008}",
+        "{theta: q, alpha: -pi/2}",
+        "{theta: q, alpha: pi/2}",
+        "{theta: q, alpha: pi/2}",
+    ),
+)
+
+
+@pytest.mark.parametrize("slides", PLACES)
+def test_wherever_the_slides_are(tmp_path: Path, slides: tuple[int, ...]) -> None:
+    compare(written(tmp_path, random_rows(slides, seed=10 * slides[0] + slides[1])))
+
+
+@pytest.mark.parametrize("rows", SPECIAL)
+def test_solutions_at_infinity_are_not_waited_for(tmp_path: Path, rows: tuple[str, ...]) -> None:
+    compare(written(tmp_path, list(rows)))
+
+
+def compare(robot: Robot) -> None:
+    kernel = known(build_chain(robot))
+    assert kernel.rows == 8
+    assert_all_solutions(robot, kernel, poses(build_chain(robot), POSES, seed=1))
+
+
+@pytest.mark.parametrize("slides", [(0, 3), (1, 2)])
+def test_c_and_python_agree(tmp_path: Path, slides: tuple[int, ...]) -> None:
+    chain = build_chain(written(tmp_path, random_rows(slides, seed=7)))
+    kernel = known(chain)
+    in_lanes, one_by_one = in_c(kernel, "arm", *STRICT), in_c(kernel, "arm", "-DARM_LANES=1")
+    in_words = in_python(kernel, "arm")
+    for number, T in enumerate(poses(chain, 200, seed=5)):
+        q, residual, certain = in_lanes(T)
+        assert (residual < 1e-10).all()
+        assert certain
+        np.testing.assert_allclose(one_by_one(T)[0], q, atol=1e-8)
+        if number < POSES:
+            np.testing.assert_allclose(in_words(T)[0], q, atol=1e-8)
+            np.testing.assert_allclose(solve(T, kernel).q, q, atol=1e-8)
+
+
+@pytest.mark.parametrize("slides", [(0, 1), (1, 3), (2, 5)])
+def test_every_turn_can_be_hidden(tmp_path: Path, slides: tuple[int, ...]) -> None:
+    chain = build_chain(written(tmp_path, random_rows(slides, seed=3)))
+    kernel = known(chain)
+    first, second = kernel.formulations
+    assert first.joints[0] != second.joints[0]
+    assert not {first.joints[0], second.joints[0]} & set(slides)
+    other = replace(kernel, formulations=(second,))
+    for T in poses(chain, POSES, seed=2):
+        np.testing.assert_allclose(solve(T, kernel).q, solve(T, other).q, atol=1e-8)
+
+
+@pytest.mark.parametrize("slides", PLACES)
+def test_the_polynomial_has_degree_four(tmp_path: Path, slides: tuple[int, ...]) -> None:
+    chain = build_chain(written(tmp_path, random_rows(slides, seed=4)))
+    kernel = known(chain)
+    loop = kernel.loop
+    links = tuple(np.array(K.first) for K in loop.links)
+    for T in poses(chain, POSES, seed=3):
+        P = np.array(loop.left.first) @ T @ np.array(loop.right.first)
+        P[:3, 3] /= loop.size
+        for formulation in kernel.formulations:
+            values = FourTurns(formulation, loop.slides).values(links, P, *COSINES_SINES)
+            f = trigonometric(values)
+            beyond = np.abs([f.cosine[DEGREE + 1 :], f.sine[DEGREE + 1 :]]).max()
+            assert max(beyond / f.scale, f.noise) < 1e-11
+            assert max(abs(f.cosine[DEGREE]), abs(f.sine[DEGREE])) > 1e-9 * f.scale
+
+
+def test_a_longer_arm_with_joints_given(tmp_path: Path) -> None:
+    rows = random_rows((1, 3, 6), seed=5)
+    rows.append("{theta: 0.2, d: q, a: 0.1, alpha: 0.9}")
+    chain = replace(build_chain(written(tmp_path, rows)), free=(7,))
+    kernel = known(chain)
+    for T in poses(chain, POSES, seed=4):
+        for value in (0.0, 0.3):
+            found = solve(T, kernel, [value])
+            q = joint_values(found.q, chain)
+            assert found.complete
+            full = np.column_stack([q, np.full(len(q), value)])
+            np.testing.assert_allclose(numeric_arm(chain).pose(full) - T, 0.0, atol=1e-9)
+
+
+def test_parallel_slides_are_refused(tmp_path: Path) -> None:
+    rows = random_rows((1, 2), seed=6)
+    rows[1] = "{theta: 0.3, d: q, a: 0.2, alpha: 0}"
+    with pytest.raises(UnsolvedError, match="infinitely many solutions"):
+        derive(build_chain(written(tmp_path, rows)))

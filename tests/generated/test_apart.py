@@ -1,0 +1,156 @@
+"""Functions that numba compiles apart from callers: code out of the cache finds them again."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from typing import TYPE_CHECKING
+
+import pytest
+
+from dhgen.compiler import compile_robot
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+ARM = """
+name: chain
+title: Planar arm with four links
+source: made up
+convention: standard
+parameters: {{length: {length}}}
+joints:
+  - {{theta: q, d: 0, a: length, alpha: 0}}
+  - {{theta: q, d: 0, a: length, alpha: 0}}
+  - {{theta: q, d: 0, a: length, alpha: 0}}
+task: [x, y]
+numerical: true
+"""
+
+# A function that keeps what it calls in its cache, as users' do.
+CALLER = """
+import numpy as np
+from numba import njit
+import chain
+
+@njit(cache=True)
+def call(T, q, status):
+    return chain.ik_into(T, q, status)
+"""
+
+ASK = """
+import numpy as np
+import caller, chain
+
+def reach(module, answer):
+    q, status = answer
+    assert status[0] == module.OK, status
+    return float(np.hypot(*(module.fk(q[0])[:2, 3] - T[:2, 3])))
+
+T = np.eye(4)
+T[:2, 3] = 0.7, 0.4
+q, status = np.empty((1, 3)), np.empty(1, np.uint8)
+assert caller.call(T, q, status) == 1
+assert reach(chain, (q, status)) < 1e-9
+assert reach(chain, chain.ik_all(T)) < 1e-9
+print(sum(sum(each.stats.cache_misses.values()) for each in (caller.call, chain._unseeded)))
+"""
+
+
+def write(folder: Path, length: float) -> None:
+    """The arm's module, and a function that calls it."""
+    path = folder / "chain.yaml"
+    path.write_text(ARM.format(length=length), encoding="utf-8")
+    made = compile_robot(path).files["chain.py"]
+    (folder / "chain.py").write_text(made, encoding="utf-8")
+
+
+def run(script: str, *folders: Path) -> subprocess.CompletedProcess[str]:
+    """A clean process."""
+    paths = ":".join(map(str, folders))
+    return subprocess.run(
+        [sys.executable, "-c", script],
+        check=False,
+        capture_output=True,
+        text=True,
+        cwd=folders[0],
+        env={"PYTHONPATH": paths, "NUMBA_CACHE_DIR": str(folders[0] / "cache")},
+    )
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An arm, used once: numba's cache holds it."""
+    made = tmp_path_factory.mktemp("apart")
+    write(made, 0.5)
+    (made / "caller.py").write_text(CALLER, encoding="utf-8")
+    first = run(ASK, made)
+    assert not first.returncode, first.stderr
+    assert int(first.stdout) == 2
+    return made
+
+
+def test_the_cache_is_used(folder: Path) -> None:
+    again = run(ASK, folder)
+    assert not again.returncode, again.stderr
+    assert int(again.stdout) == 0
+
+
+WARM = """
+import numpy as np
+from numba.core import event
+import chain
+
+chain.warm_up()
+T = np.eye(4)
+T[:2, 3] = 0.7, 0.4
+with event.install_recorder("numba:compile") as compiled:
+    chain.ik(T, chain.ik_all(T)[0][0])
+    chain.ik_all(T, np.ones(3))
+    chain.ik_batch(T[np.newaxis])
+    chain.ik_into(T, np.empty((1, 3)), np.empty(1, np.uint8))
+    chain.jacobian(np.zeros(3))
+print([each.data["dispatcher"].py_func.__name__ for _, each in compiled.buffer])
+"""
+
+
+def test_warm_up_leaves_nothing_to_compile(folder: Path) -> None:
+    answer = run(WARM, folder)
+    assert answer.stdout == "[]\n", answer.stderr
+
+
+TWO = """
+import importlib.util, sys
+import numpy as np
+
+def load(path):
+    spec = importlib.util.spec_from_file_location("chain", path)
+    module = sys.modules["chain"] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+modules = [load(path) for path in sys.argv[1:]]
+T = np.eye(4)
+T[:2, 3] = 0.7, 0.4
+for module in [*modules, *reversed(modules)]:
+    q, status = module.ik_all(T)
+    assert status[0] == module.OK
+    assert np.abs(module.fk(q[0])[:2, 3] - T[:2, 3]).max() < 1e-9
+print("done")
+"""
+
+
+def test_two_texts_of_one_name_in_a_process(folder: Path, tmp_path: Path) -> None:
+    write(tmp_path, 0.8)
+    paths = [str(each / "chain.py") for each in (folder, tmp_path)]
+    script = TWO.replace("sys.argv[1:]", repr(paths))
+    answer = run(script, folder)
+    assert answer.stdout == "done\n", answer.stderr
+
+
+def test_callers_that_hold_an_old_text_say_so(folder: Path) -> None:
+    """numba does not see that what a cached function calls has changed."""
+    write(folder, 0.6)
+    answer = run(ASK, folder)
+    assert answer.returncode == 1
+    assert "ModuleNotFoundError: No module named 'chain " in answer.stderr

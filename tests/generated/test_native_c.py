@@ -1,0 +1,152 @@
+"""The C behind the functions of the Python: the same answers, built once, or clear why not."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from dhgen.survey.oracle.arm import arm
+from dhgen.survey.oracle.forward import forward
+from dhgen.survey.oracle.poses import random_joints
+from tests.generated.solvers import GENERATED, folder, given, module, robot
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from dhgen.survey.oracle.arm import FloatArray
+
+ARMS = ["scara", "franka_panda", "kuka_iiwa14_arm_angle", "xarm6"]
+
+
+@cache
+def native(name: str) -> Any:
+    """The robot with its C."""
+    module(name)  # where it lies is known then
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("DHGEN_CACHE_DIR", str(folder() / "native"))
+        return module("dhgen_native").native(module(name))
+
+
+def poses(name: str, count: int) -> tuple[FloatArray, FloatArray]:
+    """Joint values and their poses."""
+    q = random_joints(robot(name), count, seed=81)
+    return q, np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_answers_are_those_of_numba(name: str) -> None:
+    q, T = poses(name, 12)
+    T[3, 0, 3] += 50.0
+    T[4] *= 2.0
+    for k, (joints, pose) in enumerate(zip(q, T, strict=True)):
+        free = [each[k] for each in given(name, q)]
+        rows, status = native(name).ik_all(pose, *free, joints)
+        expected, kinds = module(name).ik_all(pose, *free, joints)
+        np.testing.assert_array_equal(status, kinds)
+        np.testing.assert_allclose(rows, expected, atol=1e-7)
+        np.testing.assert_allclose(native(name).fk(joints), module(name).fk(joints), atol=1e-14)
+        jacobians = native(name).jacobian(joints), module(name).jacobian(joints)
+        np.testing.assert_allclose(*jacobians, atol=1e-14)
+    rows, status = native(name).ik_batch(T, *given(name, q))
+    expected, kinds = module(name).ik_batch(T, *given(name, q))
+    np.testing.assert_array_equal(status, kinds)
+    np.testing.assert_allclose(rows, expected, atol=1e-7)
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_into_any_arrays_and_the_nearest(name: str) -> None:
+    q, T = poses(name, 4)
+    free = [each[0] for each in given(name, q)]
+    python, c = module(name), native(name)
+    rows, status = c.ik_all(T[0], *free)
+    count = c.ik_into(T[0], *free, rows, status)
+    assert count == np.isin(status, (python.OK, python.FREE_JOINT)).sum() > 0
+    other, kinds = np.empty(rows.shape[::-1], np.float32).T, np.empty(len(rows), np.int64)
+    spread = np.zeros((8, 8))[::2, ::2]
+    spread[:] = T[0]
+    assert c.ik_into(spread, *free, other, kinds, q_seed=np.zeros(python.DOF)) == count
+    np.testing.assert_allclose(other, rows, rtol=1e-6)
+    np.testing.assert_array_equal(kinds, status)
+    np.testing.assert_allclose(c.ik(T[0], *free, q[0], limits=False), q[0], atol=1e-6)
+    far = T[0].copy()
+    far[0, 3] += 50.0
+    with pytest.raises(python.Unreachable, match="out of reach"):
+        c.ik(far, *free, q[0])
+    with pytest.raises(ValueError, match="T is no pose"):
+        c.ik(2.0 * T[0], *free)
+    mistakes: list[Callable[[], Any]] = [
+        lambda: c.ik_into(T[0][:3], *free, rows, status),
+        lambda: c.ik_into(T[0], *free, rows[1:], status),
+        lambda: c.ik_into(T[0], *free, rows, status, np.zeros(python.DOF + 1)),
+        lambda: c.ik_into(T[0], *free, rows, status, np.full(python.DOF, np.nan)),
+        lambda: c.fk(np.zeros(python.DOF - 1)),
+        lambda: c.jacobian(np.zeros((python.DOF, 1))),
+    ]
+    for mistake in mistakes:
+        with pytest.raises(ValueError, match=r"must (be|hold)"):
+            mistake()
+
+
+def test_constants_names_and_the_arm_angle() -> None:
+    q, _ = poses("kuka_iiwa14_arm_angle", 3)
+    python, c = module("kuka_iiwa14_arm_angle"), native("kuka_iiwa14_arm_angle")
+    for joints in q:
+        assert c.arm_angle(joints) == pytest.approx(python.arm_angle(joints), abs=1e-9)
+    public = {name for name in vars(python) if not name.startswith("_")}
+    assert public == {name for name in vars(c) if not name.startswith("_")}
+    assert c.Unreachable is python.Unreachable
+    assert c.__name__ == python.__name__
+    c.warm_up()
+
+
+ELSEWHERE = """
+import sys
+sys.path.append(sys.argv[1])
+import dhgen_native, planar_rr
+robot = dhgen_native.native(planar_rr)
+print(robot.ik_all(robot.fk([0.3, 0.5]))[1].tolist())
+"""
+
+
+def start(place: Path, **variables: str) -> subprocess.Popen[str]:
+    """A clean process in another directory."""
+    return subprocess.Popen(
+        [sys.executable, "-c", ELSEWHERE, str(GENERATED)],
+        cwd=place,
+        env=os.environ | {"DHGEN_CACHE_DIR": str(place / "kept")} | variables,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+def test_processes_build_at_once(tmp_path: Path) -> None:
+    answers = [process.communicate() for process in [start(tmp_path) for _ in range(3)]]
+    assert answers == [("[0, 0]\n", "")] * 3
+    (library,) = (tmp_path / "kept").iterdir()
+    built = library.stat().st_mtime_ns
+    assert start(tmp_path).communicate() == ("[0, 0]\n", "")
+    assert [each.stat().st_mtime_ns for each in (tmp_path / "kept").iterdir()] == [built]
+
+
+def test_without_a_compiler(tmp_path: Path) -> None:
+    _, told = start(tmp_path, PATH=str(tmp_path), CC="").communicate()
+    assert "NoCompiler: no C compiler: none of $CC, cc, gcc and clang is there" in told
+    module("scara")
+    with pytest.raises(RuntimeError, match="no C compiler: tcc-0 is not there"):
+        module("dhgen_native").native(module("scara"), compiler="tcc-0")
+
+
+def test_what_the_compiler_refuses(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("DHGEN_CACHE_DIR", str(tmp_path))
+    helper = module("dhgen_native")
+    with pytest.raises(helper.BuildError, match="-fno-such-flag"):
+        helper.native(module("scara"), flags=("-fno-such-flag",))
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,66 @@
+"""Beside a straight wrist every row is right: in vectors, without them, with libm, in Python."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from dhgen.survey.oracle.arm import arm, arm_size
+from dhgen.survey.oracle.forward import forward_with_derivatives
+from dhgen.survey.oracle.poses import NEAR, random_joints
+from dhgen.verify.native import NATIVE, PORTABLE, Build
+from tests.targets.made import apart, in_c, in_python, poses_of, residual, robot
+
+if TYPE_CHECKING:
+    from dhgen.survey.oracle.arm import FloatArray
+
+# Joint 5 is straight where its value is this.
+STRAIGHT = {"kuka_kr6_r900": 0.0, "puma560": 0.0, "stanford": 0.0, "ur5": 0.0}
+POSES = 12
+BUILDS = ("vectors", "portable", "scalar", "libm")
+HELD = (0, 2, 3)  # OK, FREE_JOINT, OUT_OF_LIMITS
+NEARLY = 1e-3  # [rad or arm sizes]
+WRIST = 4  # joint 5, from 0
+SIGNIFICANT = 1e-13  # singular values below it say nothing
+
+
+@cache
+def solver(name: str, build: str) -> Any:
+    """What solves one pose: T and a seed to rows and statuses."""
+    if build == "Python":
+        return in_python(name).ik_all
+    macro = (f"-D{name.upper()}_{build.upper()}",)
+    builds = {"vectors": NATIVE, "portable": PORTABLE}
+    return in_c(name, builds.get(build) or Build(build, ("-O2", *macro))).ik
+
+
+def step_to_a_solution(name: str, q: FloatArray, T: FloatArray) -> FloatArray:
+    """Newton's step from joint values, by a model that is not the solver's."""
+    model = arm(robot(name)).divided_by(arm_size(robot(name)))
+    scale = np.where(model.revolute, 1.0, arm_size(robot(name)))
+    wanted = T.copy()
+    wanted[:3, 3] /= arm_size(robot(name))
+    reached, rates = forward_with_derivatives(model, q / scale)
+    J = rates[:, :3].reshape(len(q), 12).T
+    return np.asarray(np.linalg.pinv(J, rcond=SIGNIFICANT) @ (wanted - reached)[:3].ravel())
+
+
+@pytest.mark.parametrize("build", [*BUILDS, "Python"])
+@pytest.mark.parametrize("name", STRAIGHT)
+def test_every_branch(name: str, build: str) -> None:
+    solve = solver(name, build)
+    for near in NEAR:
+        q = random_joints(robot(name), POSES, seed=91)
+        q[:, WRIST] = STRAIGHT[name] + near
+        for joints, T in zip(q, poses_of(name, q), strict=True):
+            for seed in (joints, np.zeros(len(joints))):
+                rows, status = solve(T, seed)
+                rows = rows[np.isin(status, HELD)]
+                assert len(rows) >= 2
+                assert residual(name, rows, T) < 1e-9
+                assert apart(name, rows, joints).max(axis=1).min() < NEARLY
+                for row in rows:
+                    assert np.abs(step_to_a_solution(name, row, T)).max() < NEARLY, (row, joints)

@@ -1,0 +1,45 @@
+"""A slide is free where another is parallel to it: it takes the seed's value, as a turn does."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, UNREACHABLE, Solver
+from tests.targets.made import poses_of, residual
+
+NAME = "folding_slides"  # slides 1 and 4 are parallel at q3 = 90 degrees
+COUNT = 30
+
+
+def joints(third: float) -> np.ndarray:
+    q = np.random.default_rng(3).uniform(-0.9, 0.9, (COUNT, 5))
+    q[:, 2] = third
+    return q
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("third", [np.pi / 2, -np.pi / 2])
+def test_parallel(language: str, third: float) -> None:
+    solver, q = Solver(NAME, language), joints(third)
+    for values, T in zip(q, poses_of(NAME, q), strict=True):
+        seed = values + 0.2
+        rows, status = solver.all(T, seed)
+        free = rows[status == FREE_JOINT]
+        assert len(free) == 1
+        assert free[0, 3] == seed[3]
+        assert residual(NAME, free, T) < 1e-12
+        assert status[status != FREE_JOINT].tolist() == [UNREACHABLE]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("off", [1e-6, 1e-8, 1e-10])
+def test_nearly_parallel(language: str, off: float) -> None:
+    """Only what lies beside the joints that made the pose is near enough to be a solution."""
+    solver, q = Solver(NAME, language), joints(np.pi / 2 + off)
+    for values, T in zip(q, poses_of(NAME, q), strict=True):
+        rows, status = solver.all(T, values)
+        held = rows[np.isin(status, HELD)]
+        assert len(held) == 1
+        assert residual(NAME, held, T) < 1e-12
+        assert abs(held[0, 2] - values[2]) < 1e-9
