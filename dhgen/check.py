@@ -6,12 +6,13 @@ import difflib
 import os
 import re
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhgen.compiler import compile_robot
-from dhgen.errors import about
+from dhgen.errors import DhgenError, about
 from dhgen.program.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
@@ -22,15 +23,33 @@ MOST_DIFFERENCES = 60  # lines of a diff that are shown
 SUFFIXES = {".py", ".c", ".h", ".md"}
 
 
-def stale(files: tuple[Path, ...], out: Path, *, numerical: bool = False) -> list[str]:
-    """Everything that is not as it should be, as texts; empty when all is well.
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """What `--check` finds.
 
-    Raises:
-        DhgenError: A robot file has mistakes or is not solved.
+    Attributes:
+        problems: Everything in the folder that is not as it should be, as texts.
+        refusals: Why robot files are refused, in their order.
     """
+
+    problems: tuple[str, ...]
+    refusals: tuple[DhgenError, ...]
+
+    @property
+    def exit_code(self) -> int:
+        """0 when all is well, 1 when something is stale or not solved, 2 for mistakes in files."""
+        return max(bool(self.problems), *(each.exit_code for each in self.refusals), 0)
+
+
+def compare(files: tuple[Path, ...], out: Path, *, numerical: bool = False) -> Comparison:
+    """The folder against what the compiler makes; a file that is refused hides no other."""
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}
+    refusals = []
     for path, made in zip(files, _compile_all(files, numerical=numerical), strict=True):
+        if isinstance(made, DhgenError):
+            refusals.append(made)
+            continue
         for name, text in made.items():
             expected[name] = text
             makers.setdefault(name, path)
@@ -39,14 +58,18 @@ def stale(files: tuple[Path, ...], out: Path, *, numerical: bool = False) -> lis
         problem = _difference(out / name, text)
         if problem:
             problems.append(f"{problem}\n  to mend: dhgen {makers[name]}{_out_option(out)}")
+    looked = " or ".join(sorted({f"{path.parent}/" for path in files}))
     problems += [
-        f"{out / name}: extra file, no robot file makes it\n  to mend: rm {out / name}"
-        for name in _extra(files, out, set(expected))
+        f"{out / name}: extra file, no robot file in {looked} makes it\n"
+        f"  to mend: name its robot file too, or rm {out / name}"
+        for name in _extra(files, set(makers.values()), out, set(expected))
     ]
-    return problems
+    return Comparison(tuple(problems), tuple(refusals))
 
 
-def _compile_all(files: tuple[Path, ...], *, numerical: bool = False) -> list[dict[str, str]]:
+def _compile_all(
+    files: tuple[Path, ...], *, numerical: bool = False
+) -> list[dict[str, str] | DhgenError]:
     workers = min(len(files), os.cpu_count() or 1)
     files_of = partial(_files_of, numerical=numerical)
     if workers == 1:
@@ -55,15 +78,18 @@ def _compile_all(files: tuple[Path, ...], *, numerical: bool = False) -> list[di
         return list(pool.map(files_of, files))
 
 
-def _files_of(path: Path, *, numerical: bool) -> dict[str, str]:
-    with about(path):
-        return compile_robot(path, numerical=numerical).files
+def _files_of(path: Path, *, numerical: bool) -> dict[str, str] | DhgenError:
+    try:
+        with about(path):
+            return compile_robot(path, numerical=numerical).files
+    except DhgenError as refusal:
+        return refusal
 
 
 def _difference(path: Path, text: str) -> str | None:
     try:
         present = path.read_bytes().decode("utf-8", "replace")
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
         return f"{path}: missing"
     if present == text:
         return None
@@ -77,12 +103,17 @@ def _difference(path: Path, text: str) -> str | None:
     return "\n".join([f"{path}: changed", *lines])
 
 
-def _extra(files: tuple[Path, ...], out: Path, expected: set[str]) -> list[str]:
-    """Files of the output folder that neither these robot files nor their neighbours make."""
+def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[str]) -> list[str]:
+    """Files of the output folder that neither these robot files nor their neighbours make.
+
+    What a file makes that is refused isn't known: only those count that do (what all robots
+    share is among what any of them makes).
+    """
     folders = {path.resolve().parent for path in files}
-    neighbours = _stems(each for folder in folders for each in folder.glob("*.yaml"))
-    known = _stems(files)
-    if not out.is_dir():
+    around = (each for folder in folders for each in folder.glob("*.yaml"))
+    neighbours = _stems([*files, *around])
+    known = _stems(makers)
+    if not makers or not out.is_dir():
         return []
     return sorted(
         path.name
@@ -101,7 +132,10 @@ def _stems(files: Iterable[Path]) -> set[str]:
 
 def _robot_name(path: Path) -> str:
     """The name that a robot file gives itself, or that of the file."""
-    text = path.read_text(encoding="utf-8", errors="replace")
+    try:
+        text = path.read_text(encoding="utf-8", errors="replace")
+    except OSError:  # it is refused for that
+        return path.stem
     found = re.search(r"^name:\s*(\w+)", text, re.MULTILINE)
     return found.group(1) if found else path.stem
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import difflib
 import io
 import os
 import sys
+import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhgen.errors import DhgenError, VerificationError, about
+from dhgen.errors import CommandError, DhgenError, VerificationError, about
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,6 +21,12 @@ if TYPE_CHECKING:
 
 OUT = Path("generated")
 NUMERICAL = "numerical"
+
+# What the first word may be meant as where it is no file.
+MEANT = {
+    **{verb: f"dhgen {verb}" for verb in ("explain", "survey")},
+    **{option: f"dhgen --{option}" for option in ("check", "numerical", "help")},
+}
 
 EPILOG = """\
 verbs:
@@ -44,6 +52,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if words[:1] == ["survey"]:
             return _survey(_survey_parser().parse_args(words[1:]))
         options = _parser().parse_args(words)
+        _refuse_misspelt(options.files[0])
+        if not options.check:
+            _refuse_unwritable(options.out)
         return _check(options) if options.check else _write(options)
     except DhgenError as error:
         print(error, file=sys.stderr)
@@ -68,6 +79,24 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--out", type=Path, default=OUT, metavar="DIR", help="default: generated")
     _add_numerical(parser)
     return parser
+
+
+def _refuse_misspelt(first: Path) -> None:
+    """Stops where the first word is no file but reads like a verb or an option."""
+    close = difflib.get_close_matches(str(first), MEANT, n=1)
+    if close and not first.exists():
+        raise CommandError(f"dhgen: no file '{first}'; did you mean '{MEANT[close[0]]}'?")
+
+
+def _refuse_unwritable(out: Path) -> None:
+    """Tries whether files can be written to a folder, before seconds of work; leaves no trace."""
+    present = next(folder for folder in (out, *out.absolute().parents) if folder.exists())
+    try:
+        with tempfile.TemporaryFile(dir=present):
+            pass
+    except OSError as error:
+        reason = f"{present}: {error.strerror}"
+        raise CommandError(f"dhgen: can't write to the folder {out} ({reason})") from None
 
 
 def _add_numerical(parser: argparse.ArgumentParser) -> None:
@@ -191,15 +220,15 @@ def _own(compilation: Compilation) -> list[str]:
 
 
 def _check(options: argparse.Namespace) -> int:
-    from dhgen.check import stale  # noqa: PLC0415
+    from dhgen.check import compare  # noqa: PLC0415
 
-    problems = stale(tuple(options.files), options.out, numerical=options.numerical)
-    for problem in problems:
-        print(problem, file=sys.stderr)
-    if problems:
-        return 1
-    print(f"{options.out}: up to date with {len(options.files)} robot files")
-    return 0
+    found = compare(tuple(options.files), options.out, numerical=options.numerical)
+    for told in (*found.refusals, *found.problems):
+        print(told, file=sys.stderr)
+    if not found.exit_code:
+        count = len(options.files)
+        print(f"{options.out}: up to date with {count} robot file{'s' if count > 1 else ''}")
+    return found.exit_code
 
 
 def _explain(options: argparse.Namespace) -> int:

@@ -59,7 +59,17 @@ class RobotFileError(DhgenError):
 
     def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
         self.diagnostics = diagnostics
-        super().__init__("\n".join(str(diagnostic) for diagnostic in diagnostics))
+        super().__init__(diagnostics)  # what it is made of again in another process
+
+    def __str__(self) -> str:
+        """All remarks, each with its place."""
+        return "\n".join(map(str, self.diagnostics))
+
+
+class CommandError(DhgenError):
+    """A mistake on the command line that only the file system knows of."""
+
+    exit_code = 2
 
 
 class UnsolvedError(DhgenError):

@@ -81,7 +81,7 @@ def test_check_is_content(written: Path, way: str) -> None:
     before = {name: (written / "generated" / name).stat().st_mtime_ns for name in FILES}
     done = dhgen("--check", "robots/planar_rr.yaml", folder=written)
     assert (done.returncode, done.stderr) == (0, ""), way
-    assert done.stdout == "generated: up to date with 1 robot files\n"
+    assert done.stdout == "generated: up to date with 1 robot file\n"
     assert {name: (written / "generated" / name).stat().st_mtime_ns for name in FILES} == before
 
 
@@ -121,9 +121,29 @@ def test_check_sees_what_is_missing_and_what_is_extra(written: Path, tmp_path: P
     assert done.stderr == (
         "generated/planar_rr.md: missing\n"
         "  to mend: dhgen robots/planar_rr.yaml\n"
-        "generated/old_robot.c: extra file, no robot file makes it\n"
-        "  to mend: rm generated/old_robot.c\n"
+        "generated/old_robot.c: extra file, no robot file in robots/ makes it\n"
+        "  to mend: name its robot file too, or rm generated/old_robot.c\n"
     )
+
+
+def test_check_tells_all_refusals_and_what_is_stale_besides(
+    written: Path,
+    tmp_path: Path,
+    capfd: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(copy(written, tmp_path))
+    Path("robots/wrong.yaml").write_text(WRONG)
+    Path("generated/wrong.c").write_text("of better times")
+    Path("generated/planar_rr.md").unlink()
+    assert main(["--check", "robots/wrong.yaml", "none.yaml", "robots/planar_rr.yaml"]) == 2
+    remarks = [line for line in capfd.readouterr().err.splitlines() if line[0] != " "]
+    assert len(remarks) == 3
+    assert remarks[0].startswith("robots/wrong.yaml:6:19: unknown name 'x'")
+    assert remarks[1] == "none.yaml: the file can't be read: No such file or directory"
+    assert remarks[2] == "generated/planar_rr.md: missing"
+    assert main(["--check", "robots/wrong.yaml"]) == 2
+    assert "extra" not in capfd.readouterr().err
 
 
 def test_check_of_another_folder_names_it(written: Path, tmp_path: Path) -> None:
@@ -204,6 +224,27 @@ def test_what_fails_verification_is_not_written(
     assert main([str(PLANAR)]) == 1
     assert "a row misses the pose" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("out", ["file", "file/below"])
+def test_a_folder_that_cannot_be_written_is_found_out_before_the_work(
+    out: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("dhgen.cli._compile", lambda *_: pytest.fail("the work has begun"))
+    Path("file").touch()
+    assert main([str(PLANAR), "--out", out]) == 2
+    assert capsys.readouterr().err.startswith(f"dhgen: can't write to the folder {out} (")
+    assert names(tmp_path) == ["file"]
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"), [("explan", "explain"), ("survy", "survey"), ("check", "--check")]
+)
+def test_a_misspelt_verb(word: str, meant: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([word, str(PLANAR)]) == 2
+    expected = f"dhgen: no file '{word}'; did you mean 'dhgen {meant}'?\n"
+    assert capsys.readouterr() == ("", expected)
 
 
 def test_no_such_file(tmp_path: Path) -> None:
