@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.general.formulation import Formulation
+    from dhgen.general.links import Link
     from dhgen.general.loop import Loop
     from dhgen.general.offset_wrist import OffsetWrist
 
@@ -91,6 +92,11 @@ class GeneralKernel:
     numbers: tuple[int, ...] = (1, 2, 3, 4, 5, 6)
     given: tuple[tuple[int, float], ...] = ()
     pointing: bool = False
+
+    @property
+    def links(self) -> tuple[Link, ...]:
+        """The links of the loop, and what stands before and behind the pose."""
+        return (*self.loop.links, self.loop.left, self.loop.right)
 
     @property
     def rows(self) -> int:

@@ -55,6 +55,11 @@ class Link:
     first: Matrix
     rest: tuple[tuple[Held, Matrix], ...] = ()
 
+    @property
+    def constants(self) -> tuple[Matrix, ...]:
+        """Its constant transforms, one after another."""
+        return (self.first, *(behind for _, behind in self.rest))
+
     def at(self, given: Sequence[Value]) -> Matrix:
         """The transform for given joint values."""
         total = self.first
@@ -71,8 +76,7 @@ class Link:
 
     def inverse(self) -> Link:
         """The inverse transform."""
-        constants = [self.first, *(behind for _, behind in self.rest)]
-        backwards = [inverse(K) for K in reversed(constants)]
+        backwards = [inverse(K) for K in reversed(self.constants)]
         held = [Held(h.place, h.slides, -h.factor) for h, _ in reversed(self.rest)]
         return Link(backwards[0], tuple(zip(held, backwards[1:], strict=True)))
 
@@ -89,5 +93,5 @@ class Link:
         """A bound of its length for every given value; None where a slide is held."""
         if any(held.slides for held, _ in self.rest):
             return None
-        constants = [self.first, *(behind for _, behind in self.rest)]
-        return sum(sqrt(dot(t, t)) for t in ([K[i][3] for i in range(3)] for K in constants))
+        lengths = ([K[i][3] for i in range(3)] for K in self.constants)
+        return sum(sqrt(dot(t, t)) for t in lengths)

@@ -6,9 +6,10 @@ from math import inf, pi
 from typing import TYPE_CHECKING
 
 from dhgen.numerical import kernel as constants
-from dhgen.numerical.miss import ANY_AXIS, ASIDE
+from dhgen.numerical.miss import ASIDE
 from dhgen.numerical.reference import TIE
 from dhgen.numerical.starts import directions
+from dhgen.numerical.texts import any_turn, given_places, position_rows
 from dhgen.targets.layout import c_array, python_array
 from dhgen.targets.templates import render
 
@@ -90,11 +91,9 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "jacobian_size": 6 * dof,
         "spin": 3 * dof,
         "twice": 2 * dof,
-        "given": [joint - 1 for joint in chain.free],
+        "given": given_places(chain),
         "given_count": len(chain.free),
-        "position": [
-            (entry, row, 4 * row + 3, dof * row) for entry, row in enumerate(kernel.position)
-        ],
+        "position": position_rows(kernel.position, dof),
         "first_turn": len(kernel.position),
         "turns": kernel.turning or kernel.pointing,
         "turning": kernel.turning,
@@ -111,7 +110,7 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
     starts = constants.REDUNDANT_STARTS if kernel.redundant else constants.STARTS
     return {
         "aside": repr(ASIDE),
-        "any_turn": [repr(pi * part) for part in ANY_AXIS],
+        "any_turn": any_turn(),
         "damping": repr(constants.DAMPING),
         "floor": repr(constants.FLOOR),
         "longest": repr(constants.LONGEST),

@@ -46,7 +46,7 @@ def python_files(module: SolverModule) -> dict[str, str]:
 
 def _texts(module: SolverModule) -> dict[str, object]:
     """Comments and constants."""
-    none = ("-math.inf", "math.inf")
+    none = "(-math.inf, math.inf)"
     limits = [joint.limits for joint in module.chain.joints]
     values = module_values(module)
     frames = (
@@ -60,7 +60,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "about": paragraph(f"{module.name}: {str(values['title']).rstrip('.')}.", ""),
         "made": made_text(module, "python/solver.py.jinja", ""),
         "frames": paragraph(frames, ""),
-        "limit_pairs": [(repr(pair[0]), repr(pair[1])) if pair else none for pair in limits],
+        "limits": [f"({pair[0]!r}, {pair[1]!r})" if pair else none for pair in limits],
         "branches": module.branches,
         "weights": python_array("_WEIGHT = np.array", map(repr, module.weights)),
         "free_tuple": _free_tuple(module),
@@ -84,10 +84,10 @@ def _bodies(module: SolverModule) -> dict[str, object]:
         "all_joints": _all_joints(module),
         "solver": solver_lines(module.solver, language, INDENT),
         "forward": straight_lines(module.forward, language, INDENT),
-        "forward_cells": _cells(forward, 4),
+        "forward_rows": _assignments("T", forward, 4),
         "jacobian": straight_lines(module.jacobian, language, INDENT),
         "arm_angle": arm_angle_values(module.arm_angle, language),
-        "jacobian_cells": _cells(jacobian, module.chain.dof),
+        "jacobian_rows": _assignments("J", jacobian, module.chain.dof),
     }
 
 
@@ -129,10 +129,14 @@ def _constant(name: str, value: str, comment: str) -> list[str]:
     return [line] if len(line) <= WIDTH else [f"# {paragraph(comment, '# ')}", f"{name} = {value}"]
 
 
-def _cells(entries: list[str], columns: int) -> list[tuple[int, int, str]]:
-    """Row, column and text of the entries that are not zero."""
-    cells = [(*divmod(place, columns), entry) for place, entry in enumerate(entries)]
-    return [cell for cell in cells if cell[2] != "0.0"]
+def _assignments(array: str, entries: list[str], columns: int) -> list[str]:
+    """A matrix of zeros, its other entries one after another."""
+    places = [divmod(place, columns) for place in range(len(entries))]
+    return [
+        f"{INDENT}{array}[{row}, {column}] = {entry}"
+        for (row, column), entry in zip(places, entries, strict=True)
+        if entry != "0.0"
+    ]
 
 
 def _free_tuple(module: SolverModule) -> str:

@@ -36,7 +36,8 @@ def derivation_document(robot: Robot, derivation: Derivation, program: Program, 
 def derivation_terminal(robot: Robot, derivation: Derivation, program: Program) -> str:
     """The same as plain text."""
     blocks = document_blocks(Story(robot, derivation, program))
-    return render("derivation/terminal.txt.jinja", blocks=tuple(map(plain, blocks)))
+    first, *others = map(plain, blocks)
+    return render("derivation/terminal.txt.jinja", first=first, others=others)
 
 
 def derivation_summary(robot: Robot, derivation: Derivation, program: Program) -> str:

@@ -1,0 +1,1 @@
+"""What the templates of the general algorithm are filled in with: finished strings."""

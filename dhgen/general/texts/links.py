@@ -1,0 +1,119 @@
+"""How the links of the loop come from constants and from joints whose values the caller gives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.general.links import Held
+
+
+@dataclass(frozen=True, slots=True)
+class GivenJoint:
+    """A joint whose value the caller gives.
+
+    Attributes:
+        place: Which of them, from 0.
+        value: Its angle or length.
+        turns: Whether it turns.
+    """
+
+    place: int
+    value: str
+    turns: bool
+
+
+@dataclass(frozen=True, slots=True)
+class HeldMotion:
+    """Such a joint inside a link: `motion` by `by`, and which of the constants stands behind it."""
+
+    motion: str
+    by: str
+    behind: int
+
+
+@dataclass(frozen=True, slots=True)
+class LinkText:
+    """A link: where it goes, which of the constants it begins with, and what follows."""
+
+    to: str
+    first: int
+    held: tuple[HeldMotion, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Links:
+    """The links K0 ... K4, L and R.
+
+    Attributes:
+        given: The joints whose values the caller gives.
+        turning: Whether one of them turns inside a link.
+        sliding: Whether one of them slides there.
+        every: The links.
+        firsts: The constants that they begin with, between commas.
+    """
+
+    given: tuple[GivenJoint, ...]
+    turning: bool
+    sliding: bool
+    every: tuple[LinkText, ...]
+    firsts: str
+
+
+def links(kernel: GeneralKernel, to: Sequence[str], array: str) -> Links:
+    """The links of an arm.
+
+    Args:
+        kernel: The arm.
+        to: Where its links go.
+        array: Where the values are that the caller gives.
+    """
+    held = [each for link in kernel.links for each, _ in link.rest]
+    every = _links(kernel, to)
+    return Links(
+        given=_given(kernel, held, array),
+        turning=any(not each.slides for each in held),
+        sliding=any(each.slides for each in held),
+        every=every,
+        firsts=", ".join(str(link.first) for link in every),
+    )
+
+
+def _given(kernel: GeneralKernel, held: Sequence[Held], array: str) -> tuple[GivenJoint, ...]:
+    slides = {each.place: each.slides for each in held}
+    return tuple(
+        GivenJoint(
+            place=place,
+            value=f"{'-' if sign < 0 else ''}{array}[{place}]{_plus(offset)}",
+            turns=not slides[place],
+        )
+        for place, (sign, offset) in enumerate(kernel.given)
+    )
+
+
+def _plus(offset: float) -> str:
+    if not offset:
+        return ""
+    return f" - {-offset!r}" if offset < 0.0 else f" + {offset!r}"
+
+
+def _links(kernel: GeneralKernel, to: Sequence[str]) -> tuple[LinkText, ...]:
+    texts = []
+    first = 0
+    for link, place in zip(kernel.links, to, strict=True):
+        behind = range(first + 1, first + 1 + len(link.rest))
+        motions = [_motion(held, at) for (held, _), at in zip(link.rest, behind, strict=True)]
+        texts.append(LinkText(place, first, tuple(motions)))
+        first = behind.stop
+    return tuple(texts)
+
+
+def _motion(held: Held, behind: int) -> HeldMotion:
+    if held.slides:
+        return HeldMotion("slide", f"{held.factor!r} * given_{held.place}", behind)
+    sign = "-" if held.factor < 0.0 else ""
+    return HeldMotion("turn", f"c_{held.place}, {sign}s_{held.place}", behind)

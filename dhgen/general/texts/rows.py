@@ -1,0 +1,54 @@
+"""How rows come from what the general algorithm finds, and else from the descent."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.general import reference
+from dhgen.numerical.kernel import FEW_STARTS
+from dhgen.numerical.texts import given_places
+
+if TYPE_CHECKING:
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.kinematics.chain import Chain
+    from dhgen.numerical.texts import GivenPlace
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """What the function `all_joints` is made of.
+
+    Attributes:
+        dof: Joints of the arm.
+        rows: Solutions that are kept.
+        solved: Joints that are solved for.
+        pointing: Whether the task leaves the turn about the tool's axis open.
+        pose: The pose that the algorithm gets.
+        residual: What counts as a solution of the descent [arm sizes, rad].
+        starts: Of the descent.
+        given: The joints whose values the caller gives.
+    """
+
+    dof: int
+    rows: int
+    solved: int
+    pointing: bool
+    pose: str
+    residual: str
+    starts: int
+    given: tuple[GivenPlace, ...]
+
+
+def rows(kernel: GeneralKernel, chain: Chain) -> Rows:
+    """The rows of an arm."""
+    return Rows(
+        dof=chain.dof,
+        rows=kernel.rows,
+        solved=chain.dof - chain.given,
+        pointing=kernel.pointing,
+        pose="whole" if kernel.pointing else "T",
+        residual=repr(reference.RESIDUAL),
+        starts=FEW_STARTS,
+        given=given_places(chain),
+    )

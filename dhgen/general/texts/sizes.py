@@ -1,0 +1,56 @@
+"""How much room the algorithm takes, and how often it repeats what it does."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dhgen.general import circle, reference
+from dhgen.general.digits import HALF_CELLS
+
+ROOTS = 24  # more than 16 come from rounding
+BATCHES = 16  # of starts where everything else fails
+
+
+@dataclass(frozen=True, slots=True)
+class Sizes:
+    """Lengths of arrays and ends of loops.
+
+    Attributes:
+        cells: Parts of the circle.
+        half_cells: Of half the circle.
+        edges: Of the cells, the first one again at the end.
+        edges_in_lanes: The same with room for a vector that begins at the last one.
+        width: Of a cell [rad].
+        deepest: How often a cell is halved.
+        open_cells: Parts of a cell that wait at most.
+        halvings: Of all cells together.
+        newton_steps: On a polynomial that stands for the function.
+        careful_steps: On the function itself.
+        roots: Of each kind that are kept.
+        roots_and_pairs: Simple roots with the middles of close pairs.
+        angles: Those and the double roots.
+        candidates: For joint angles.
+        steps: Of the polish from a candidate.
+        steps_from_afar: Of the polish from anywhere.
+        batches: Of starts, in lanes.
+        starts: One by one.
+    """
+
+    cells: int = circle.CELLS
+    half_cells: int = HALF_CELLS
+    edges: int = circle.CELLS + 1
+    edges_in_lanes: int = circle.CELLS + 8
+    width: str = repr(circle.WIDTH)
+    deepest: int = circle.DEEPEST
+    open_cells: int = circle.DEEPEST + 2
+    halvings: int = circle.HALVINGS
+    newton_steps: int = circle.NEWTON_STEPS
+    careful_steps: int = 4 * circle.NEWTON_STEPS
+    roots: int = ROOTS
+    roots_and_pairs: int = 3 * ROOTS
+    angles: int = 4 * ROOTS
+    candidates: int = 4 * ROOTS
+    steps: int = reference.STEPS
+    steps_from_afar: int = reference.STEPS_FROM_AFAR
+    batches: int = BATCHES
+    starts: int = 8 * BATCHES

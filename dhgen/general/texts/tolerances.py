@@ -1,0 +1,39 @@
+"""The tolerances of the algorithm."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dhgen.general import circle, lens, polish, recover, reference
+from dhgen.general.determinant import TINY
+from dhgen.general.four_turns import NEARLY_FLAT, PARALLEL
+
+
+@dataclass(frozen=True, slots=True)
+class Tolerances:
+    """Every tolerance as text; what they mean stands where they come from."""
+
+    tiny: str = repr(TINY)
+    settled: str = repr(circle.SETTLED)
+    quintic: str = repr(circle.QUINTIC)
+    rounding: str = repr(circle.ROUNDING)
+    noise_factor: str = repr(circle.NOISE_FACTOR)
+    lifted: str = repr(0.5 * circle.LIFTED**2)  # the value of a parabola over its bend
+    crowded: str = repr(lens.CROWDED**2)  # its square
+    strongest: str = repr(lens.STRONGEST)
+    mean_per_harmonic: str = repr(lens.MEAN_PER_HARMONIC)
+    noise: str = repr(reference.NOISE)
+    residual: str = repr(reference.RESIDUAL)
+    together: str = repr(reference.TOGETHER)
+    same: str = repr(reference.SAME)
+    close: str = repr(4.0 - reference.CLOSE**2)  # the square of the sum of two such unit vectors
+    tie: str = repr(1e-9)  # of joint values, when rows are sorted
+    rank: str = repr(polish.RANK)
+    singular: str = repr(polish.SINGULAR)
+    good_enough: str = repr(1e-29)  # a square: the polish ends
+    nearly_flat: str = repr(NEARLY_FLAT)
+    parallel: str = repr(PARALLEL)
+    smallest: str = repr(1e-15)
+    smallest_square: str = repr(1e-30)
+    damping: str = repr(polish.DAMPING)
+    plane: str = repr(recover.PLANE)

@@ -1,0 +1,74 @@
+"""The numbers of an offset wrist."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.general.offset_wrist import BARELY, NEARLY_RIGHT
+from dhgen.general.texts.numbers import row
+
+if TYPE_CHECKING:
+    from dhgen.general.kernel import GeneralKernel
+
+
+@dataclass(frozen=True, slots=True)
+class Wrist:
+    """An offset wrist; lengths in arm sizes.
+
+    Attributes:
+        shoulder: Along axis 1 to S, where axes 1 and 2 meet.
+        wrist_5: Along axis 5 to W, where axes 4 and 5 meet.
+        upper_square: The square of the distance from S to the elbow.
+        lower: From the elbow to W.
+        lower_square: Its square.
+        cosine: Of the angle between the lower arm and axis 4.
+        sine: Of the same.
+        flip: On which side axis 4 leaves the lower arm.
+        bent: Whether it leaves it at all.
+        degree: Of the polynomial of joint 6.
+        sources: What the turns of joints 1 ... 4 bring into line with axis 3, the elbow, W and
+            axis 5.
+        nearly_right: Up to which cosine two directions are at right angles.
+        barely: Where the two directions of axis 4 are one.
+    """
+
+    shoulder: str
+    wrist_5: str
+    upper_square: str
+    lower: str
+    lower_square: str
+    cosine: str
+    sine: str
+    flip: str
+    bent: bool
+    degree: int
+    sources: str
+    nearly_right: str
+    barely: str
+
+
+def wrist(kernel: GeneralKernel) -> Wrist | None:
+    """The offset wrist of an arm, where it has one."""
+    arm = kernel.wrist
+    if arm is None:
+        return None
+    K0, K1, K2, K3, _ = (link.first for link in kernel.loop.links)
+    elbow = [K1[i][3] + arm.elbow * K1[i][2] for i in range(2)]
+    centre = [K2[i][3] + arm.wrist_4 * K2[i][2] for i in range(2)]
+    bent = bool(arm.sine)
+    return Wrist(
+        shoulder=repr(arm.shoulder),
+        wrist_5=repr(arm.wrist_5),
+        upper_square=repr(arm.upper * arm.upper),
+        lower=repr(arm.lower),
+        lower_square=repr(arm.lower * arm.lower),
+        cosine=repr(arm.cosine),
+        sine=repr(arm.sine),
+        flip=repr(arm.flip),
+        bent=bent,
+        degree=8 if bent else 4,
+        sources=row([K0[0][2], K0[1][2], *elbow, *centre, K3[0][2], K3[1][2]]),
+        nearly_right=repr(NEARLY_RIGHT),
+        barely=repr(BARELY),
+    )

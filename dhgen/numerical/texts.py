@@ -1,0 +1,64 @@
+"""What the templates of the numerical solver loop over."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+from typing import TYPE_CHECKING
+
+from dhgen.numerical.miss import ANY_AXIS
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.kinematics.chain import Chain
+
+
+@dataclass(frozen=True, slots=True)
+class GivenPlace:
+    """A joint whose value the caller gives: its place in the arm, and among those, from 0."""
+
+    joint: int
+    place: int
+
+
+@dataclass(frozen=True, slots=True)
+class PositionRow:
+    """A coordinate that the task names.
+
+    Attributes:
+        equation: Which of the equations it gives.
+        row: Its row in a pose.
+        place: Its place in a pose, row-major.
+        first: Where its row of the Jacobian begins, row-major.
+    """
+
+    equation: int
+    row: int
+    place: int
+    first: int
+
+
+@dataclass(frozen=True, slots=True)
+class TurnComponent:
+    """A component of half a turn about some axis [rad]."""
+
+    place: int
+    angle: str
+
+
+def given_places(chain: Chain) -> tuple[GivenPlace, ...]:
+    """The joints whose values the caller gives."""
+    return tuple(GivenPlace(number - 1, place) for place, number in enumerate(chain.free))
+
+
+def position_rows(rows: Sequence[int], dof: int) -> tuple[PositionRow, ...]:
+    """The coordinates in these rows of the translation."""
+    return tuple(
+        PositionRow(equation, row, 4 * row + 3, dof * row) for equation, row in enumerate(rows)
+    )
+
+
+def any_turn() -> tuple[TurnComponent, ...]:
+    """Half a turn that serves where every axis does."""
+    return tuple(TurnComponent(place, repr(pi * part)) for place, part in enumerate(ANY_AXIS))
