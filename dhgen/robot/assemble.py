@@ -115,7 +115,7 @@ class _Assembly:
             message = "'convention' goes with 'joints'; 'axes' need none"
             self.report.error_at_key(("convention",), message)
         axes = tuple(
-            read_axis(self.cells, path, entry)
+            read_axis(self.cells, path, entry, complete=self.shape.right(path))
             for path in [("axes", i) for i in range(self._count("axes"))]
             if (entry := self.shape.section(path, AxisRow))
         )

@@ -48,13 +48,20 @@ def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> Dh
     )
 
 
-def read_axis(cells: Cells, path: Path, entry: AxisRow) -> AxisJoint:
-    """An axis in the reference position; mistakes are reported."""
+def read_axis(cells: Cells, path: Path, entry: AxisRow, *, complete: bool) -> AxisJoint:
+    """An axis in the reference position; mistakes are reported.
+
+    Args:
+        cells: Reads the cells, and reports.
+        path: Where the axis stands.
+        entry: Its keys.
+        complete: Whether these are all: a mistaken one may have held the point.
+    """
     kind = JointKind(entry.type)
     x, y, z = (cells.ratio((*path, "direction", i), cell) for i, cell in enumerate(entry.direction))
     if math.hypot(*(cells.value(part) for part in (x, y, z))) <= SNAP:
         cells.report.error((*path, "direction"), "a direction of length 0 is no axis")
-    if kind is JointKind.REVOLUTE and not entry.point:
+    if complete and kind is JointKind.REVOLUTE and not entry.point:
         cells.report.error(path, "the key 'point' is missing: a revolute joint turns about a line")
     return AxisJoint(
         kind=kind,

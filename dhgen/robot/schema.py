@@ -32,6 +32,11 @@ MAX_PARAMETERS = 128
 ARM_ANGLE = "arm_angle"  # what `free` says instead of joints
 TASKS = ("pose", "position", "orientation", "pointing")
 COORDINATES = ("x", "y", "z")
+FRAME_FORM = "keys with values, e.g. {xyz: [0, 0, 0.1]}, or a 4x4 matrix"
+
+
+class ExpectedError(ValueError):
+    """What a value should have been; a reader of the message is told what it is besides."""
 
 
 def _robot_name(name: str) -> str:
@@ -60,22 +65,21 @@ def _task(value: object) -> object:
             raise ValueError("a list of coordinates holds some of x, y, z, each once")
         return value
     if value not in TASKS:
-        raise ValueError(f"expected one of {', '.join(TASKS)}, or a list out of x, y, z")
+        raise ExpectedError(f"one of {', '.join(TASKS)}, or a list out of x, y, z")
     return value
 
 
 def _joint_number(value: object) -> object:
     if not re.fullmatch(r"-?[0-9]{1,4}", str(value)):
-        raise ValueError("expected the number of a joint")
+        raise ExpectedError("the number of a joint")
     return value
 
 
 def _free(value: object) -> object:
     if value == ARM_ANGLE:
         return []
-    if isinstance(value, str):
-        # pydantic reports no other kind
-        raise ValueError(f"expected a list of joints, or {ARM_ANGLE}")  # noqa: TRY004
+    if not isinstance(value, list):
+        raise ExpectedError(f"a list of joints, or {ARM_ANGLE}")
     return value
 
 
@@ -155,6 +159,8 @@ class FrameEntry(_Strict):
     @model_validator(mode="before")
     @classmethod
     def _plain_matrix(cls, value: object) -> object:
+        if isinstance(value, list) and not all(isinstance(row, list) for row in value):
+            raise ExpectedError(FRAME_FORM)
         return {"matrix": value} if isinstance(value, list) else value
 
 

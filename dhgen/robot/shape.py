@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from dhgen.robot.arithmetic import nearest
-from dhgen.robot.schema import MAX_JOINTS, AxisRow, FrameEntry, JointRow, RobotFile, Units
+from dhgen.robot.schema import AxisRow, FrameEntry, JointRow, RobotFile, Units
 from dhgen.robot.source import quoted
+from dhgen.robot.wording import length_message, value_message
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -81,50 +82,13 @@ def _report(report: Report, details: ErrorDetails) -> None:
     elif details["type"] == "missing":
         report.error(path, f"the key '{path[-1]}' is missing")
     elif details["type"] in {"too_long", "too_short"}:
-        report.error(path, _length_message(path, details))
+        report.error(path, length_message(path, details))
     elif details["input"] is None:
-        report.error_at_key(path, _message(details))  # what isn't there can't be pointed at
+        report.error_at_key(path, value_message(details))  # what isn't there can't be pointed at
     else:
-        report.error(path, _message(details))
+        report.error(path, value_message(details))
 
 
 def _valid_keys(path: Path) -> tuple[str, ...]:
     model = RobotFile if len(path) == 1 else _MODELS[str(path[0])]
     return tuple(model.model_fields)
-
-
-def _length_message(path: Path, details: ErrorDetails) -> str:
-    context = details.get("ctx", {})
-    count = context.get("actual_length")
-    bound = context.get("min_length", context.get("max_length"))
-    if path[-1] in {"joints", "axes"}:
-        return f"a robot has 1 to {MAX_JOINTS} joints, not {count}"
-    if path[-1] == "parameters":
-        return f"a robot has at most {bound} parameters"
-    return f"expected {bound} values, not {count}"
-
-
-_EXPECTED = {
-    "string_type": "a number or an expression",
-    "list_type": "a list",
-    "model_type": "keys with values",
-    "dict_type": "keys with values",
-}
-
-
-def _message(details: ErrorDetails) -> str:
-    context = details.get("ctx", {})
-    given = details["input"]
-    shown = quoted(given) if isinstance(given, str) else _kind(given)
-    if details["type"] == "value_error":
-        return f"{shown}: {context['error']}" if isinstance(given, str) else f"{context['error']}"
-    if details["type"] == "string_type" and details["loc"][0] in {"name", "title", "source"}:
-        return f"expected a text, not {shown}"
-    expected = context.get("expected") or _EXPECTED.get(details["type"])
-    return f"expected {expected}, not {shown}" if expected else f"{details['msg']}, not {shown}"
-
-
-def _kind(given: object) -> str:
-    if given is None:
-        return "nothing"
-    return "a list" if isinstance(given, list) else "keys with values"

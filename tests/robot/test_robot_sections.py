@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 import pytest
 
 from dhgen.robot.expression import Number, to_text
+from dhgen.robot.reader import read_document
+from dhgen.robot.report import Report
 from dhgen.robot.robot import (
     Convention,
     DhTable,
     Task,
     TaskKind,
 )
+from dhgen.robot.schema import RobotFile
+from dhgen.robot.shape import Shape
 from tests.robot.robot_texts import (
     JOINTS,
     MINIMAL,
@@ -34,15 +39,27 @@ SLIDE = "type: prismatic, direction: [0, 0, 1]"
         ("name: r\njoints: []\n", "a robot has 1 to 64 joints, not 0"),
         ("name: r\naxes: []\n", "a robot has 1 to 64 joints, not 0"),
         (table(*["theta: q"] * 65), "a robot has 1 to 64 joints, not 65"),
-        ("name: r\njoints: 3\n", "expected a list, not '3'"),
-        ("name: r\njoints:\n", "expected a list, not nothing"),
-        ("name: r\njoints: [3]\n", "expected keys with values, not '3'"),
+        (
+            "name: r\njoints: 3\n",
+            "expected a list of joints, e.g. [{theta: q, d: 0, a: 0.4, alpha: pi/2}], n",
+        ),
+        (
+            "name: r\njoints:\n",
+            "expected a list of joints, e.g. [{theta: q, d: 0, a: 0.4, alpha: pi/2}], not",
+        ),
+        (
+            "name: r\njoints: [3]\n",
+            "expected a joint, e.g. {theta: q, d: 0, a: 0.4, alpha: pi/2}, not '3'",
+        ),
         (JOINTS, "the key 'name' is missing"),
         (f"{MINIMAL}home: {{}}\n", "'home' goes with 'axes'; with 'joints' use 'tool'"),
         (axes(SLIDE, convention="standard"), "'convention' goes with 'joints'"),
         (f"{MINIMAL}convention: Modified\n", "expected 'standard' or 'modified', not 'Modified'"),
         (f"{MINIMAL}jionts: []\n", "unknown key 'jionts'; did you mean 'joints'? valid: name, tit"),
-        (f"{MINIMAL}task: poses\n", "'poses': expected one of pose, position, orientation, pointi"),
+        (
+            f"{MINIMAL}task: poses\n",
+            "expected one of pose, position, orientation, pointing, or a list out of x, y, z, not",
+        ),
         (f"{MINIMAL}task: [x, x]\n", "a list of coordinates holds some of x, y, z, each"),
         (f"{MINIMAL}task: [w]\n", "a list of coordinates holds some of x, y, z, each"),
         (f"{MINIMAL}task: []\n", "a list of coordinates holds some of x, y, z, each"),
@@ -51,12 +68,21 @@ SLIDE = "type: prismatic, direction: [0, 0, 1]"
         (f"{MINIMAL}free: [0]\n", "there is no joint 0: joints count from 1 to 1"),
         (f"{MINIMAL}free: [-1]\n", "there is no joint -1: joints count from 1 to 1"),
         (f"{MINIMAL}free: [1, 1]\n", "free joints stand in ascending order, each once"),
-        (f"{MINIMAL}free: [a]\n", "'a': expected the number of a joint"),
-        (f"{MINIMAL}free: [1.5]\n", "'1.5': expected the number of a joint"),
-        (f"{MINIMAL}free: [1.0]\n", "'1.0': expected the number of a joint"),
-        (f"{MINIMAL}free: ['１']\n", "'１': expected the number of a joint"),
-        (f"{MINIMAL}free: [~]\n", "expected the number of a joint"),
-        (f"{MINIMAL}free: 1\n", "'1': expected a list of joints, or arm_angle"),
+        (f"{MINIMAL}free: [a]\n", "expected the number of a joint, not 'a'"),
+        (f"{MINIMAL}free: [1.5]\n", "expected the number of a joint, not '1.5'"),
+        (f"{MINIMAL}free: [1.0]\n", "expected the number of a joint, not '1.0'"),
+        (f"{MINIMAL}free: ['１']\n", "expected the number of a joint, not '１'"),
+        (f"{MINIMAL}free: [~]\n", "expected the number of a joint, not nothing"),
+        (f"{MINIMAL}free: 1\n", "expected a list of joints, or arm_angle, not '1'"),
+        (f"{MINIMAL}free: {{}}\n", "expected a list of joints, or arm_angle, not keys with values"),
+        (f"{MINIMAL}numerical: maybe\n", "expected true or false, not 'maybe'"),
+        (f"{MINIMAL}float32: [1]\n", "expected true or false, not a list of 1"),
+        (f"{MINIMAL}tool: [0, 0, 0.1]\n", "expected keys with values, e.g. {xyz: [0, 0, 0.1]}, or"),
+        (f"{MINIMAL}tool: {{rpy: 3}}\n", "expected a list [roll, pitch, yaw], not '3'"),
+        (
+            axes("type: revolute, direction: [0, 0, 1], point: 0"),
+            "expected a list [x, y, z], not '0'",
+        ),
         (f"{MINIMAL}units: {{length: parsec}}\n", "expected 'm', 'dm', 'cm', 'mm', 'um', 'in' or"),
         (
             f"{MINIMAL}units: {{agnle: deg}}\n",
@@ -66,6 +92,22 @@ SLIDE = "type: prismatic, direction: [0, 0, 1]"
 )
 def test_refused_files(text: str, message: str) -> None:
     assert mistake(text).startswith(message)
+
+
+MISTYPED = ("", "[]", "[~]", "[[1]]", "[1, 2]", "{}", "{a: {b: 1}}", "true", "3", "maybe")
+
+
+@pytest.mark.parametrize("key", sorted(RobotFile.model_fields.keys() - {"joints"}))
+def test_a_value_of_another_type_is_told_what_is_valid(key: str) -> None:
+    told = (
+        "expected .*, not |'.*': the robot can't|unknown key|the key .* missing|a robot has |a li"
+    )
+    for value in MISTYPED:
+        text = JOINTS if key == "name" else MINIMAL
+        report = Report(read_document(f"{text}{key}: {value}\n", "r.yaml"))
+        Shape(report)
+        for diagnostic in report.errors:
+            assert re.match(told, diagnostic.message)
 
 
 def test_the_file_around_the_joints() -> None:
@@ -81,8 +123,8 @@ def test_the_arm_angle_in_place_of_joints() -> None:
     text = table(*["theta: q"] * 7, free="arm_angle")
     assert (robot(text).arm_angle, robot(text).free) == (True, ())
     assert not robot(table("theta: q", free="[1]")).arm_angle
-    assert mistake(f"{MINIMAL}free: elbow\n").startswith("'elbow': expected a list of joints, or")
-    assert mistake(f"{MINIMAL}free: [arm_angle]\n").startswith("'arm_angle': expected the number")
+    assert mistake(f"{MINIMAL}free: elbow\n").endswith("arm_angle, not 'elbow'")
+    assert mistake(f"{MINIMAL}free: [arm_angle]\n").endswith("a joint, not 'arm_angle'")
 
 
 @pytest.mark.parametrize("kind", ["pose", "position", "orientation", "pointing"])
@@ -110,8 +152,8 @@ def test_parameters_may_use_those_before_them() -> None:
         ("{q: 1}", "'q' can't be a parameter: it is reserved (q, pi, deg, sqrt, sin, cos"),
         ("{c1: 1}", "'c1' can't be a parameter: the derivation itself makes such names"),
         ("{l: }", "expected a number or an expression, not nothing"),
-        ("{l: [1]}", "expected a number or an expression, not a list"),
-        ("[l]", "expected keys with values, not a list"),
+        ("{l: [1]}", "expected a number or an expression, not a list of 1"),
+        ("[l]", "expected names with values, e.g. {a1: 0.4}, not a list of 1"),
         ("{l: 1/0, m: 1/l}", "division by zero"),
     ],
 )
