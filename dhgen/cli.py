@@ -76,7 +76,13 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="robot files (YAML)")
     parser.add_argument("--check", action="store_true", help="only compare, write nothing")
-    parser.add_argument("--out", type=Path, default=OUT, metavar="DIR", help="default: generated")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=OUT,
+        metavar="DIR",
+        help="where to write, or with --check what to compare (default: generated)",
+    )
     _add_numerical(parser)
     return parser
 

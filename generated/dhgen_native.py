@@ -65,11 +65,18 @@ def native(
         flags: For the compiler.
 
     Raises:
+        TypeError: What is given is no robot's module.
         NoCompiler: There is none.
         BuildError: The compiler refuses.
         FileNotFoundError: The C or its header is not there.
     """
+    if not hasattr(module, "MAX_SOLUTIONS"):
+        wanted = "a robot's module, as in 'import scara; dhgen_native.native(scara)'"
+        raise TypeError(f"native takes {wanted}, not {module!r}")
     path = Path(str(module.__file__))
+    for source in (path.with_suffix(".c"), path.with_suffix(".h")):
+        if not source.exists():
+            raise FileNotFoundError(f"{source} is not there: native compiles it beside {path.name}")
     library = _build(path.with_suffix(".c"), _compiler(compiler), flags)
     # The same text once more: its functions find those of the C where those of numba were.
     spec = importlib.util.spec_from_file_location(module.__name__, path)
@@ -159,7 +166,7 @@ class _Solver:
     def _joints(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
         values = np.ascontiguousarray(q, np.float64)
         if values.shape != (self._dof,):
-            raise ValueError(f"q must hold {self._dof} joint values")
+            raise ValueError(f"q must have shape ({self._dof},), not {values.shape}")
         return values
 
     def _seed(self, q_seed: Any) -> NDArray[np.float64]:  # noqa: ANN401

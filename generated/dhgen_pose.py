@@ -46,18 +46,26 @@ except ImportError:
     njit = overload = _plain_python
 
 
+def _shape(name: str) -> tuple[int, ...]:
+    """What an argument of this name holds."""
+    if name.startswith("quaternion"):
+        return (4,)
+    return {"T": (4, 4), "angle": ()}.get(name, (3,))
+
+
 def _of_numbers(function: Any) -> Any:  # noqa: ANN401  as numba types it
     """Compile a function that takes arrays, and make arrays of what Python calls it with."""
     compiled, arguments = njit(cache=True)(function), signature(function)
-    dimensions = [{"T": 2, "angle": 0}.get(name, 1) for name in arguments.parameters]
+    shapes = {name: _shape(name) for name in arguments.parameters}
 
     @wraps(function)
     def call(*numbers: Any, **named: Any) -> Any:  # noqa: ANN401
-        if named or len(numbers) != len(dimensions):
+        if named or len(numbers) != len(shapes):
             numbers = arguments.bind(*numbers, **named).args
         arrays = [np.asarray(each, np.float64)[()] for each in numbers]
-        if [array.ndim for array in arrays] != dimensions:
-            raise ValueError("wrong length: T is a table of 4 x 4, an angle a number, else a list")
+        for array, (name, shape) in zip(arrays, shapes.items(), strict=True):
+            if array.shape != shape:
+                raise ValueError(f"{name} must have shape {shape}, not {array.shape}")
         return compiled(*arrays)
 
     overload(call, strict=False)(lambda *_numbers: function)

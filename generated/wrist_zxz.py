@@ -7,6 +7,7 @@ Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in 
 orientation T[0:3, 0:3] counts; other entries are ignored.
 """
 
+import functools
 import math
 import os
 from concurrent.futures import ThreadPoolExecutor
@@ -16,7 +17,7 @@ import numpy as np
 try:
     from numba import carray, config, njit, types
     from numba.core import cgutils
-    from numba.extending import intrinsic
+    from numba.extending import intrinsic, overload
 
     if config.DISABLE_JIT:  # for debuggers
         raise ImportError
@@ -27,6 +28,9 @@ except ImportError:  # plain Python, only slower
 
     def intrinsic(**_):
         return lambda function: np.zeros
+
+    def overload(*_, **__):
+        return lambda function: function
 
     def carray(numbers, _):
         return numbers
@@ -39,6 +43,7 @@ _jit = njit(**_OPTIONS)
 _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
 _inner = njit(**_INNER)
 _merged = njit(**{**_INNER, "forceinline": True})
+_COMPILED = hasattr(_jit(lambda: None), "py_func")  # roots of negative numbers stop plain Python
 
 
 @intrinsic(prefer_literal=True)
@@ -121,7 +126,29 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-@_jit
+def _array(values, shape, name):
+    try:
+        values = np.ascontiguousarray(values, _FLOAT)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} must hold numbers, in shape {shape}") from None
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
+    return values
+
+
+def _of_joints(function):
+    """Compiled; Python calls it with any 3 numbers, other numba functions with an array."""
+    compiled = _jit(function)
+
+    @functools.wraps(function)
+    def call(q):
+        return compiled(_array(q, (3,), "q"))
+
+    overload(call, strict=False)(lambda _: lambda q: compiled(q))
+    return call
+
+
+@_of_joints
 def fk(q):
     """The pose (4, 4) of the joint values q (3,)."""
     if len(q) != DOF:
@@ -154,10 +181,7 @@ def fk(q):
     return T
 
 
-_COMPILED = hasattr(fk, "py_func")  # plain Python stops at the root of a negative number
-
-
-@_jit
+@_of_joints
 def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
     if len(q) != DOF:
@@ -589,8 +613,15 @@ def ik_batch(T, *, cores=None):
 
     Returns:
         q (N, 2, 3) and status (N, 2).
+
+    Raises:
+        ValueError: An argument has another shape, or cores is less than 1.
     """
-    T = _array(T, (len(T), 4, 4), "T")
+    T = np.ascontiguousarray(T, _FLOAT)
+    if T.ndim != 3 or T.shape[1:] != (4, 4):
+        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    if cores is not None and cores < 1:
+        raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 2, 3)), np.empty((len(T), 2), _BYTE)
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
@@ -621,13 +652,6 @@ def _share(solve, cores, *arrays):
             list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
     else:
         solve(*arrays)
-
-
-def _array(values, shape, name):
-    values = np.ascontiguousarray(values, _FLOAT)
-    if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
-    return values
 
 
 def _span(branch):

@@ -47,7 +47,7 @@ def totals_text(lines: Sequence[Line]) -> str:
     methods = sorted({a.method for a in solved})
     worst = (f"{_residual(_worst(solved, method))} ({method})" for method in methods)
     text = [
-        f"{len(lines)} arms, {len(solved)} solved.",
+        f"{len(lines)} arm{'' if len(lines) == 1 else 's'}, {len(solved)} solved.",
         f"{found} of {expected} solutions found on {poses} random poses, {spurious} spurious.",
         f"{answered} of {singular} singular poses answered.",
     ]

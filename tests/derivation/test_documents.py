@@ -15,6 +15,7 @@ from dhgen.targets.derivation import (
     derivation_summary,
     derivation_terminal,
 )
+from dhgen.targets.derivation.forward_section import PAGE
 from dhgen.targets.derivation.tree import tree_text
 from dhgen.targets.derivation.types import PRINTERS
 from tests.derivation.golden import FOLDER, document, without_cost
@@ -52,6 +53,24 @@ def test_sections_of_an_arm_without_steps(name: str) -> None:
     assert found[:2] == SECTIONS[:2]
     assert found[2].startswith(SECTIONS[2])
     assert not story(name).steps
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_type_that_a_step_cites_is_told(name: str) -> None:
+    text = document(name)
+    cited = re.findall(r"^\*\*\d+\..* — type (\d)", text, re.MULTILINE)
+    told = re.findall(r"^\| (\d) \| \$.*\$ \| ([\d, ]+) \|$", text, re.MULTILINE)
+    steps = {int(step): kind for kind, steps in told for step in steps.split(", ")}
+    assert [steps[number] for number in sorted(steps)] == cited
+    assert [kind for kind, _ in told] == sorted(set(cited))
+
+
+@pytest.mark.parametrize("name", ["general_6r", "spherical_wrist_general_arm"])
+def test_a_forward_model_is_no_longer_than_a_few_pages(name: str) -> None:
+    """What can't be read is a product of what can: its truth is held to as all other formulas."""
+    forward = document(name).split("## Inverse")[0]
+    assert "T_6^0 = T_5^0 A_6" in forward.replace("&", "").replace("  ", " ")
+    assert len(forward.splitlines()) < 4 * PAGE
 
 
 def test_rows_are_said_to_keep_their_place_only_where_they_do() -> None:

@@ -6,7 +6,7 @@ import ctypes
 import os
 import subprocess
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -23,6 +23,8 @@ from tests.generated.solvers import GENERATED, NAMES, given, library, module, ro
 from tests.structures import STRUCTURES
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from numpy.typing import NDArray
 
     from dhgen.survey.oracle.arm import FloatArray
@@ -187,6 +189,27 @@ def test_every_way_to_call_gives_the_same(name: str) -> None:
         table, kinds = module(name).ik_all(T[k], *(each[k] for each in given(name, q)))
         np.testing.assert_array_equal(table, others[k])
         np.testing.assert_array_equal(kinds, other_status[k])
+
+
+def test_python_takes_any_numbers_and_tells_what_it_wants() -> None:
+    """Lists that mix whole numbers with others; and every argument that has another shape."""
+    scara = module("scara")
+    np.testing.assert_array_equal(scara.fk([0, 0.5, -1, 0]), scara.fk(np.array([0, 0.5, -1, 0])))
+    np.testing.assert_array_equal(scara.jacobian((0, 0, 0, 0)), scara.jacobian(np.zeros(4)))
+    poses = np.eye(4)[np.newaxis]
+    wrong: list[tuple[Callable[[], Any], str]] = [
+        (lambda: scara.fk([0, 0.5]), r"q must have shape \(4,\), not \(2,\)"),
+        (lambda: scara.jacobian("home"), r"q must hold numbers, in shape \(4,\)"),
+        (lambda: scara.ik_all(np.eye(3)), r"T must have shape \(4, 4\), not \(3, 3\)"),
+        (lambda: scara.ik_all(poses), r"T must have shape \(4, 4\), not \(1, 4, 4\)"),
+        (lambda: scara.ik_batch(poses[0]), r"T must have shape \(N, 4, 4\), not \(4, 4\)"),
+        (lambda: scara.ik_batch(3), r"T must have shape \(N, 4, 4\)"),
+        (lambda: scara.ik_batch(poses, cores=0), "cores must be at least 1, or None for all"),
+        (lambda: scara.ik_batch(poses, cores=-2), "cores must be at least 1, .*, not -2"),
+    ]
+    for call, message in wrong:
+        with pytest.raises(ValueError, match=message):
+            call()
 
 
 @pytest.mark.parametrize("name", ["puma560", "scara", "planar_rr"])

@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from functools import cache
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -142,6 +143,16 @@ def test_without_a_compiler(tmp_path: Path) -> None:
     module("scara")
     with pytest.raises(RuntimeError, match="no C compiler: tcc-0 is not there"):
         module("dhgen_native").native(module("scara"), compiler="tcc-0")
+
+
+def test_what_is_no_robot_is_told_what_is_wanted(tmp_path: Path) -> None:
+    helper = module("dhgen_native")
+    for given_in_its_place in ("scara", np):
+        with pytest.raises(TypeError, match="native takes a robot's module, as in 'import scara;"):
+            helper.native(given_in_its_place)
+    alone = SimpleNamespace(MAX_SOLUTIONS=2, __file__=str(tmp_path / "alone.py"))
+    with pytest.raises(FileNotFoundError, match=r"alone\.c is not there: native compiles it"):
+        helper.native(alone)
 
 
 def test_what_the_compiler_refuses(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

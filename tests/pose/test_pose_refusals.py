@@ -174,7 +174,11 @@ def test_lists_and_tuples_of_numbers(name: str) -> None:
     turned = of.from_xyz_axis_angle([1, 2, 3], axis=(0, 0, 1), angle=1)
     np.testing.assert_array_equal(turned[:3, 3], [1, 2, 3])
     for wrong in ([1, 2], [[1, 2, 3]], 3, "abc", [1, 2, None], [1, [2, 3]], [1, 2, np.inf]):
-        with pytest.raises(ValueError, match=r"wrong length|could not convert|finite|sequence"):
+        with pytest.raises(ValueError, match=r"xyz must|could not convert|finite|sequence"):
             of.from_xyz_rpy(wrong, [0, 0, 0])
-    with pytest.raises(ValueError, match="wrong length"):
+    with pytest.raises(ValueError, match=r"angle must have shape \(\), not \(1,\)"):
         of.from_xyz_axis_angle([1, 2, 3], [0, 0, 1], [1])
+    with pytest.raises(ValueError, match=r"quaternion_wxyz must have shape \(4,\), not \(3,\)"):
+        of.from_xyz_quaternion_wxyz([1, 2, 3], [0, 0, 1])
+    with pytest.raises(ValueError, match=r"T must have shape \(4, 4\), not \(3, 3\)"):
+        of.to_xyz_rpy(np.eye(3))

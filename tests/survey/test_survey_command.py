@@ -45,7 +45,7 @@ def test_a_refused_arm_stands_in_the_table(tmp_path: Path) -> None:
     assert re.match(
         r"degenerate_collinear_56 +RRRRRR +\S.* not solved: .*axes 5 and 6 are the same line", line
     )
-    assert "1 arms, 0 solved." in done.stdout
+    assert "1 arm, 0 solved." in done.stdout
 
 
 def test_a_file_with_mistakes_stands_in_the_table(

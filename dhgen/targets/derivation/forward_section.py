@@ -19,9 +19,10 @@ from dhgen.targets.derivation.formula import (
     times,
 )
 from dhgen.targets.derivation.jacobian import jacobian_blocks, jacobian_columns
-from dhgen.targets.derivation.lines import WIDTH, width
+from dhgen.targets.derivation.lines import WIDTH, laid_out, width
 from dhgen.targets.derivation.matrices import forward_of, link_matrix
 from dhgen.targets.derivation.names import forward_matrix, link, product_of
+from dhgen.targets.derivation.style import PLAIN
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.blocks import Block
     from dhgen.targets.derivation.formula import Formula
     from dhgen.targets.derivation.story import Story
+
+PAGE = 60  # lines
 
 BASE, TOOL = Symbol("Z", "Z"), Symbol("E", "E")
 T_BASE_TOOL = Symbol(r"T_{\mathrm{base,tool}}", "T_base,tool")
@@ -92,10 +95,16 @@ def _products(story: Story) -> list[Block]:
             equal(forward_matrix(1), link(1)),
         )
     )
+    left: list[Formula] = []
     for i in range(2, story.dof + 1):
-        blocks += transform_blocks(
-            (forward_matrix(i),), forward_of(story.algebra, i), story.write_forward
-        )
+        name, product = forward_matrix(i), forward_of(story.algebra, i)
+        if fills_pages(name, product, story.write_forward):
+            left.append(equal(name, times(forward_matrix(i - 1), link(i))))
+        else:
+            blocks += transform_blocks((name,), product, story.write_forward)
+    if left:
+        text = "What would fill pages if it were written out is left as a product:"
+        blocks += [paragraph(text), display(*left)]
     return blocks
 
 
@@ -105,6 +114,8 @@ def _expanded(story: Story) -> list[Block]:
     reduced = forward_of(algebra, story.dof)
     full = reduced.mapped(lambda entry: expanded(algebra, entry))
     name = forward_matrix(story.dof)
+    if fills_pages(name, full, story.write_forward):
+        return []
     changed = [
         equal(Element(name, row + 1, column + 1), story.write_forward(full.entry(row, column)))
         for column in range(4)
@@ -146,12 +157,15 @@ def _tool(story: Story) -> list[Block]:
         else ("With the base frame {}" if base != still else "With the tool frame {}")
     )
     names = [name for name, transform in ((BASE, base), (TOOL, tool)) if transform != still]
-    return [
+    blocks: list[Block] = [
         paragraph(frames + ",", *names),
         display(Listing(tuple(given)) if len(given) > 1 else given[0]),
-        paragraph("the pose of the tool is {}:", equal(T_BASE_TOOL, times(*parts))),
-        *transform_blocks((T_BASE_TOOL,), whole, story.write_forward),
     ]
+    pose = equal(T_BASE_TOOL, times(*parts))
+    if fills_pages(T_BASE_TOOL, whole, story.write_forward):
+        return [*blocks, paragraph("the pose of the tool is {}.", pose)]
+    written = transform_blocks((T_BASE_TOOL,), whole, story.write_forward)
+    return [*blocks, paragraph("the pose of the tool is {}:", pose), *written]
 
 
 def _relations(story: Story) -> list[Block]:
@@ -201,13 +215,23 @@ def transform_blocks(
     whole = equal(*names, matrix)
     if matrix_width(whole) <= WIDTH:
         return [display(whole)]
-    entries = [
-        equal(Element(names[-1], row + 1, column + 1), entry)
+    return [display(*_entries(names[-1], matrix))]
+
+
+def fills_pages(
+    name: Formula, transform: Transform, write: Callable[[Polynomial], Formula]
+) -> bool:
+    """Whether the entries one by one are more than a reader can follow."""
+    return len(laid_out(_entries(name, matrix_of(transform, write)), PLAIN)) > PAGE
+
+
+def _entries(name: Formula, matrix: Matrix) -> tuple[Relation, ...]:
+    return tuple(
+        equal(Element(name, row + 1, column + 1), entry)
         for column in range(4)
         for row in range(3)
         if (entry := matrix.rows[row][column]) is not None
-    ]
-    return [display(*entries)]
+    )
 
 
 __all__ = ["forward_section", "matrix_of", "matrix_width", "product_of", "transform_blocks"]

@@ -22,6 +22,7 @@ from dhgen.targets.derivation.names import letter, link, target
 from dhgen.targets.derivation.polynomial import Writer
 from dhgen.targets.derivation.shoulder_section import shoulder_blocks
 from dhgen.targets.derivation.style import LATEX, PLAIN, show
+from dhgen.targets.derivation.types_table import types_table
 from dhgen.targets.derivation.words import many
 
 if TYPE_CHECKING:
@@ -39,6 +40,7 @@ def inverse_beginning(story: Story) -> list[Block]:
     """Everything before the first step."""
     blocks: list[Block] = [Heading(2, say("Inverse"))]
     blocks += _given(story)
+    blocks += types_table(story)
     blocks += _stay(story)
     for point in story.derivation.pool.points:
         if _is_used(story, point):
