@@ -87,7 +87,7 @@ def test_limits_may_be_left_aside() -> None:
     [
         (lambda m, T: m.ik_all(T[:3]), r"T must have shape \(4, 4\), not \(3, 4\)"),
         (lambda m, T: m.ik(T[None]), r"T must have shape \(4, 4\), not \(1, 4, 4\)"),
-        (lambda m, T: m.ik_batch(T), r"T must have shape \(4, 4, 4\), not \(4, 4\)"),
+        (lambda m, T: m.ik_batch(T), r"T must have shape \(N, 4, 4\), not \(4, 4\)"),
         (lambda m, T: m.ik_all(T, np.zeros(5)), r"q_seed must have shape \(6,\), not \(5,\)"),
         (lambda m, T: m.ik(T, np.zeros((1, 6))), r"q_seed must have shape \(6,\), not \(1, 6\)"),
         (lambda m, T: m.ik(T, [0, 0, np.nan, 0, 0, 0]), "q_seed must be finite"),
