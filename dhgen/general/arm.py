@@ -10,6 +10,7 @@ import numpy as np
 from dhgen.general.kernel import SLIDES_OF_FOUR_TURNS
 from dhgen.general.links import Held, Link
 from dhgen.general.loop import JOINTS
+from dhgen.general.no_turn import with_no_turn
 from dhgen.general.rigid import IDENTITY
 from dhgen.general.setup import setup
 from dhgen.kinematics.numeric import numeric_arm
@@ -26,9 +27,10 @@ if TYPE_CHECKING:
 def general_kernel(chain: Chain) -> GeneralKernel | None:
     """The kernel of an arm with six joints that are asked for, at most two of them slides.
 
-    The others are held at the values that the caller gives. Where the tool only points, five are
-    enough: its turn about its own axis is the sixth, whose value nobody needs. None for arms of
-    other kinds, for tasks other than these, and where every elimination vanishes.
+    The others are held at the values that the caller gives. Five are enough, too, with a sixth that
+    the arm does not have: where the tool only points, its turn about its own axis, whose value
+    nobody needs; where the whole pose is asked for, a turn that has to come out as zero. None for
+    arms of other kinds, for tasks other than these, and where every elimination vanishes.
     """
     if not is_general(chain):
         return None
@@ -37,17 +39,21 @@ def general_kernel(chain: Chain) -> GeneralKernel | None:
     if kernel is None:
         return None
     pointing = chain.task.kind is TaskKind.POINTING
-    numbers = (*(joint.number for joint in chain.solved), *([chain.dof + 1] if pointing else []))
-    return replace(kernel, numbers=numbers, given=given, pointing=pointing)
+    numbers = tuple(joint.number for joint in chain.solved)
+    if len(numbers) == JOINTS:
+        return replace(kernel, numbers=numbers, given=given)
+    numbers = (*numbers, chain.dof + 1)
+    return replace(kernel, numbers=numbers, given=given, pointing=pointing, checked=not pointing)
 
 
 def is_general(chain: Chain) -> bool:
     """Whether there are six joints to be solved for from poses, at most two of them slides.
 
-    Or five from where the tool is and points to.
+    Or five, from poses too or from where the tool is and points to.
     """
-    needed = {TaskKind.POSE: JOINTS, TaskKind.POINTING: JOINTS - 1}.get(chain.task.kind)
-    return len(chain.solved) == needed and len(slides_of(chain)) <= SLIDES_OF_FOUR_TURNS
+    counts = {TaskKind.POSE: (JOINTS - 1, JOINTS), TaskKind.POINTING: (JOINTS - 1,)}
+    fits = len(chain.solved) in counts.get(chain.task.kind, ())
+    return fits and len(slides_of(chain)) <= SLIDES_OF_FOUR_TURNS
 
 
 def is_better_polished(chain: Chain) -> bool:
@@ -77,7 +83,8 @@ def joint_values(angles: NDArray[np.float64], chain: Chain) -> NDArray[np.float6
 def loop_constants(chain: Chain) -> list[Link]:
     """C0 ... C6 of T = C0 J1 C1 ... J6 C6, base and tool included, J of joints that are solved for.
 
-    The last one is the tool's turn about its own axis where it only points.
+    The last one is the tool's turn about its own axis where it only points, and the turn that has
+    to be zero where five joints have to take a whole pose.
     Multiplied one after the other in plain floating point, so that every machine gets the same.
     """
     arm = numeric_arm(chain)
@@ -93,7 +100,9 @@ def loop_constants(chain: Chain) -> list[Link]:
             links.append(Link(IDENTITY))
     links[-1] = links[-1].between(IDENTITY, _matrix(arm.tool))
     if chain.task.kind is TaskKind.POINTING:
-        links.append(Link(IDENTITY))
+        return [*links, Link(IDENTITY)]
+    if len(links) == JOINTS:
+        return with_no_turn(links, chain.size)
     return links
 
 

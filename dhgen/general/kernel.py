@@ -83,6 +83,8 @@ class GeneralKernel:
             sign q + offset.
         pointing: Whether the last joint of the loop is not one of the arm's, but the tool's turn
             about its own axis, which the task leaves open.
+        checked: Whether the last joint of the loop is a turn that the arm does not have: where its
+            angle does not come out as zero the arm cannot take the pose.
     """
 
     loop: Loop
@@ -92,6 +94,7 @@ class GeneralKernel:
     numbers: tuple[int, ...] = (1, 2, 3, 4, 5, 6)
     given: tuple[tuple[int, float], ...] = ()
     pointing: bool = False
+    checked: bool = False
 
     @property
     def links(self) -> tuple[Link, ...]:

@@ -99,6 +99,7 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "turning": kernel.turning,
         "pointing": kernel.pointing,
         "redundant": kernel.redundant,
+        "checked": kernel.checked,
         "size": repr(chain.size),
         "residual": repr(kernel.residual),
         **_method(kernel),

@@ -53,7 +53,7 @@ class NumericalKernel:
         turning: Whether it names the rotation.
         pointing: Whether it names the tool's z axis only.
         redundant: Whether every pose has infinitely many solutions.
-        residual: What counts as a solution [arm sizes, rad].
+        checked: Whether the task names more than the joints can choose.
         most: Rows of an arm with finitely many solutions.
     """
 
@@ -67,13 +67,18 @@ class NumericalKernel:
     turning: bool
     pointing: bool
     redundant: bool
-    residual: float
+    checked: bool
     most: int = MOST
 
     @property
     def method(self) -> str:
         """What the method is called."""
         return "numerical"
+
+    @property
+    def residual(self) -> float:
+        """What counts as a solution [arm sizes, rad]: a pose that is checked may be rounded."""
+        return TOLERANCES.consistent if self.checked else RESIDUAL
 
     @property
     def rows(self) -> int:
@@ -107,7 +112,6 @@ def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
         position = ()
     elif task.kind is TaskKind.COORDINATES:
         position = tuple("xyz".index(name) for name in task.coordinates)
-    checked = len(joints) < task_dimension(task)
     return NumericalKernel(
         arm=numeric_arm(chain),
         solved=tuple(joint.number - 1 for joint in joints),
@@ -119,5 +123,5 @@ def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
         turning=task.kind in {TaskKind.POSE, TaskKind.ORIENTATION},
         pointing=task.kind is TaskKind.POINTING,
         redundant=redundant,
-        residual=TOLERANCES.consistent if checked else RESIDUAL,
+        checked=len(joints) < task_dimension(task),
     )

@@ -125,24 +125,50 @@ class Arm:
             rows: Values of the joints that are solved for.
             regular: Whether none of them is singular and all of them are known.
         """
+        u = rows / self.units
+        if self.kernel.checked:
+            return self._checked(u, regular=regular)
+        if regular:
+            known = [_Kept(self.wrapped(row), singular=False, chosen=False) for row in u]
+            return self._sorted(known)
+        return self._beside_starts(u)
+
+    def _checked(self, u: FloatArray, *, regular: bool) -> Found:
+        """The same of a pose that the arm may be unable to take: what is near, and what fits."""
+        nearest, _ = self.descend(u)
         kept: list[_Kept] = []
         if regular:
-            kept = [
-                _Kept(self.wrapped(row / self.units), singular=False, chosen=False) for row in rows
-            ]
-            return self._sorted(kept)
-        u, _ = self.descend(self.starts(0, constants.FEW_STARTS))
-        for row in (u[0], *(rows / self.units), *u[1:]):
-            if self.miss(row[None])[1][0] <= self.kernel.residual:
-                self._keep(row, kept)
+            self._keep_what_fits(nearest, kept)
+        return self._sorted(kept) if kept else self._beside_starts(nearest)
+
+    def _beside_starts(self, u: FloatArray) -> Found:
+        """What the seed and a few starts lead to, beside solutions (k, n) that are known."""
+        kept: list[_Kept] = []
+        first, *others = self.descend(self.starts(0, constants.FEW_STARTS))[0]
+        self._keep_what_fits(np.array([first, *u, *others]), kept)
         return self._sorted(kept)
 
+    def _keep_what_fits(self, u: FloatArray, kept: list[_Kept]) -> None:
+        for row, missing in zip(u, self.miss(u)[1], strict=True):
+            if missing <= self.kernel.residual:
+                self._keep(row, kept)
+
     def _sorted(self, kept: list[_Kept]) -> Found:
+        if self.kernel.checked:
+            kept = self._exact_ones(kept)
         q = self.joints(np.array([each.u for each in kept]).reshape(-1, len(self.solved)))
         rows = [(row, each.chosen) for row, each in zip(q, kept, strict=True)]
         rows.sort(key=cmp_to_key(_order))
         chosen = np.array([each for _, each in rows], dtype=bool)
         return Found(np.array([row for row, _ in rows]).reshape(q.shape), chosen)
+
+    def _exact_ones(self, kept: list[_Kept]) -> list[_Kept]:
+        """Where one solution is exact the pose has not been rounded: then all have to be exact."""
+        misses = [float(self.miss(each.u[None])[1][0]) for each in kept]
+        if min(misses, default=np.inf) > constants.RESIDUAL:
+            return kept
+        pairs = zip(kept, misses, strict=True)
+        return [each for each, missing in pairs if missing <= constants.RESIDUAL]
 
     def _keep(self, u: FloatArray, kept: list[_Kept]) -> None:
         """A solution joins those found before, unless it is one of them."""

@@ -12,6 +12,7 @@ import numpy as np
 
 from dhgen.general import reference as general
 from dhgen.general.arm import joint_values
+from dhgen.general.no_turn import without_turn
 from dhgen.numerical import reference as numerical
 from dhgen.program.circle import circle_roots
 from dhgen.program.ir import (
@@ -151,7 +152,8 @@ class _Run:
                 solved = numerical.solve(pose, seed, free, statement.descent)
             else:
                 first = general.solve(pose, statement.general, free)
-                rows = joint_values(first.q, statement.descent.arm.chain)
+                angles = without_turn(first.q) if statement.general.checked else first.q
+                rows = joint_values(angles, statement.descent.arm.chain)
                 safe = first.complete and not first.singular
                 arm = numerical.Arm(statement.descent, pose, seed, free)
                 solved = arm.settle(rows, regular=safe)

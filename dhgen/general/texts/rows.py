@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.general import reference
+from dhgen.general.no_turn import NEARLY_NONE
 from dhgen.numerical.kernel import FEW_STARTS
 from dhgen.numerical.texts import given_places
+from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
@@ -24,6 +26,8 @@ class Rows:
         rows: Solutions that are kept.
         solved: Joints that are solved for.
         pointing: Whether the task leaves the turn about the tool's axis open.
+        checked: Whether the sixth joint is none of the arm's, and has to come out as zero.
+        nearly_none: Beyond this [rad] it does not.
         pose: The pose that the algorithm gets.
         residual: What counts as a solution of the descent [arm sizes, rad].
         starts: Of the descent.
@@ -34,6 +38,8 @@ class Rows:
     rows: int
     solved: int
     pointing: bool
+    checked: bool
+    nearly_none: str
     pose: str
     residual: str
     starts: int
@@ -47,8 +53,10 @@ def rows(kernel: GeneralKernel, chain: Chain) -> Rows:
         rows=kernel.rows,
         solved=chain.dof - chain.given,
         pointing=kernel.pointing,
+        checked=kernel.checked,
+        nearly_none=repr(NEARLY_NONE),
         pose="whole" if kernel.pointing else "T",
-        residual=repr(reference.RESIDUAL),
+        residual=repr(TOLERANCES.consistent if kernel.checked else reference.RESIDUAL),
         starts=FEW_STARTS,
         given=given_places(chain),
     )

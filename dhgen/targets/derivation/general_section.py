@@ -9,6 +9,7 @@ from dhgen.targets.derivation.blocks import Display, Heading, Paragraph, paragra
 from dhgen.targets.derivation.formula import Symbol
 from dhgen.targets.derivation.four_turns_section import four_turns
 from dhgen.targets.derivation.general_loop import joint_symbol, loop_that_closes
+from dhgen.targets.derivation.no_turn_section import check, one_more_turn
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
@@ -33,6 +34,7 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
         Heading(2, say("Inverse")),
         paragraph(f"{_why(kernel)} An arm of this kind has at most {_most(kernel)} solutions."),
         *([paragraph(POINTING, joint_symbol(kernel, 5))] if kernel.pointing else []),
+        *([one_more_turn(kernel)] if kernel.checked else []),
         *(
             [paragraph(f"Near to a closed form: {'; '.join(near)} (lengths in {unit}).")]
             if near
@@ -51,7 +53,7 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
         blocks += [*_elimination(kernel), *_polynomial(kernel), _null_vectors()]
     else:
         blocks += four_turns(kernel)
-    return [*blocks, *_rest(kernel)]
+    return [*blocks, *_rest(kernel), *([check(kernel)] if kernel.checked else [])]
 
 
 def _why(kernel: GeneralKernel) -> str:
@@ -76,7 +78,9 @@ def _most(kernel: GeneralKernel) -> str:
 
 
 def _joints(kernel: GeneralKernel) -> str:
-    return "The tool's turn and the five joints" if kernel.pointing else "The six joints"
+    if kernel.pointing:
+        return "The tool's turn and the five joints"
+    return "The five joints and a turn behind them" if kernel.checked else "The six joints"
 
 
 def _given(kernel: GeneralKernel) -> str:

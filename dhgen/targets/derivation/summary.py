@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.step_context import Singularity
     from dhgen.targets.derivation.story import Story
 
+CHECKED = "every pose is checked: the task asks for more than the arm can choose"
 LONGEST = 62  # characters of an equation; the rest is in the derivation
 
 
@@ -34,7 +35,7 @@ def summary_text(story: Story, singular: list[Singularity]) -> str:
     lines.append(f"{counted(story.program.rows, 'row')}" + (f": {names}" if names else ""))
     lines += [_singular(each) for each in singular]
     if story.derivation.problem.redundant:
-        lines.append("every pose is checked: the task asks for more than the arm can choose")
+        lines.append(CHECKED)
     return "\n".join(lines) + "\n"
 
 
@@ -46,6 +47,7 @@ def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
             f"no closed form: the {kernel.method} algorithm, up to {kernel.rows} solutions",
             f"a polynomial of degree {kernel.degree} in θ{hidden}; rows by ascending joint values",
             *missed_structure(story.algebra.chain),
+            *([CHECKED] if kernel.checked else []),
         ]
     if kernel.redundant:
         return ["numerical, as asked for: the solution near to the seed, by damped least squares"]

@@ -1,0 +1,70 @@
+/* general_5r: Five revolute joints without structure, for whole poses
+ *
+ * Inverse kinematics, generated from robots/general_5r.yaml and templates/c/solver.h.jinja.
+ * Do not edit: run dhgen robots/general_5r.yaml. The formulas and where they come from:
+ * general_5r.md.
+ *
+ * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
+ * Every entry of a pose counts.
+ */
+#ifndef GENERAL_5R_H
+#define GENERAL_5R_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define GENERAL_5R_METHOD "general 6R"
+
+enum {
+    GENERAL_5R_DOF = 5, /* joints */
+    GENERAL_5R_ROWS = 16 /* branches */
+};
+
+/* What a row of general_5r_ik holds. */
+enum {
+    /* joint values */
+    GENERAL_5R_OK = 0,
+    /* NaN: no solution in this branch, or one that a row before it holds */
+    GENERAL_5R_UNREACHABLE = 1,
+    /* joint values; a joint was indeterminate and took the seed's value */
+    GENERAL_5R_FREE_JOINT = 2,
+    /* joint values, of which one is beyond its limits */
+    GENERAL_5R_OUT_OF_LIMITS = 3,
+    /* NaN: T is no pose */
+    GENERAL_5R_INVALID_POSE = 4
+};
+
+/* The name of every row. */
+extern const char *const general_5r_branches[16];
+
+/* The pose T of the joint values q. */
+void general_5r_fk(const double q[5], double T[16]);
+
+/* The geometric Jacobian, 6 x 5 row by row: velocity of the tool's origin, then angular
+ * velocity. */
+void general_5r_jacobian(const double q[5], double J[30]);
+
+/* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
+ * at this pose (NULL: zeros).
+ * Returns how many rows are OK or FREE_JOINT, or -GENERAL_5R_INVALID_POSE. */
+int general_5r_ik(
+    const double T[16], const double *q_seed, double q[16][5], unsigned char status[16]);
+
+/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+ * Returns GENERAL_5R_OK or GENERAL_5R_FREE_JOINT, or, with NaN in q,
+ * minus GENERAL_5R_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
+ * that is not finite. */
+int general_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5]);
+
+/* general_5r_ik without a seed for n poses: T holds n x 16 numbers,
+ * q n x 16 x 5, status n x 16. */
+void general_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

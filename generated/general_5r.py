@@ -1,0 +1,2178 @@
+"""general_5r: Five revolute joints without structure, for whole poses.
+
+Inverse kinematics, generated from robots/general_5r.yaml and templates/python/solver.py.jinja.
+Do not edit: run dhgen robots/general_5r.yaml. The formulas and where they come from: general_5r.md.
+
+Poses are 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Every entry of
+a pose counts.
+"""
+
+import functools
+import math
+import os
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from types import ModuleType
+
+import numpy as np
+
+try:
+    from numba import carray, config, njit, types
+    from numba.core import cgutils
+    from numba.core.sigutils import normalize_signature
+    from numba.extending import intrinsic, overload
+
+    if config.DISABLE_JIT:  # for debuggers
+        raise ImportError
+except ImportError:  # plain Python, only slower
+
+    def njit(*_, **__):
+        return lambda function: function
+
+    def intrinsic(**_):
+        return lambda function: np.zeros
+
+    def overload(*_, **__):
+        return lambda function: function
+
+    def carray(numbers, _):
+        return numbers
+
+
+# What is not said to be inlined by force would be, in those that are.
+_OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
+_jit = njit(**_OPTIONS)
+# Only compiled code may call these: what Python would need is not made, which is much of the work.
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
+_inner = njit(**_INNER)
+_merged = njit(**{**_INNER, "forceinline": True})
+_COMPILED = hasattr(_jit(lambda: None), "py_func")  # roots of negative numbers stop plain Python
+
+
+@intrinsic(prefer_literal=True)
+def _room(_, size):
+    """The address of room for so many numbers on the stack of the caller."""
+
+    def code(context, builder, *_):
+        number = context.get_value_type(types.float64)
+        return cgutils.alloca_once(builder, number, size.literal_value)
+
+    return types.CPointer(types.float64)(size), code
+
+
+NAME = "general_5r"
+METHOD = "general 6R"
+DOF = 5
+JOINT_TYPES = "RRRRR"
+JOINT_LIMITS = (
+    (-2.9670597283903604, 2.9670597283903604),
+    (-2.0943951023931953, 2.0943951023931953),
+    (-2.443460952792061, 2.443460952792061),
+    (-3.141592653589793, 3.141592653589793),
+    (-3.141592653589793, 3.141592653589793),
+)
+BRANCHES = (
+    "root1",
+    "root2",
+    "root3",
+    "root4",
+    "root5",
+    "root6",
+    "root7",
+    "root8",
+    "root9",
+    "root10",
+    "root11",
+    "root12",
+    "root13",
+    "root14",
+    "root15",
+    "root16",
+)
+MAX_SOLUTIONS = 16
+
+# What a row of ik_all holds.
+OK = 0  # joint values
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
+INVALID_POSE = 4  # NaN: T is no pose
+
+d1 = 0.32  # joint offset 1 [m]
+a1 = 0.09  # link length 1 [m]
+ca1 = 0.3420201433256688  # cosine of twist 1
+sa1 = 0.9396926207859083  # sine of twist 1
+d2 = 0.11  # joint offset 2 [m]
+a2 = 0.38  # link length 2 [m]
+ca2 = 0.9063077870366499  # cosine of twist 2
+sa2 = 0.42261826174069944  # sine of twist 2
+d3 = -0.07  # joint offset 3 [m]
+a3 = 0.29  # link length 3 [m]
+ca3 = 0.5735764363510462  # cosine of twist 3
+sa3 = 0.8191520442889918  # sine of twist 3
+d4 = 0.14  # joint offset 4 [m]
+a4 = 0.05  # link length 4 [m]
+ca4 = 0.08715574274765814  # cosine of twist 4
+sa4 = 0.9961946980917455  # sine of twist 4
+d5 = 0.1  # joint offset 5 [m]
+a5 = 0.04  # link length 5 [m]
+ca5 = 0.766044443118978  # cosine of twist 5
+sa5 = 0.6427876096865393  # sine of twist 5
+cae11 = 0.955336489125606  # cosine of tool frame, entry 1,1
+sae11 = 0.29552020666133955  # sine of tool frame, entry 1,1
+ex = 0.03  # x of the tool frame [m]
+ez = 0.14  # z of the tool frame [m]
+f1 = 0.03762221576582357  # d2 * ca1 [m]
+f2 = 0.14454395845259904  # sa2 * ca1
+f3 = 0.3099755192194448  # ca2 * ca1
+g1 = 0.03762221576582357  # d2 * ca1 [m]
+g2 = 0.14454395845259904  # sa2 * ca1
+g3 = 0.3099755192194448  # ca2 * ca1
+
+_TURN = 6.283185307179586
+# The limits with what rounding may add.
+_LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
+_HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
+# Of squared differences of joint values: lengths count in arm sizes.
+_WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
+_ZEROS = np.zeros(DOF)
+_FLOAT = np.dtype(np.float64)
+_BYTE = np.dtype(np.uint8)
+
+
+class Unreachable(ValueError):  # noqa: N818
+    """There is no solution, or none inside the limits; the text says which."""
+
+
+def _array(values, shape, name):
+    try:
+        values = np.ascontiguousarray(values, _FLOAT)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} must hold numbers, in shape {shape}") from None
+    if values.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
+    return values
+
+
+def _of_joints(function):
+    """Compiled; Python calls it with any 5 numbers, other numba functions with an array."""
+    compiled = _jit(function)
+
+    @functools.wraps(function)
+    def call(q):
+        return compiled(_array(q, (5,), "q"))
+
+    overload(call, strict=False)(lambda _: lambda q: compiled(q))
+    return call
+
+
+@_of_joints
+def fk(q):
+    """The pose (4, 4) of the joint values q (5,)."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 5 joint values")
+    T = np.zeros((4, 4))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    v1 = s1 * ca1
+    y1_y = c1 * ca1
+    z1_x = s1 * sa1
+    v2 = c1 * sa1
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - v1 * s2
+    x2_y = s1 * c2 + y1_y * s2
+    x2_z = sa1 * s2
+    v3 = v1 * c2 + c1 * s2
+    v4 = y1_y * c2 - s1 * s2
+    v5 = sa1 * c2
+    y2_x = z1_x * sa2 - v3 * ca2
+    y2_y = v4 * ca2 - v2 * sa2
+    y2_z = v5 * ca2 + f2
+    z2_x = v3 * sa2 + z1_x * ca2
+    v6 = v4 * sa2 + v2 * ca2
+    z2_z = f3 - v5 * sa2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 + y2_x * s3
+    x3_y = x2_y * c3 + y2_y * s3
+    x3_z = x2_z * c3 + y2_z * s3
+    v7 = y2_x * c3 - x2_x * s3
+    v8 = y2_y * c3 - x2_y * s3
+    v9 = y2_z * c3 - x2_z * s3
+    y3_x = v7 * ca3 - z2_x * sa3
+    y3_y = v8 * ca3 + v6 * sa3
+    y3_z = v9 * ca3 - z2_z * sa3
+    z3_x = v7 * sa3 + z2_x * ca3
+    z3_y = v8 * sa3 - v6 * ca3
+    z3_z = v9 * sa3 + z2_z * ca3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 + y3_x * s4
+    x4_y = x3_y * c4 + y3_y * s4
+    x4_z = x3_z * c4 + y3_z * s4
+    v10 = y3_x * c4 - x3_x * s4
+    v11 = y3_y * c4 - x3_y * s4
+    v12 = y3_z * c4 - x3_z * s4
+    y4_x = v10 * ca4 + z3_x * sa4
+    y4_y = v11 * ca4 + z3_y * sa4
+    y4_z = v12 * ca4 + z3_z * sa4
+    z4_x = z3_x * ca4 - v10 * sa4
+    z4_y = z3_y * ca4 - v11 * sa4
+    z4_z = z3_z * ca4 - v12 * sa4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + y4_x * s5
+    x5_y = x4_y * c5 + y4_y * s5
+    x5_z = x4_z * c5 + y4_z * s5
+    v13 = y4_x * c5 - x4_x * s5
+    v14 = y4_y * c5 - x4_y * s5
+    v15 = y4_z * c5 - x4_z * s5
+    T12_ = v13 * ca5 - z4_x * sa5
+    T22_ = v14 * ca5 - z4_y * sa5
+    T32_ = v15 * ca5 - z4_z * sa5
+    z5_x = v13 * sa5 + z4_x * ca5
+    z5_y = v14 * sa5 + z4_y * ca5
+    z5_z = v15 * sa5 + z4_z * ca5
+    T14_ = (
+        c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 + x5_x * a5
+        + z4_x * d5 + x5_x * ex + z5_x * ez
+    )
+    T24_ = (
+        s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + x4_y * a4 + z3_y * d4 + x5_y * a5 +
+        z4_y * d5 + x5_y * ex + z5_y * ez
+    )
+    T34_ = (
+        d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z * d5
+        + x5_z * ex + z5_z * ez
+    )
+    T11_ = x5_x * cae11 - z5_x * sae11
+    T21_ = x5_y * cae11 - z5_y * sae11
+    T31_ = x5_z * cae11 - z5_z * sae11
+    T13_ = x5_x * sae11 + z5_x * cae11
+    T23_ = x5_y * sae11 + z5_y * cae11
+    T33_ = x5_z * sae11 + z5_z * cae11
+    T[0, 0] = T11_
+    T[0, 1] = T12_
+    T[0, 2] = T13_
+    T[0, 3] = T14_
+    T[1, 0] = T21_
+    T[1, 1] = T22_
+    T[1, 2] = T23_
+    T[1, 3] = T24_
+    T[2, 0] = T31_
+    T[2, 1] = T32_
+    T[2, 2] = T33_
+    T[2, 3] = T34_
+    T[3, 3] = 1.0
+    return T
+
+
+@_of_joints
+def jacobian(q):
+    """The geometric Jacobian (6, 5): velocity of the tool's origin, then angular velocity."""
+    if len(q) != DOF:
+        raise ValueError("q must hold 5 joint values")
+    J = np.zeros((6, 5))
+    c1 = math.cos(q[0])
+    s1 = math.sin(q[0])
+    p1_x = c1 * a1
+    p1_y = s1 * a1
+    v1 = s1 * ca1
+    y1_y = c1 * ca1
+    J42 = s1 * sa1
+    v2 = c1 * sa1
+    c2 = math.cos(q[1])
+    s2 = math.sin(q[1])
+    x2_x = c1 * c2 - v1 * s2
+    x2_y = s1 * c2 + y1_y * s2
+    x2_z = sa1 * s2
+    v3 = v1 * c2 + c1 * s2
+    v4 = y1_y * c2 - s1 * s2
+    v5 = sa1 * c2
+    p2_x = p1_x + x2_x * a2 + J42 * d2
+    p2_y = p1_y + x2_y * a2 - v2 * d2
+    p2_z = d1 + x2_z * a2 + g1
+    y2_x = J42 * sa2 - v3 * ca2
+    y2_y = v4 * ca2 - v2 * sa2
+    y2_z = v5 * ca2 + g2
+    J43 = v3 * sa2 + J42 * ca2
+    v6 = v4 * sa2 + v2 * ca2
+    J63 = g3 - v5 * sa2
+    c3 = math.cos(q[2])
+    s3 = math.sin(q[2])
+    x3_x = x2_x * c3 + y2_x * s3
+    x3_y = x2_y * c3 + y2_y * s3
+    x3_z = x2_z * c3 + y2_z * s3
+    v7 = y2_x * c3 - x2_x * s3
+    v8 = y2_y * c3 - x2_y * s3
+    v9 = y2_z * c3 - x2_z * s3
+    p3_x = p2_x + x3_x * a3 + J43 * d3
+    p3_y = p2_y + x3_y * a3 - v6 * d3
+    p3_z = p2_z + x3_z * a3 + J63 * d3
+    y3_x = v7 * ca3 - J43 * sa3
+    y3_y = v8 * ca3 + v6 * sa3
+    y3_z = v9 * ca3 - J63 * sa3
+    J44 = v7 * sa3 + J43 * ca3
+    J54 = v8 * sa3 - v6 * ca3
+    J64 = v9 * sa3 + J63 * ca3
+    c4 = math.cos(q[3])
+    s4 = math.sin(q[3])
+    x4_x = x3_x * c4 + y3_x * s4
+    x4_y = x3_y * c4 + y3_y * s4
+    x4_z = x3_z * c4 + y3_z * s4
+    v10 = y3_x * c4 - x3_x * s4
+    v11 = y3_y * c4 - x3_y * s4
+    v12 = y3_z * c4 - x3_z * s4
+    p4_x = p3_x + x4_x * a4 + J44 * d4
+    p4_y = p3_y + x4_y * a4 + J54 * d4
+    p4_z = p3_z + x4_z * a4 + J64 * d4
+    y4_x = v10 * ca4 + J44 * sa4
+    y4_y = v11 * ca4 + J54 * sa4
+    y4_z = v12 * ca4 + J64 * sa4
+    J45 = J44 * ca4 - v10 * sa4
+    J55 = J54 * ca4 - v11 * sa4
+    J65 = J64 * ca4 - v12 * sa4
+    c5 = math.cos(q[4])
+    s5 = math.sin(q[4])
+    x5_x = x4_x * c5 + y4_x * s5
+    x5_y = x4_y * c5 + y4_y * s5
+    x5_z = x4_z * c5 + y4_z * s5
+    J21 = p4_x + x5_x * a5 + J45 * d5 + x5_x * ex + ((y4_x * c5 - x4_x * s5) * sa5 + J45 * ca5) * ez
+    v13 = p4_y + x5_y * a5 + J55 * d5 + x5_y * ex + ((y4_y * c5 - x4_y * s5) * sa5 + J55 * ca5) * ez
+    v14 = p4_z + x5_z * a5 + J65 * d5 + x5_z * ex + ((y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5) * ez
+    v15 = J21 - p1_x
+    v16 = v13 - p1_y
+    v17 = v14 - d1
+    J22 = ca1 * v15 - J42 * v17
+    J32 = J42 * v16 + v2 * v15
+    v18 = J21 - p2_x
+    v19 = v13 - p2_y
+    v20 = v14 - p2_z
+    J23 = J63 * v18 - J43 * v20
+    J33 = J43 * v19 + v6 * v18
+    v21 = J21 - p3_x
+    v22 = v13 - p3_y
+    v23 = v14 - p3_z
+    J14 = J54 * v23 - J64 * v22
+    J24 = J64 * v21 - J44 * v23
+    J34 = J44 * v22 - J54 * v21
+    v24 = J21 - p4_x
+    v25 = v13 - p4_y
+    v26 = v14 - p4_z
+    J15 = J55 * v26 - J65 * v25
+    J25 = J65 * v24 - J45 * v26
+    J35 = J45 * v25 - J55 * v24
+    J[0, 0] = -v13
+    J[0, 1] = -(v2 * v17 + ca1 * v16)
+    J[0, 2] = -(v6 * v20 + J63 * v19)
+    J[0, 3] = J14
+    J[0, 4] = J15
+    J[1, 0] = J21
+    J[1, 1] = J22
+    J[1, 2] = J23
+    J[1, 3] = J24
+    J[1, 4] = J25
+    J[2, 1] = J32
+    J[2, 2] = J33
+    J[2, 3] = J34
+    J[2, 4] = J35
+    J[3, 1] = J42
+    J[3, 2] = J43
+    J[3, 3] = J44
+    J[3, 4] = J45
+    J[4, 1] = -v2
+    J[4, 2] = -v6
+    J[4, 3] = J54
+    J[4, 4] = J55
+    J[5, 0] = 1.0
+    J[5, 1] = ca1
+    J[5, 2] = J63
+    J[5, 3] = J64
+    J[5, 4] = J65
+    return J
+
+
+_APART = []  # what is compiled apart: functions, and the types of their arguments
+
+
+def _address(number):
+    """Where the code of a function is that is compiled apart."""
+    function, arguments = _APART[number]
+    function.compile(arguments)
+    compiled = function.overloads[arguments]
+    return compiled.library.get_pointer_to_function(compiled.fndesc.llvm_func_name)
+
+
+# Compiled code finds this file, and no other text of it, among the modules that Python knows.
+_KEY = "general_5r 5924c1bc9ef7b473"
+if _COMPILED:
+    sys.modules[_KEY] = ModuleType(_KEY)
+    sys.modules[_KEY].address = _address
+
+
+def _apart(signature):
+    """Compiles a function apart from its callers.
+
+    numba copies what a function calls into it, with all that this calls, and optimises everything
+    anew in each caller. Of these functions a caller has the address, which it asks for at its first
+    call: when it comes out of the cache it does not know it.
+    """
+    if not _COMPILED:
+        return lambda function: function
+    arguments, result = normalize_signature(signature)
+
+    def ask(context, builder, number, place):
+        api = context.get_python_api(builder)
+        lock = api.gil_ensure()
+        module = api.import_module(context.insert_const_string(builder.module, _KEY))
+        with builder.if_then(cgutils.is_not_null(builder, module)):
+            which = api.long_from_ssize_t(context.get_constant(types.intp, number))
+            answer = api.call_method(module, "address", (which,))
+            with builder.if_then(cgutils.is_not_null(builder, answer)):
+                builder.store(api.long_as_voidptr(answer), place)
+                api.decref(answer)
+            api.decref(module)
+        api.gil_release(lock)
+
+    def decorate(function):
+        number = len(_APART)
+        _APART.append((_inner(function), arguments))
+
+        def code(context, builder, called, values):
+            given = zip(cgutils.unpack_tuple(builder, values[0]), called.args[0], arguments)
+            values = [context.cast(builder, *each) for each in given]
+            place = cgutils.add_global_variable(builder.module, cgutils.voidptr_t, f"apart{number}")
+            place.initializer, place.linkage = cgutils.get_null_value(cgutils.voidptr_t), "internal"
+            with builder.if_then(cgutils.is_null(builder, builder.load(place)), likely=False):
+                ask(context, builder, number, place)
+            address = builder.load(place)
+            with builder.if_then(cgutils.is_null(builder, address), likely=False):
+                context.call_conv.return_exc(builder)
+            kind = context.call_conv.get_function_type(result, arguments).as_pointer()
+            status, value = context.call_conv.call_function(
+                builder, builder.bitcast(address, kind), result, arguments, values
+            )
+            with cgutils.if_unlikely(builder, status.is_error):
+                context.call_conv.return_status_propagate(builder, status)
+            return value
+
+        return intrinsic(lambda _, *values: (result(types.StarArgTuple(values)), code))
+
+    return decorate
+
+
+# The joints that are solved for, and whether they turn; what a step of one means, in rad or
+# lengths, and the same over the arm's size; between which values starts lie, and what is added
+# from start to start. Below, u are these joints in units.
+_SOLVED = np.array([0, 1, 2, 3, 4])
+_TURNING = np.array([True, True, True, True, True])
+_UNIT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
+_MEASURE = np.array([
+    0.5681818181818181, 0.5681818181818181, 0.5681818181818181, 0.5681818181818181,
+    0.5681818181818181,
+])
+_SPAN_LOW = np.array([
+    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
+    -3.141592653589793,
+])
+_SPAN_WIDTH = np.array([
+    5.934119456780721, 4.1887902047863905, 4.886921905584122, 6.283185307179586, 6.283185307179586,
+])
+_STRIDE = np.array([
+    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
+    0.5315553977157914,
+])
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf])
+
+
+@_inner
+def _turn_vector(axis, cosine, vector):
+    """The rotation vector of an axis times the sine, and the cosine."""
+    sine = math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
+    if sine < 1e-09 and cosine < 0.0:  # half a turn: any axis will do
+        vector[0] = 1.5079644737231006
+        vector[1] = 1.8849555921538759
+        vector[2] = 2.0106192982974678
+        return
+    scale = 1.0 if sine < 1e-09 else math.atan2(sine, cosine) / sine
+    for i in range(3):
+        vector[i] = scale * axis[i]
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
+
+
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])")
+def _look(T, q, u, e, A):
+    """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
+    for j in range(5):
+        q[_SOLVED[j]] = _UNIT[j] * u[j]
+    P, J = fk(q), jacobian(q)
+    for j in range(5):
+        column = _SOLVED[j]
+        A[0, j] = _MEASURE[j] * J[0, column]
+        A[1, j] = _MEASURE[j] * J[1, column]
+        A[2, j] = _MEASURE[j] * J[2, column]
+        for i in range(3):
+            A[3 + i, j] = J[3 + i, column]
+    e[0] = (T[0, 3] - P[0, 3]) / 1.7600000000000002
+    e[1] = (T[1, 3] - P[1, 3]) / 1.7600000000000002
+    e[2] = (T[2, 3] - P[2, 3]) / 1.7600000000000002
+    R = np.zeros((3, 3))
+    for i in range(3):
+        for j in range(3):
+            for k in range(3):
+                R[i, j] += T[i, k] * P[j, k]
+    axis = 0.5 * (R[2, 1] - R[1, 2]), 0.5 * (R[0, 2] - R[2, 0]), 0.5 * (R[1, 0] - R[0, 1])
+    _turn_vector(axis, 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0), e[3:])
+    square = 0.0
+    for i in range(6):
+        square += e[i] * e[i]
+    return math.sqrt(square)
+
+
+@_inner
+def _damped_step(A, e, length, step):
+    """The damped least squares step A' (A A' + damping)^-1 e."""
+    damping = 0.1 * min(length * length, 1.0) + 1e-13
+    L, y = np.zeros((6, 6)), np.empty(6)
+    for i in range(6):
+        y[i] = e[i]
+        for j in range(i + 1):
+            total = damping if i == j else 0.0
+            for k in range(5):
+                total += A[i, k] * A[j, k]
+            for k in range(j):
+                total -= L[i, k] * L[j, k]
+            L[i, j] = math.sqrt(max(total, 1e-13)) if i == j else total / L[j, j]
+        for k in range(i):
+            y[i] -= L[i, k] * y[k]
+        y[i] /= L[i, i]
+    for i in range(5, -1, -1):
+        for k in range(i + 1, 6):
+            y[i] -= L[k, i] * y[k]
+        y[i] /= L[i, i]
+    for j in range(5):
+        step[j] = 0.0
+        for i in range(6):
+            step[j] += A[i, j] * y[i]
+
+
+@_inner
+def _shorten(step):
+    """Makes a step no longer than it may be."""
+    longest = 2.0
+    for j in range(5):
+        longest = max(longest, abs(step[j]))
+    for j in range(5):
+        step[j] *= 2.0 / longest
+
+
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
+def _descend(T, q, u):
+    """Takes u to where damped least squares lead; returns by how much that misses the pose."""
+    e, A = np.empty(6), np.empty((6, 5))
+    least, best, step = math.inf, u.copy(), np.empty(5)
+    for _ in range(40 + 1):
+        length = _look(T, q, u, e, A)
+        stalled = length >= 0.5 * least and least <= 1e-10
+        if length < least:
+            least = length
+            _take(best, u)
+        if stalled:
+            break
+        _damped_step(A, e, length, step)
+        _shorten(step)
+        for j in range(5):
+            u[j] += step[j]
+    _take(u, best)
+    return least
+
+
+@_inner
+def _limited_step(A, e, length, wish, u, low, high, step):
+    """A step with a wish; joints that it would take beyond a limit are put there, and locked."""
+    fixed, locked = np.zeros(5), np.zeros(5, np.uint8)
+    rest = np.empty(6)
+    beyond = True
+    while beyond:
+        beyond = False
+        for i in range(6):
+            rest[i] = e[i]
+            for j in range(5):
+                rest[i] -= A[i, j] * wish[j]
+        _damped_step(A, rest, length, step)
+        for j in range(5):
+            step[j] += wish[j]
+        _shorten(step)
+        for j in range(5):
+            end = u[j] + step[j]
+            if locked[j]:
+                step[j] = fixed[j]
+            elif end < low[j] or end > high[j]:
+                step[j] = fixed[j] = (low[j] if end < low[j] else high[j]) - u[j]
+                beyond, locked[j], wish[j] = True, 1, 0.0
+                for i in range(6):
+                    e[i] -= A[i, j] * fixed[j]
+                    A[i, j] = 0.0
+
+
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[::1], float64[::1])")
+def _pulled(T, q, u, near, low, high):
+    """Takes u to a solution on the way to `near`; returns by how much it misses the pose."""
+    e, A = np.empty(6), np.empty((6, 5))
+    least, best, step, pull = math.inf, u.copy(), np.empty(5), 0.5
+    wish = np.empty(5)
+    for k in range(1, 60 + 40 + 1):
+        length = _look(T, q, u, e, A)
+        if pull == 0.0:
+            if length >= 0.5 * least and least <= 1e-10:
+                break
+            if length < least:
+                least = length
+                _take(best, u)
+        for j in range(5):
+            wish[j] = pull * (near[j] - u[j])
+        _limited_step(A, e, length, wish, u, low, high, step)
+        longest = 0.0
+        for j in range(5):
+            longest = max(longest, abs(step[j]))
+            u[j] += step[j]
+        if k >= 60 or longest < 1e-09:
+            pull = 0.0
+    _take(u, best)
+    return least
+
+
+@_inner
+def _start_of(k, near, u):
+    """Start number k; number 0 is the seed."""
+    for j in range(5):
+        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(5):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_apart("int64(float64[:, ::1], float64[::1], float64[::1])")
+def _continuum(T, q, u):
+    """Whether u is one of a continuum of solutions: 1 if there are others to both sides.
+
+    0 if it is a singular solution that stands alone, -1 if it is a regular one.
+    """
+    e, A = np.empty(6), np.empty((6, 5))
+    along, end = np.empty(5), np.empty(5)
+    _look(T, q, u, e, A)
+    for i in range(6):
+        e[i] = 0.0
+        for j in range(5):
+            e[i] += A[i, j] * _STRIDE[j]
+    _damped_step(A, e, 0.0, along)
+    square = 0.0
+    for j in range(5):
+        along[j] = _STRIDE[j] - along[j]  # what of it leaves the tool where it is
+        square += along[j] * along[j]
+    if math.sqrt(square) <= 0.0001:
+        return -1
+    for side in (-1.0, 1.0):
+        gap = 0.0
+        for j in range(5):
+            end[j] = u[j] - side * 0.05 * along[j] / math.sqrt(square)
+        miss = _descend(T, q, end)
+        for j in range(5):
+            gap = max(gap, abs(end[j] - u[j]))
+        if miss > 1e-05 or gap <= 0.002:
+            return 0
+    return 1
+
+
+@_apart("boolean(float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
+def _is_known(kept, kinds, count, u, singular):
+    """Whether a solution is one of those found before."""
+    between = np.empty(5)
+    for k in range(count):
+        for j in range(5):
+            between[j] = u[j] - kept[k, j]
+        _wrap_angles(between)
+        gap = 0.0
+        for j in range(5):
+            gap = max(gap, abs(between[j]))
+        if gap < (0.001 if singular and kinds[k] >= 0 else 1e-06):
+            return True
+    return False
+
+
+@_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1])")
+def _keep(T, q, near, kept, kinds, count, u):
+    """A solution joins those found before, unless it is one of them; how many there are then."""
+    if count == 16 or _is_known(kept, kinds, count, u, False):
+        return count
+    kind = _continuum(T, q, u)
+    if kind == 1:
+        end = u.copy()
+        if _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST) <= 1e-05:
+            _take(u, end)
+    _wrap_angles(u)
+    if _is_known(kept, kinds, count, u, kind >= 0):
+        return count
+    kinds[count] = kind
+    _take(kept[count], u)
+    return count + 1
+
+
+@_inner
+def _stands_before(a, b):
+    """Whether a row of joint values stands before another."""
+    for i in range(5):
+        if abs(a[i] - b[i]) > 1e-09:
+            return a[i] < b[i]
+    return False
+
+
+@_apart("int64(float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64)")
+def _keep_exact_ones(T, joints, kept, kinds, count):
+    """Where one solution is exact the pose has not been rounded: then all have to be exact.
+
+    How many there are then.
+    """
+    e, A = np.empty(6), np.empty((6, 5))
+    miss, least, left = np.empty(16), math.inf, 0
+    for k in range(count):
+        miss[k] = _look(T, joints, kept[k], e, A)
+        least = min(least, miss[k])
+    for k in range(count):
+        if least > 1e-10 or miss[k] <= 1e-10:
+            kinds[left] = kinds[k]
+            _take(kept[left], kept[k])
+            left += 1
+    return left
+
+
+@_inner
+def _sorted_rows(kept, kinds, count, joints, q, found, chosen):
+    """Rows by the first joint, then by the second and so on."""
+    for k in range(count):
+        row = k
+        for j in range(5):
+            joints[_SOLVED[j]] = _UNIT[j] * kept[k, j]
+        while row > 0 and _stands_before(joints, q[row - 1]):
+            _take(q[row], q[row - 1])
+            chosen[row] = chosen[row - 1]
+            row -= 1
+        _take(q[row], joints)
+        chosen[row] = kinds[k] == 1
+        found[k] = True
+
+
+
+
+# The general 6R algorithm: all solutions, at most 16, of an arm without three concurrent or parallel
+# axes. M. Raghavan and B. Roth (1993): six equations in the hidden joint and two partners, a
+# determinant of degree 8 in the hidden joint; here it is sampled at 24 angles.
+#
+# The loop J(q1) K0 J(q2) ... K4 J(q6) = P, in units of the arm's size, P = L T R.
+
+# The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside whose
+# values are given, what stands before, between and behind these.
+_GENERAL_5R_CONSTANTS = np.array([
+    [0.38461538461538464, -0.9230769230769231, 0.0, 0.10538972740096156, 0.3157109015313867, 0.13154620897141112, -0.9396926207859084, -0.038553998126521535, 0.8674085730331463, 0.36142023876381096, 0.3420201433256689, 3.8875152434369215e-10],
+    [0.47058823529411764, -0.8823529411764706, 0.0, 0.44497884902628215, 0.7996833415029264, 0.4264977821348941, -0.42261826174069944, 0.02403930282003971, 0.3728984662417936, 0.19887918199562327, 0.9063077870366499, 0.03622890771527519],
+    [0.28, -0.96, 0.0, 0.33958912162532057, 0.5506333788970043, 0.16060140217829294, 0.8191520442889918, 0.06821269656711591, -0.7863859625174321, -0.22936257240091773, 0.5735764363510462, 0.022675092750040773],
+    [0.6896551724137931, -0.7241379310344828, 0.0, 0.05854984855608976, 0.06311277923106279, 0.060107408791488376, -0.9961946980917455, 0.13470065795828057, 0.7213823675836778, 0.6870308262701694, 0.08715574274765814, 0.06888246881618784],
+    [0.4980694980694982, -0.13127413127413126, 0.8571428571428572, 0.37800838000338793, 0.5482625482625483, -0.7181467181467182, -0.4285714285714286, 0.8414731445854858, 0.6718146718146719, 0.6833976833976835, -0.28571428571428575, -0.12818457869075675],
+    [0.6, 0.8, 0.0, -0.0, -0.8, 0.6, 0.0, -0.0, 0.0, 0.0, 1.0, -0.33198338483131545],
+    [0.20715392159351406, 0.16111519143074884, 0.9649503343999947, 0.21994807102450414, 0.9320899268247839, -0.3320909674116114, -0.14465115856912225, 0.7593411359264012, 0.2971457909515084, 0.9293855413410805, -0.2189677932161469, 0.14443884746120278],
+])
+
+# cosine and sine of what is to be added to each joint's angle in the loop
+_GENERAL_5R_ADVANCE_C = np.array([0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434])
+_GENERAL_5R_ADVANCE_S = np.array([0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459])
+
+# poses close by, for those at which the formulations fail
+_GENERAL_5R_NUDGES = np.array([
+    [0.9999995580001719, -0.000580303174204035, -0.00073976191215864, 0.0005300000000000001, 0.0005796963744401407, 0.9999994956001963, -0.0008202142808546233, 0.00071, 0.0007402375119735841, 0.0008197850810216249, 0.9999993900002373, -0.00047],
+    [0.9999995580001719, 0.0005796963744401407, 0.0007402375119735841, -0.0005300000000000001, -0.000580303174204035, 0.9999994956001963, 0.0008197850810216249, -0.00071, -0.00073976191215864, -0.0008202142808546233, 0.9999993900002373, 0.00047],
+    [0.9999949420151998, -0.0018617746051811336, 0.002578708850722032, -0.00183, 0.0018582142158804597, 0.9999973180080597, 0.001382395245764047, 0.00087, -0.0025812756430085644, -0.0013775964601848774, 0.999995719612863, 0.00201],
+    [0.9999949420151998, 0.0018582142158804597, -0.0025812756430085644, 0.00183, -0.0018617746051811336, 0.9999973180080597, -0.0013775964601848774, -0.00087, 0.002578708850722032, 0.001382395245764047, 0.999995719612863, -0.00201],
+    [0.9999377228865443, 0.009025321676340304, 0.00656459573098787, 0.0059, -0.008973844062327714, 0.9999290832869896, -0.007829337110224942, -0.0043, -0.0066347924773686754, 0.007769939863287338, 0.9999478024193579, 0.0031],
+    [0.9999377228865443, -0.008973844062327714, -0.0066347924773686754, -0.0059, 0.009025321676340304, 0.9999290832869896, 0.007769939863287338, 0.0043, 0.00656459573098787, -0.007829337110224942, 0.9999478024193579, -0.0031],
+    [0.9996484117295773, 0.020763800426894047, 0.01648992172102878, 0.011099999999999999, -0.021220469326757335, 0.9993821115042827, 0.028019401970663643, 0.0183, -0.015897943517502292, -0.028359474555668215, 0.9994713580662733, 0.017099999999999997],
+    [0.9996484117295773, -0.021220469326757335, -0.015897943517502292, -0.011099999999999999, 0.020763800426894047, 0.9993821115042827, -0.028359474555668215, -0.0183, 0.01648992172102878, 0.028019401970663643, 0.9994713580662733, -0.017099999999999997],
+    [0.999472790696877, -0.013504055448103867, 0.029525940172180323, -0.0153, 0.014085964965612287, 0.9997088653063301, -0.01959005408153817, -0.0201, -0.02925279897008453, 0.019995627381619797, 0.9993720271440617, 0.012299999999999998],
+    [0.999472790696877, 0.014085964965612287, -0.02925279897008453, 0.0153, -0.013504055448103867, 0.9997088653063301, 0.019995627381619797, 0.0201, 0.029525940172180323, -0.01959005408153817, 0.9993720271440617, -0.012299999999999998],
+])
+
+# A formulation: the joints phi_1 (hidden) ... phi_6 are; the sign of phi = sign q.
+_GENERAL_5R_JOINTS = np.array([
+    [4, 5, 0, 1, 2, 3],
+    [3, 4, 5, 0, 1, 2],
+])
+_GENERAL_5R_SIGNS = np.array([1.0, 1.0, ])
+
+# cosines and sines of the 24 angles at which the determinant is sampled
+_GENERAL_5R_SAMPLE_C = np.array([1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0, -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682, -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5, -0.2588190451025207, 0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682])
+_GENERAL_5R_SAMPLE_S = np.array([0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682, 1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0, -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682, -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5, -0.2588190451025207])
+
+# from the samples to a_0 ... a_8, b_1 ... b_8 and seven numbers that would be zero without rounding
+_GENERAL_5R_HARMONICS = np.array([
+    [0.041666666666666664, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.08333333333333333, 0.0, 0.0, 0.0],
+    [0.041666666666666664, 0.08049381885742235, 0.07216878364870322, 0.05892556509887897, 0.041666666666666664, 0.02156825375854339, -0.0, -0.02156825375854339, -0.041666666666666664, 0.02156825375854339, 0.041666666666666664, 0.05892556509887897, 0.07216878364870322, 0.08049381885742235, 0.08333333333333333, 0.08049381885742235, 0.07216878364870322, -0.05892556509887897, -0.07216878364870322, -0.08049381885742235, -0.08333333333333333, 0.05892556509887897, 0.041666666666666664, 0.02156825375854339],
+    [0.041666666666666664, 0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664, -0.07216878364870322, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664, 0.041666666666666664, 0.07216878364870322, 0.08333333333333333, 0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664, -0.07216878364870322, 0.0, 0.041666666666666664, 0.07216878364870322, 0.08333333333333333, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664],
+    [0.041666666666666664, 0.05892556509887897, -0.0, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897, 0.0, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897, -0.0, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897, 0.0, 0.05892556509887897, -0.0, -0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897],
+    [0.041666666666666664, 0.041666666666666664, -0.041666666666666664, -0.08333333333333333, -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, 0.041666666666666664, -0.041666666666666664, 0.07216878364870322, 0.07216878364870322, -0.0, -0.07216878364870322, -0.07216878364870322, 0.0, 0.07216878364870322, 0.07216878364870322, -0.08333333333333333, -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, -0.0, -0.07216878364870322, -0.07216878364870322],
+    [0.041666666666666664, 0.02156825375854339, -0.07216878364870322, -0.05892556509887897, 0.041666666666666664, 0.08049381885742235, -0.0, -0.08049381885742235, -0.041666666666666664, 0.08049381885742235, 0.041666666666666664, -0.05892556509887897, -0.07216878364870322, 0.02156825375854339, 0.08333333333333333, 0.02156825375854339, -0.07216878364870322, 0.05892556509887897, 0.07216878364870322, -0.02156825375854339, -0.08333333333333333, -0.05892556509887897, 0.041666666666666664, 0.08049381885742235],
+    [0.041666666666666664, -0.0, -0.08333333333333333, 0.0, 0.08333333333333333, -0.0, -0.08333333333333333, 0.0, 0.08333333333333333, 0.08333333333333333, -0.0, -0.08333333333333333, 0.0, 0.08333333333333333, -0.0, -0.08333333333333333, 0.0, -0.0, -0.08333333333333333, 0.0, 0.08333333333333333, 0.08333333333333333, -0.0, -0.08333333333333333],
+    [0.041666666666666664, -0.02156825375854339, -0.07216878364870322, 0.05892556509887897, 0.041666666666666664, -0.08049381885742235, 0.0, 0.08049381885742235, -0.041666666666666664, 0.08049381885742235, -0.041666666666666664, -0.05892556509887897, 0.07216878364870322, 0.02156825375854339, -0.08333333333333333, 0.02156825375854339, 0.07216878364870322, -0.05892556509887897, 0.07216878364870322, 0.02156825375854339, -0.08333333333333333, -0.05892556509887897, -0.041666666666666664, 0.08049381885742235],
+    [0.041666666666666664, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, 0.07216878364870322, -0.07216878364870322, 0.0, 0.07216878364870322, -0.07216878364870322, 0.0, 0.07216878364870322, -0.07216878364870322, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, 0.0, 0.07216878364870322, -0.07216878364870322],
+    [0.041666666666666664, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, -0.0, -0.05892556509887897, 0.08333333333333333, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, -0.0, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897, 0.0, -0.05892556509887897, 0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897],
+    [0.041666666666666664, -0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664, 0.07216878364870322, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664, 0.041666666666666664, -0.07216878364870322, 0.08333333333333333, -0.07216878364870322, 0.041666666666666664, -0.0, -0.041666666666666664, 0.07216878364870322, 0.0, 0.041666666666666664, -0.07216878364870322, 0.08333333333333333, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664],
+    [0.041666666666666664, -0.08049381885742235, 0.07216878364870322, -0.05892556509887897, 0.041666666666666664, -0.02156825375854339, 0.0, 0.02156825375854339, -0.041666666666666664, 0.02156825375854339, -0.041666666666666664, 0.05892556509887897, -0.07216878364870322, 0.08049381885742235, -0.08333333333333333, 0.08049381885742235, -0.07216878364870322, 0.05892556509887897, -0.07216878364870322, 0.08049381885742235, -0.08333333333333333, 0.05892556509887897, -0.041666666666666664, 0.02156825375854339],
+    [0.041666666666666664, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.0, 0.0, -0.08333333333333333, 0.08333333333333333, -0.08333333333333333, 0.08333333333333333, -0.0, 0.0, -0.0],
+    [0.041666666666666664, -0.08049381885742235, 0.07216878364870322, -0.05892556509887897, 0.041666666666666664, -0.02156825375854339, -0.0, 0.02156825375854339, -0.041666666666666664, -0.02156825375854339, 0.041666666666666664, -0.05892556509887897, 0.07216878364870322, -0.08049381885742235, 0.08333333333333333, -0.08049381885742235, 0.07216878364870322, 0.05892556509887897, -0.07216878364870322, 0.08049381885742235, -0.08333333333333333, -0.05892556509887897, 0.041666666666666664, -0.02156825375854339],
+    [0.041666666666666664, -0.07216878364870322, 0.041666666666666664, 0.0, -0.041666666666666664, 0.07216878364870322, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664, -0.041666666666666664, 0.07216878364870322, -0.08333333333333333, 0.07216878364870322, -0.041666666666666664, -0.0, 0.041666666666666664, -0.07216878364870322, -0.0, 0.041666666666666664, -0.07216878364870322, 0.08333333333333333, 0.08333333333333333, -0.07216878364870322, 0.041666666666666664],
+    [0.041666666666666664, -0.05892556509887897, -0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897, -0.0, 0.05892556509887897, -0.08333333333333333, 0.05892556509887897, 0.0, -0.05892556509887897, -0.0, 0.05892556509887897, -0.08333333333333333, -0.05892556509887897, 0.08333333333333333, -0.05892556509887897],
+    [0.041666666666666664, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, -0.07216878364870322, 0.07216878364870322, 0.0, -0.07216878364870322, 0.07216878364870322, 0.0, -0.07216878364870322, 0.07216878364870322, 0.08333333333333333, -0.041666666666666664, -0.041666666666666664, 0.08333333333333333, 0.0, -0.07216878364870322, 0.07216878364870322],
+    [0.041666666666666664, -0.02156825375854339, -0.07216878364870322, 0.05892556509887897, 0.041666666666666664, -0.08049381885742235, -0.0, 0.08049381885742235, -0.041666666666666664, -0.08049381885742235, 0.041666666666666664, 0.05892556509887897, -0.07216878364870322, -0.02156825375854339, 0.08333333333333333, -0.02156825375854339, -0.07216878364870322, -0.05892556509887897, 0.07216878364870322, 0.02156825375854339, -0.08333333333333333, 0.05892556509887897, 0.041666666666666664, -0.08049381885742235],
+    [0.041666666666666664, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, -0.08333333333333333, -0.0, 0.08333333333333333, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, 0.0, 0.0, -0.08333333333333333, -0.0, 0.08333333333333333, -0.08333333333333333, -0.0, 0.08333333333333333],
+    [0.041666666666666664, 0.02156825375854339, -0.07216878364870322, -0.05892556509887897, 0.041666666666666664, 0.08049381885742235, 0.0, -0.08049381885742235, -0.041666666666666664, -0.08049381885742235, -0.041666666666666664, 0.05892556509887897, 0.07216878364870322, -0.02156825375854339, -0.08333333333333333, -0.02156825375854339, 0.07216878364870322, 0.05892556509887897, 0.07216878364870322, -0.02156825375854339, -0.08333333333333333, 0.05892556509887897, -0.041666666666666664, -0.08049381885742235],
+    [0.041666666666666664, 0.041666666666666664, -0.041666666666666664, -0.08333333333333333, -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, 0.041666666666666664, -0.041666666666666664, -0.07216878364870322, -0.07216878364870322, -0.0, 0.07216878364870322, 0.07216878364870322, 0.0, -0.07216878364870322, -0.07216878364870322, -0.08333333333333333, -0.041666666666666664, 0.041666666666666664, 0.08333333333333333, -0.0, 0.07216878364870322, 0.07216878364870322],
+    [0.041666666666666664, 0.05892556509887897, 0.0, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897, -0.0, 0.05892556509887897, 0.08333333333333333, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897, -0.0, 0.05892556509887897, 0.08333333333333333, 0.05892556509887897, 0.0, 0.05892556509887897, 0.0, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897, -0.08333333333333333, -0.05892556509887897],
+    [0.041666666666666664, 0.07216878364870322, 0.041666666666666664, 0.0, -0.041666666666666664, -0.07216878364870322, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664, -0.041666666666666664, -0.07216878364870322, -0.08333333333333333, -0.07216878364870322, -0.041666666666666664, -0.0, 0.041666666666666664, 0.07216878364870322, -0.0, 0.041666666666666664, 0.07216878364870322, 0.08333333333333333, 0.08333333333333333, 0.07216878364870322, 0.041666666666666664],
+    [0.041666666666666664, 0.08049381885742235, 0.07216878364870322, 0.05892556509887897, 0.041666666666666664, 0.02156825375854339, 0.0, -0.02156825375854339, -0.041666666666666664, -0.02156825375854339, -0.041666666666666664, -0.05892556509887897, -0.07216878364870322, -0.08049381885742235, -0.08333333333333333, -0.08049381885742235, -0.07216878364870322, -0.05892556509887897, -0.07216878364870322, -0.08049381885742235, -0.08333333333333333, -0.05892556509887897, -0.041666666666666664, -0.02156825375854339],
+])
+
+# cosines and sines of m phi, m = 1 ... 8, at 128 angles of half the circle
+_GENERAL_5R_GRID_C = np.array([
+    [1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969, 0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304, 0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088, 0.9495281805930367, 0.9415440651830208, 0.9329927988347388, 0.9238795325112867, 0.9142097557035307, 0.9039892931234433, 0.8932243011955153, 0.881921264348355, 0.8700869911087115, 0.8577286100002721, 0.8448535652497071, 0.8314696123025452, 0.8175848131515837, 0.8032075314806449, 0.7883464276266062, 0.773010453362737, 0.7572088465064846, 0.7409511253549591, 0.7242470829514669, 0.7071067811865476, 0.6895405447370669, 0.6715589548470184, 0.6531728429537768, 0.6343932841636455, 0.6152315905806268, 0.5956993044924334, 0.5758081914178453, 0.5555702330196022, 0.5349976198870973, 0.5141027441932218, 0.49289819222978404, 0.47139673682599764, 0.4496113296546066, 0.4275550934302821, 0.40524131400498986, 0.3826834323650898, 0.35989503653498817, 0.33688985339222005, 0.31368174039889146, 0.2902846772544624, 0.26671275747489837, 0.2429801799032639, 0.2191012401568698, 0.19509032201612828, 0.17096188876030122, 0.14673047445536175, 0.1224106751992162, 0.0980171403295606, 0.07356456359966743, 0.049067674327418015, 0.024541228522912288, 0.0, -0.024541228522912288, -0.049067674327418015, -0.07356456359966743, -0.0980171403295606, -0.1224106751992162, -0.14673047445536175, -0.17096188876030122, -0.19509032201612828, -0.2191012401568698, -0.2429801799032639, -0.26671275747489837, -0.2902846772544624, -0.31368174039889146, -0.33688985339222005, -0.35989503653498817, -0.3826834323650898, -0.40524131400498986, -0.4275550934302821, -0.4496113296546066, -0.47139673682599764, -0.49289819222978404, -0.5141027441932218, -0.5349976198870973, -0.5555702330196022, -0.5758081914178453, -0.5956993044924334, -0.6152315905806268, -0.6343932841636455, -0.6531728429537768, -0.6715589548470184, -0.6895405447370669, -0.7071067811865476, -0.7242470829514669, -0.7409511253549591, -0.7572088465064846, -0.773010453362737, -0.7883464276266062, -0.8032075314806449, -0.8175848131515837, -0.8314696123025452, -0.8448535652497071, -0.8577286100002721, -0.8700869911087115, -0.881921264348355, -0.8932243011955153, -0.9039892931234433, -0.9142097557035307, -0.9238795325112867, -0.9329927988347388, -0.9415440651830208, -0.9495281805930367, -0.9569403357322088, -0.9637760657954398, -0.970031253194544, -0.9757021300385286, -0.9807852804032304, -0.9852776423889412, -0.989176509964781, -0.99247953459871, -0.9951847266721969, -0.9972904566786902, -0.9987954562051724, -0.9996988186962042],
+    [1.0, 0.9987954562051724, 0.9951847266721969, 0.989176509964781, 0.9807852804032304, 0.970031253194544, 0.9569403357322088, 0.9415440651830208, 0.9238795325112867, 0.9039892931234433, 0.881921264348355, 0.8577286100002721, 0.8314696123025452, 0.8032075314806449, 0.773010453362737, 0.7409511253549591, 0.7071067811865476, 0.6715589548470184, 0.6343932841636455, 0.5956993044924334, 0.5555702330196022, 0.5141027441932218, 0.47139673682599764, 0.4275550934302821, 0.3826834323650898, 0.33688985339222005, 0.2902846772544624, 0.2429801799032639, 0.19509032201612828, 0.14673047445536175, 0.0980171403295606, 0.049067674327418015, 0.0, -0.049067674327418015, -0.0980171403295606, -0.14673047445536175, -0.19509032201612828, -0.2429801799032639, -0.2902846772544624, -0.33688985339222005, -0.3826834323650898, -0.4275550934302821, -0.47139673682599764, -0.5141027441932218, -0.5555702330196022, -0.5956993044924334, -0.6343932841636455, -0.6715589548470184, -0.7071067811865476, -0.7409511253549591, -0.773010453362737, -0.8032075314806449, -0.8314696123025452, -0.8577286100002721, -0.881921264348355, -0.9039892931234433, -0.9238795325112867, -0.9415440651830208, -0.9569403357322088, -0.970031253194544, -0.9807852804032304, -0.989176509964781, -0.9951847266721969, -0.9987954562051724, -1.0, -0.9987954562051724, -0.9951847266721969, -0.989176509964781, -0.9807852804032304, -0.970031253194544, -0.9569403357322088, -0.9415440651830208, -0.9238795325112867, -0.9039892931234433, -0.881921264348355, -0.8577286100002721, -0.8314696123025452, -0.8032075314806449, -0.773010453362737, -0.7409511253549591, -0.7071067811865476, -0.6715589548470184, -0.6343932841636455, -0.5956993044924334, -0.5555702330196022, -0.5141027441932218, -0.47139673682599764, -0.4275550934302821, -0.3826834323650898, -0.33688985339222005, -0.2902846772544624, -0.2429801799032639, -0.19509032201612828, -0.14673047445536175, -0.0980171403295606, -0.049067674327418015, 0.0, 0.049067674327418015, 0.0980171403295606, 0.14673047445536175, 0.19509032201612828, 0.2429801799032639, 0.2902846772544624, 0.33688985339222005, 0.3826834323650898, 0.4275550934302821, 0.47139673682599764, 0.5141027441932218, 0.5555702330196022, 0.5956993044924334, 0.6343932841636455, 0.6715589548470184, 0.7071067811865476, 0.7409511253549591, 0.773010453362737, 0.8032075314806449, 0.8314696123025452, 0.8577286100002721, 0.881921264348355, 0.9039892931234433, 0.9238795325112867, 0.9415440651830208, 0.9569403357322088, 0.970031253194544, 0.9807852804032304, 0.989176509964781, 0.9951847266721969, 0.9987954562051724],
+    [1.0, 0.9972904566786902, 0.989176509964781, 0.9757021300385286, 0.9569403357322088, 0.9329927988347388, 0.9039892931234433, 0.8700869911087115, 0.8314696123025452, 0.7883464276266062, 0.7409511253549591, 0.6895405447370669, 0.6343932841636455, 0.5758081914178453, 0.5141027441932218, 0.4496113296546066, 0.3826834323650898, 0.31368174039889146, 0.2429801799032639, 0.17096188876030122, 0.0980171403295606, 0.024541228522912288, -0.049067674327418015, -0.1224106751992162, -0.19509032201612828, -0.26671275747489837, -0.33688985339222005, -0.40524131400498986, -0.47139673682599764, -0.5349976198870973, -0.5956993044924334, -0.6531728429537768, -0.7071067811865476, -0.7572088465064846, -0.8032075314806449, -0.8448535652497071, -0.881921264348355, -0.9142097557035307, -0.9415440651830208, -0.9637760657954398, -0.9807852804032304, -0.99247953459871, -0.9987954562051724, -0.9996988186962042, -0.9951847266721969, -0.9852776423889412, -0.970031253194544, -0.9495281805930367, -0.9238795325112867, -0.8932243011955153, -0.8577286100002721, -0.8175848131515837, -0.773010453362737, -0.7242470829514669, -0.6715589548470184, -0.6152315905806268, -0.5555702330196022, -0.49289819222978404, -0.4275550934302821, -0.35989503653498817, -0.2902846772544624, -0.2191012401568698, -0.14673047445536175, -0.07356456359966743, 0.0, 0.07356456359966743, 0.14673047445536175, 0.2191012401568698, 0.2902846772544624, 0.35989503653498817, 0.4275550934302821, 0.49289819222978404, 0.5555702330196022, 0.6152315905806268, 0.6715589548470184, 0.7242470829514669, 0.773010453362737, 0.8175848131515837, 0.8577286100002721, 0.8932243011955153, 0.9238795325112867, 0.9495281805930367, 0.970031253194544, 0.9852776423889412, 0.9951847266721969, 0.9996988186962042, 0.9987954562051724, 0.99247953459871, 0.9807852804032304, 0.9637760657954398, 0.9415440651830208, 0.9142097557035307, 0.881921264348355, 0.8448535652497071, 0.8032075314806449, 0.7572088465064846, 0.7071067811865476, 0.6531728429537768, 0.5956993044924334, 0.5349976198870973, 0.47139673682599764, 0.40524131400498986, 0.33688985339222005, 0.26671275747489837, 0.19509032201612828, 0.1224106751992162, 0.049067674327418015, -0.024541228522912288, -0.0980171403295606, -0.17096188876030122, -0.2429801799032639, -0.31368174039889146, -0.3826834323650898, -0.4496113296546066, -0.5141027441932218, -0.5758081914178453, -0.6343932841636455, -0.6895405447370669, -0.7409511253549591, -0.7883464276266062, -0.8314696123025452, -0.8700869911087115, -0.9039892931234433, -0.9329927988347388, -0.9569403357322088, -0.9757021300385286, -0.989176509964781, -0.9972904566786902],
+    [1.0, 0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606, 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0, 0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606, 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969],
+    [1.0, 0.99247953459871, 0.970031253194544, 0.9329927988347388, 0.881921264348355, 0.8175848131515837, 0.7409511253549591, 0.6531728429537768, 0.5555702330196022, 0.4496113296546066, 0.33688985339222005, 0.2191012401568698, 0.0980171403295606, -0.024541228522912288, -0.14673047445536175, -0.26671275747489837, -0.3826834323650898, -0.49289819222978404, -0.5956993044924334, -0.6895405447370669, -0.773010453362737, -0.8448535652497071, -0.9039892931234433, -0.9495281805930367, -0.9807852804032304, -0.9972904566786902, -0.9987954562051724, -0.9852776423889412, -0.9569403357322088, -0.9142097557035307, -0.8577286100002721, -0.7883464276266062, -0.7071067811865476, -0.6152315905806268, -0.5141027441932218, -0.40524131400498986, -0.2902846772544624, -0.17096188876030122, -0.049067674327418015, 0.07356456359966743, 0.19509032201612828, 0.31368174039889146, 0.4275550934302821, 0.5349976198870973, 0.6343932841636455, 0.7242470829514669, 0.8032075314806449, 0.8700869911087115, 0.9238795325112867, 0.9637760657954398, 0.989176509964781, 0.9996988186962042, 0.9951847266721969, 0.9757021300385286, 0.9415440651830208, 0.8932243011955153, 0.8314696123025452, 0.7572088465064846, 0.6715589548470184, 0.5758081914178453, 0.47139673682599764, 0.35989503653498817, 0.2429801799032639, 0.1224106751992162, 0.0, -0.1224106751992162, -0.2429801799032639, -0.35989503653498817, -0.47139673682599764, -0.5758081914178453, -0.6715589548470184, -0.7572088465064846, -0.8314696123025452, -0.8932243011955153, -0.9415440651830208, -0.9757021300385286, -0.9951847266721969, -0.9996988186962042, -0.989176509964781, -0.9637760657954398, -0.9238795325112867, -0.8700869911087115, -0.8032075314806449, -0.7242470829514669, -0.6343932841636455, -0.5349976198870973, -0.4275550934302821, -0.31368174039889146, -0.19509032201612828, -0.07356456359966743, 0.049067674327418015, 0.17096188876030122, 0.2902846772544624, 0.40524131400498986, 0.5141027441932218, 0.6152315905806268, 0.7071067811865476, 0.7883464276266062, 0.8577286100002721, 0.9142097557035307, 0.9569403357322088, 0.9852776423889412, 0.9987954562051724, 0.9972904566786902, 0.9807852804032304, 0.9495281805930367, 0.9039892931234433, 0.8448535652497071, 0.773010453362737, 0.6895405447370669, 0.5956993044924334, 0.49289819222978404, 0.3826834323650898, 0.26671275747489837, 0.14673047445536175, 0.024541228522912288, -0.0980171403295606, -0.2191012401568698, -0.33688985339222005, -0.4496113296546066, -0.5555702330196022, -0.6531728429537768, -0.7409511253549591, -0.8175848131515837, -0.881921264348355, -0.9329927988347388, -0.970031253194544, -0.99247953459871],
+    [1.0, 0.989176509964781, 0.9569403357322088, 0.9039892931234433, 0.8314696123025452, 0.7409511253549591, 0.6343932841636455, 0.5141027441932218, 0.3826834323650898, 0.2429801799032639, 0.0980171403295606, -0.049067674327418015, -0.19509032201612828, -0.33688985339222005, -0.47139673682599764, -0.5956993044924334, -0.7071067811865476, -0.8032075314806449, -0.881921264348355, -0.9415440651830208, -0.9807852804032304, -0.9987954562051724, -0.9951847266721969, -0.970031253194544, -0.9238795325112867, -0.8577286100002721, -0.773010453362737, -0.6715589548470184, -0.5555702330196022, -0.4275550934302821, -0.2902846772544624, -0.14673047445536175, 0.0, 0.14673047445536175, 0.2902846772544624, 0.4275550934302821, 0.5555702330196022, 0.6715589548470184, 0.773010453362737, 0.8577286100002721, 0.9238795325112867, 0.970031253194544, 0.9951847266721969, 0.9987954562051724, 0.9807852804032304, 0.9415440651830208, 0.881921264348355, 0.8032075314806449, 0.7071067811865476, 0.5956993044924334, 0.47139673682599764, 0.33688985339222005, 0.19509032201612828, 0.049067674327418015, -0.0980171403295606, -0.2429801799032639, -0.3826834323650898, -0.5141027441932218, -0.6343932841636455, -0.7409511253549591, -0.8314696123025452, -0.9039892931234433, -0.9569403357322088, -0.989176509964781, -1.0, -0.989176509964781, -0.9569403357322088, -0.9039892931234433, -0.8314696123025452, -0.7409511253549591, -0.6343932841636455, -0.5141027441932218, -0.3826834323650898, -0.2429801799032639, -0.0980171403295606, 0.049067674327418015, 0.19509032201612828, 0.33688985339222005, 0.47139673682599764, 0.5956993044924334, 0.7071067811865476, 0.8032075314806449, 0.881921264348355, 0.9415440651830208, 0.9807852804032304, 0.9987954562051724, 0.9951847266721969, 0.970031253194544, 0.9238795325112867, 0.8577286100002721, 0.773010453362737, 0.6715589548470184, 0.5555702330196022, 0.4275550934302821, 0.2902846772544624, 0.14673047445536175, 0.0, -0.14673047445536175, -0.2902846772544624, -0.4275550934302821, -0.5555702330196022, -0.6715589548470184, -0.773010453362737, -0.8577286100002721, -0.9238795325112867, -0.970031253194544, -0.9951847266721969, -0.9987954562051724, -0.9807852804032304, -0.9415440651830208, -0.881921264348355, -0.8032075314806449, -0.7071067811865476, -0.5956993044924334, -0.47139673682599764, -0.33688985339222005, -0.19509032201612828, -0.049067674327418015, 0.0980171403295606, 0.2429801799032639, 0.3826834323650898, 0.5141027441932218, 0.6343932841636455, 0.7409511253549591, 0.8314696123025452, 0.9039892931234433, 0.9569403357322088, 0.989176509964781],
+    [1.0, 0.9852776423889412, 0.9415440651830208, 0.8700869911087115, 0.773010453362737, 0.6531728429537768, 0.5141027441932218, 0.35989503653498817, 0.19509032201612828, 0.024541228522912288, -0.14673047445536175, -0.31368174039889146, -0.47139673682599764, -0.6152315905806268, -0.7409511253549591, -0.8448535652497071, -0.9238795325112867, -0.9757021300385286, -0.9987954562051724, -0.99247953459871, -0.9569403357322088, -0.8932243011955153, -0.8032075314806449, -0.6895405447370669, -0.5555702330196022, -0.40524131400498986, -0.2429801799032639, -0.07356456359966743, 0.0980171403295606, 0.26671275747489837, 0.4275550934302821, 0.5758081914178453, 0.7071067811865476, 0.8175848131515837, 0.9039892931234433, 0.9637760657954398, 0.9951847266721969, 0.9972904566786902, 0.970031253194544, 0.9142097557035307, 0.8314696123025452, 0.7242470829514669, 0.5956993044924334, 0.4496113296546066, 0.2902846772544624, 0.1224106751992162, -0.049067674327418015, -0.2191012401568698, -0.3826834323650898, -0.5349976198870973, -0.6715589548470184, -0.7883464276266062, -0.881921264348355, -0.9495281805930367, -0.989176509964781, -0.9996988186962042, -0.9807852804032304, -0.9329927988347388, -0.8577286100002721, -0.7572088465064846, -0.6343932841636455, -0.49289819222978404, -0.33688985339222005, -0.17096188876030122, 0.0, 0.17096188876030122, 0.33688985339222005, 0.49289819222978404, 0.6343932841636455, 0.7572088465064846, 0.8577286100002721, 0.9329927988347388, 0.9807852804032304, 0.9996988186962042, 0.989176509964781, 0.9495281805930367, 0.881921264348355, 0.7883464276266062, 0.6715589548470184, 0.5349976198870973, 0.3826834323650898, 0.2191012401568698, 0.049067674327418015, -0.1224106751992162, -0.2902846772544624, -0.4496113296546066, -0.5956993044924334, -0.7242470829514669, -0.8314696123025452, -0.9142097557035307, -0.970031253194544, -0.9972904566786902, -0.9951847266721969, -0.9637760657954398, -0.9039892931234433, -0.8175848131515837, -0.7071067811865476, -0.5758081914178453, -0.4275550934302821, -0.26671275747489837, -0.0980171403295606, 0.07356456359966743, 0.2429801799032639, 0.40524131400498986, 0.5555702330196022, 0.6895405447370669, 0.8032075314806449, 0.8932243011955153, 0.9569403357322088, 0.99247953459871, 0.9987954562051724, 0.9757021300385286, 0.9238795325112867, 0.8448535652497071, 0.7409511253549591, 0.6152315905806268, 0.47139673682599764, 0.31368174039889146, 0.14673047445536175, -0.024541228522912288, -0.19509032201612828, -0.35989503653498817, -0.5141027441932218, -0.6531728429537768, -0.773010453362737, -0.8700869911087115, -0.9415440651830208, -0.9852776423889412],
+    [1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304],
+])
+_GENERAL_5R_GRID_S = np.array([
+    [0.0, 0.024541228522912288, 0.049067674327418015, 0.07356456359966743, 0.0980171403295606, 0.1224106751992162, 0.14673047445536175, 0.17096188876030122, 0.19509032201612828, 0.2191012401568698, 0.2429801799032639, 0.26671275747489837, 0.2902846772544624, 0.31368174039889146, 0.33688985339222005, 0.35989503653498817, 0.3826834323650898, 0.40524131400498986, 0.4275550934302821, 0.4496113296546066, 0.47139673682599764, 0.49289819222978404, 0.5141027441932218, 0.5349976198870973, 0.5555702330196022, 0.5758081914178453, 0.5956993044924334, 0.6152315905806268, 0.6343932841636455, 0.6531728429537768, 0.6715589548470184, 0.6895405447370669, 0.7071067811865476, 0.7242470829514669, 0.7409511253549591, 0.7572088465064846, 0.773010453362737, 0.7883464276266062, 0.8032075314806449, 0.8175848131515837, 0.8314696123025452, 0.8448535652497071, 0.8577286100002721, 0.8700869911087115, 0.881921264348355, 0.8932243011955153, 0.9039892931234433, 0.9142097557035307, 0.9238795325112867, 0.9329927988347388, 0.9415440651830208, 0.9495281805930367, 0.9569403357322088, 0.9637760657954398, 0.970031253194544, 0.9757021300385286, 0.9807852804032304, 0.9852776423889412, 0.989176509964781, 0.99247953459871, 0.9951847266721969, 0.9972904566786902, 0.9987954562051724, 0.9996988186962042, 1.0, 0.9996988186962042, 0.9987954562051724, 0.9972904566786902, 0.9951847266721969, 0.99247953459871, 0.989176509964781, 0.9852776423889412, 0.9807852804032304, 0.9757021300385286, 0.970031253194544, 0.9637760657954398, 0.9569403357322088, 0.9495281805930367, 0.9415440651830208, 0.9329927988347388, 0.9238795325112867, 0.9142097557035307, 0.9039892931234433, 0.8932243011955153, 0.881921264348355, 0.8700869911087115, 0.8577286100002721, 0.8448535652497071, 0.8314696123025452, 0.8175848131515837, 0.8032075314806449, 0.7883464276266062, 0.773010453362737, 0.7572088465064846, 0.7409511253549591, 0.7242470829514669, 0.7071067811865476, 0.6895405447370669, 0.6715589548470184, 0.6531728429537768, 0.6343932841636455, 0.6152315905806268, 0.5956993044924334, 0.5758081914178453, 0.5555702330196022, 0.5349976198870973, 0.5141027441932218, 0.49289819222978404, 0.47139673682599764, 0.4496113296546066, 0.4275550934302821, 0.40524131400498986, 0.3826834323650898, 0.35989503653498817, 0.33688985339222005, 0.31368174039889146, 0.2902846772544624, 0.26671275747489837, 0.2429801799032639, 0.2191012401568698, 0.19509032201612828, 0.17096188876030122, 0.14673047445536175, 0.1224106751992162, 0.0980171403295606, 0.07356456359966743, 0.049067674327418015, 0.024541228522912288],
+    [0.0, 0.049067674327418015, 0.0980171403295606, 0.14673047445536175, 0.19509032201612828, 0.2429801799032639, 0.2902846772544624, 0.33688985339222005, 0.3826834323650898, 0.4275550934302821, 0.47139673682599764, 0.5141027441932218, 0.5555702330196022, 0.5956993044924334, 0.6343932841636455, 0.6715589548470184, 0.7071067811865476, 0.7409511253549591, 0.773010453362737, 0.8032075314806449, 0.8314696123025452, 0.8577286100002721, 0.881921264348355, 0.9039892931234433, 0.9238795325112867, 0.9415440651830208, 0.9569403357322088, 0.970031253194544, 0.9807852804032304, 0.989176509964781, 0.9951847266721969, 0.9987954562051724, 1.0, 0.9987954562051724, 0.9951847266721969, 0.989176509964781, 0.9807852804032304, 0.970031253194544, 0.9569403357322088, 0.9415440651830208, 0.9238795325112867, 0.9039892931234433, 0.881921264348355, 0.8577286100002721, 0.8314696123025452, 0.8032075314806449, 0.773010453362737, 0.7409511253549591, 0.7071067811865476, 0.6715589548470184, 0.6343932841636455, 0.5956993044924334, 0.5555702330196022, 0.5141027441932218, 0.47139673682599764, 0.4275550934302821, 0.3826834323650898, 0.33688985339222005, 0.2902846772544624, 0.2429801799032639, 0.19509032201612828, 0.14673047445536175, 0.0980171403295606, 0.049067674327418015, 0.0, -0.049067674327418015, -0.0980171403295606, -0.14673047445536175, -0.19509032201612828, -0.2429801799032639, -0.2902846772544624, -0.33688985339222005, -0.3826834323650898, -0.4275550934302821, -0.47139673682599764, -0.5141027441932218, -0.5555702330196022, -0.5956993044924334, -0.6343932841636455, -0.6715589548470184, -0.7071067811865476, -0.7409511253549591, -0.773010453362737, -0.8032075314806449, -0.8314696123025452, -0.8577286100002721, -0.881921264348355, -0.9039892931234433, -0.9238795325112867, -0.9415440651830208, -0.9569403357322088, -0.970031253194544, -0.9807852804032304, -0.989176509964781, -0.9951847266721969, -0.9987954562051724, -1.0, -0.9987954562051724, -0.9951847266721969, -0.989176509964781, -0.9807852804032304, -0.970031253194544, -0.9569403357322088, -0.9415440651830208, -0.9238795325112867, -0.9039892931234433, -0.881921264348355, -0.8577286100002721, -0.8314696123025452, -0.8032075314806449, -0.773010453362737, -0.7409511253549591, -0.7071067811865476, -0.6715589548470184, -0.6343932841636455, -0.5956993044924334, -0.5555702330196022, -0.5141027441932218, -0.47139673682599764, -0.4275550934302821, -0.3826834323650898, -0.33688985339222005, -0.2902846772544624, -0.2429801799032639, -0.19509032201612828, -0.14673047445536175, -0.0980171403295606, -0.049067674327418015],
+    [0.0, 0.07356456359966743, 0.14673047445536175, 0.2191012401568698, 0.2902846772544624, 0.35989503653498817, 0.4275550934302821, 0.49289819222978404, 0.5555702330196022, 0.6152315905806268, 0.6715589548470184, 0.7242470829514669, 0.773010453362737, 0.8175848131515837, 0.8577286100002721, 0.8932243011955153, 0.9238795325112867, 0.9495281805930367, 0.970031253194544, 0.9852776423889412, 0.9951847266721969, 0.9996988186962042, 0.9987954562051724, 0.99247953459871, 0.9807852804032304, 0.9637760657954398, 0.9415440651830208, 0.9142097557035307, 0.881921264348355, 0.8448535652497071, 0.8032075314806449, 0.7572088465064846, 0.7071067811865476, 0.6531728429537768, 0.5956993044924334, 0.5349976198870973, 0.47139673682599764, 0.40524131400498986, 0.33688985339222005, 0.26671275747489837, 0.19509032201612828, 0.1224106751992162, 0.049067674327418015, -0.024541228522912288, -0.0980171403295606, -0.17096188876030122, -0.2429801799032639, -0.31368174039889146, -0.3826834323650898, -0.4496113296546066, -0.5141027441932218, -0.5758081914178453, -0.6343932841636455, -0.6895405447370669, -0.7409511253549591, -0.7883464276266062, -0.8314696123025452, -0.8700869911087115, -0.9039892931234433, -0.9329927988347388, -0.9569403357322088, -0.9757021300385286, -0.989176509964781, -0.9972904566786902, -1.0, -0.9972904566786902, -0.989176509964781, -0.9757021300385286, -0.9569403357322088, -0.9329927988347388, -0.9039892931234433, -0.8700869911087115, -0.8314696123025452, -0.7883464276266062, -0.7409511253549591, -0.6895405447370669, -0.6343932841636455, -0.5758081914178453, -0.5141027441932218, -0.4496113296546066, -0.3826834323650898, -0.31368174039889146, -0.2429801799032639, -0.17096188876030122, -0.0980171403295606, -0.024541228522912288, 0.049067674327418015, 0.1224106751992162, 0.19509032201612828, 0.26671275747489837, 0.33688985339222005, 0.40524131400498986, 0.47139673682599764, 0.5349976198870973, 0.5956993044924334, 0.6531728429537768, 0.7071067811865476, 0.7572088465064846, 0.8032075314806449, 0.8448535652497071, 0.881921264348355, 0.9142097557035307, 0.9415440651830208, 0.9637760657954398, 0.9807852804032304, 0.99247953459871, 0.9987954562051724, 0.9996988186962042, 0.9951847266721969, 0.9852776423889412, 0.970031253194544, 0.9495281805930367, 0.9238795325112867, 0.8932243011955153, 0.8577286100002721, 0.8175848131515837, 0.773010453362737, 0.7242470829514669, 0.6715589548470184, 0.6152315905806268, 0.5555702330196022, 0.49289819222978404, 0.4275550934302821, 0.35989503653498817, 0.2902846772544624, 0.2191012401568698, 0.14673047445536175, 0.07356456359966743],
+    [0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0, 0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606, 0.0, 0.0980171403295606, 0.19509032201612828, 0.2902846772544624, 0.3826834323650898, 0.47139673682599764, 0.5555702330196022, 0.6343932841636455, 0.7071067811865476, 0.773010453362737, 0.8314696123025452, 0.881921264348355, 0.9238795325112867, 0.9569403357322088, 0.9807852804032304, 0.9951847266721969, 1.0, 0.9951847266721969, 0.9807852804032304, 0.9569403357322088, 0.9238795325112867, 0.881921264348355, 0.8314696123025452, 0.773010453362737, 0.7071067811865476, 0.6343932841636455, 0.5555702330196022, 0.47139673682599764, 0.3826834323650898, 0.2902846772544624, 0.19509032201612828, 0.0980171403295606, 0.0, -0.0980171403295606, -0.19509032201612828, -0.2902846772544624, -0.3826834323650898, -0.47139673682599764, -0.5555702330196022, -0.6343932841636455, -0.7071067811865476, -0.773010453362737, -0.8314696123025452, -0.881921264348355, -0.9238795325112867, -0.9569403357322088, -0.9807852804032304, -0.9951847266721969, -1.0, -0.9951847266721969, -0.9807852804032304, -0.9569403357322088, -0.9238795325112867, -0.881921264348355, -0.8314696123025452, -0.773010453362737, -0.7071067811865476, -0.6343932841636455, -0.5555702330196022, -0.47139673682599764, -0.3826834323650898, -0.2902846772544624, -0.19509032201612828, -0.0980171403295606],
+    [0.0, 0.1224106751992162, 0.2429801799032639, 0.35989503653498817, 0.47139673682599764, 0.5758081914178453, 0.6715589548470184, 0.7572088465064846, 0.8314696123025452, 0.8932243011955153, 0.9415440651830208, 0.9757021300385286, 0.9951847266721969, 0.9996988186962042, 0.989176509964781, 0.9637760657954398, 0.9238795325112867, 0.8700869911087115, 0.8032075314806449, 0.7242470829514669, 0.6343932841636455, 0.5349976198870973, 0.4275550934302821, 0.31368174039889146, 0.19509032201612828, 0.07356456359966743, -0.049067674327418015, -0.17096188876030122, -0.2902846772544624, -0.40524131400498986, -0.5141027441932218, -0.6152315905806268, -0.7071067811865476, -0.7883464276266062, -0.8577286100002721, -0.9142097557035307, -0.9569403357322088, -0.9852776423889412, -0.9987954562051724, -0.9972904566786902, -0.9807852804032304, -0.9495281805930367, -0.9039892931234433, -0.8448535652497071, -0.773010453362737, -0.6895405447370669, -0.5956993044924334, -0.49289819222978404, -0.3826834323650898, -0.26671275747489837, -0.14673047445536175, -0.024541228522912288, 0.0980171403295606, 0.2191012401568698, 0.33688985339222005, 0.4496113296546066, 0.5555702330196022, 0.6531728429537768, 0.7409511253549591, 0.8175848131515837, 0.881921264348355, 0.9329927988347388, 0.970031253194544, 0.99247953459871, 1.0, 0.99247953459871, 0.970031253194544, 0.9329927988347388, 0.881921264348355, 0.8175848131515837, 0.7409511253549591, 0.6531728429537768, 0.5555702330196022, 0.4496113296546066, 0.33688985339222005, 0.2191012401568698, 0.0980171403295606, -0.024541228522912288, -0.14673047445536175, -0.26671275747489837, -0.3826834323650898, -0.49289819222978404, -0.5956993044924334, -0.6895405447370669, -0.773010453362737, -0.8448535652497071, -0.9039892931234433, -0.9495281805930367, -0.9807852804032304, -0.9972904566786902, -0.9987954562051724, -0.9852776423889412, -0.9569403357322088, -0.9142097557035307, -0.8577286100002721, -0.7883464276266062, -0.7071067811865476, -0.6152315905806268, -0.5141027441932218, -0.40524131400498986, -0.2902846772544624, -0.17096188876030122, -0.049067674327418015, 0.07356456359966743, 0.19509032201612828, 0.31368174039889146, 0.4275550934302821, 0.5349976198870973, 0.6343932841636455, 0.7242470829514669, 0.8032075314806449, 0.8700869911087115, 0.9238795325112867, 0.9637760657954398, 0.989176509964781, 0.9996988186962042, 0.9951847266721969, 0.9757021300385286, 0.9415440651830208, 0.8932243011955153, 0.8314696123025452, 0.7572088465064846, 0.6715589548470184, 0.5758081914178453, 0.47139673682599764, 0.35989503653498817, 0.2429801799032639, 0.1224106751992162],
+    [0.0, 0.14673047445536175, 0.2902846772544624, 0.4275550934302821, 0.5555702330196022, 0.6715589548470184, 0.773010453362737, 0.8577286100002721, 0.9238795325112867, 0.970031253194544, 0.9951847266721969, 0.9987954562051724, 0.9807852804032304, 0.9415440651830208, 0.881921264348355, 0.8032075314806449, 0.7071067811865476, 0.5956993044924334, 0.47139673682599764, 0.33688985339222005, 0.19509032201612828, 0.049067674327418015, -0.0980171403295606, -0.2429801799032639, -0.3826834323650898, -0.5141027441932218, -0.6343932841636455, -0.7409511253549591, -0.8314696123025452, -0.9039892931234433, -0.9569403357322088, -0.989176509964781, -1.0, -0.989176509964781, -0.9569403357322088, -0.9039892931234433, -0.8314696123025452, -0.7409511253549591, -0.6343932841636455, -0.5141027441932218, -0.3826834323650898, -0.2429801799032639, -0.0980171403295606, 0.049067674327418015, 0.19509032201612828, 0.33688985339222005, 0.47139673682599764, 0.5956993044924334, 0.7071067811865476, 0.8032075314806449, 0.881921264348355, 0.9415440651830208, 0.9807852804032304, 0.9987954562051724, 0.9951847266721969, 0.970031253194544, 0.9238795325112867, 0.8577286100002721, 0.773010453362737, 0.6715589548470184, 0.5555702330196022, 0.4275550934302821, 0.2902846772544624, 0.14673047445536175, 0.0, -0.14673047445536175, -0.2902846772544624, -0.4275550934302821, -0.5555702330196022, -0.6715589548470184, -0.773010453362737, -0.8577286100002721, -0.9238795325112867, -0.970031253194544, -0.9951847266721969, -0.9987954562051724, -0.9807852804032304, -0.9415440651830208, -0.881921264348355, -0.8032075314806449, -0.7071067811865476, -0.5956993044924334, -0.47139673682599764, -0.33688985339222005, -0.19509032201612828, -0.049067674327418015, 0.0980171403295606, 0.2429801799032639, 0.3826834323650898, 0.5141027441932218, 0.6343932841636455, 0.7409511253549591, 0.8314696123025452, 0.9039892931234433, 0.9569403357322088, 0.989176509964781, 1.0, 0.989176509964781, 0.9569403357322088, 0.9039892931234433, 0.8314696123025452, 0.7409511253549591, 0.6343932841636455, 0.5141027441932218, 0.3826834323650898, 0.2429801799032639, 0.0980171403295606, -0.049067674327418015, -0.19509032201612828, -0.33688985339222005, -0.47139673682599764, -0.5956993044924334, -0.7071067811865476, -0.8032075314806449, -0.881921264348355, -0.9415440651830208, -0.9807852804032304, -0.9987954562051724, -0.9951847266721969, -0.970031253194544, -0.9238795325112867, -0.8577286100002721, -0.773010453362737, -0.6715589548470184, -0.5555702330196022, -0.4275550934302821, -0.2902846772544624, -0.14673047445536175],
+    [0.0, 0.17096188876030122, 0.33688985339222005, 0.49289819222978404, 0.6343932841636455, 0.7572088465064846, 0.8577286100002721, 0.9329927988347388, 0.9807852804032304, 0.9996988186962042, 0.989176509964781, 0.9495281805930367, 0.881921264348355, 0.7883464276266062, 0.6715589548470184, 0.5349976198870973, 0.3826834323650898, 0.2191012401568698, 0.049067674327418015, -0.1224106751992162, -0.2902846772544624, -0.4496113296546066, -0.5956993044924334, -0.7242470829514669, -0.8314696123025452, -0.9142097557035307, -0.970031253194544, -0.9972904566786902, -0.9951847266721969, -0.9637760657954398, -0.9039892931234433, -0.8175848131515837, -0.7071067811865476, -0.5758081914178453, -0.4275550934302821, -0.26671275747489837, -0.0980171403295606, 0.07356456359966743, 0.2429801799032639, 0.40524131400498986, 0.5555702330196022, 0.6895405447370669, 0.8032075314806449, 0.8932243011955153, 0.9569403357322088, 0.99247953459871, 0.9987954562051724, 0.9757021300385286, 0.9238795325112867, 0.8448535652497071, 0.7409511253549591, 0.6152315905806268, 0.47139673682599764, 0.31368174039889146, 0.14673047445536175, -0.024541228522912288, -0.19509032201612828, -0.35989503653498817, -0.5141027441932218, -0.6531728429537768, -0.773010453362737, -0.8700869911087115, -0.9415440651830208, -0.9852776423889412, -1.0, -0.9852776423889412, -0.9415440651830208, -0.8700869911087115, -0.773010453362737, -0.6531728429537768, -0.5141027441932218, -0.35989503653498817, -0.19509032201612828, -0.024541228522912288, 0.14673047445536175, 0.31368174039889146, 0.47139673682599764, 0.6152315905806268, 0.7409511253549591, 0.8448535652497071, 0.9238795325112867, 0.9757021300385286, 0.9987954562051724, 0.99247953459871, 0.9569403357322088, 0.8932243011955153, 0.8032075314806449, 0.6895405447370669, 0.5555702330196022, 0.40524131400498986, 0.2429801799032639, 0.07356456359966743, -0.0980171403295606, -0.26671275747489837, -0.4275550934302821, -0.5758081914178453, -0.7071067811865476, -0.8175848131515837, -0.9039892931234433, -0.9637760657954398, -0.9951847266721969, -0.9972904566786902, -0.970031253194544, -0.9142097557035307, -0.8314696123025452, -0.7242470829514669, -0.5956993044924334, -0.4496113296546066, -0.2902846772544624, -0.1224106751992162, 0.049067674327418015, 0.2191012401568698, 0.3826834323650898, 0.5349976198870973, 0.6715589548470184, 0.7883464276266062, 0.881921264348355, 0.9495281805930367, 0.989176509964781, 0.9996988186962042, 0.9807852804032304, 0.9329927988347388, 0.8577286100002721, 0.7572088465064846, 0.6343932841636455, 0.49289819222978404, 0.33688985339222005, 0.17096188876030122],
+    [0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828, 0.0, 0.19509032201612828, 0.3826834323650898, 0.5555702330196022, 0.7071067811865476, 0.8314696123025452, 0.9238795325112867, 0.9807852804032304, 1.0, 0.9807852804032304, 0.9238795325112867, 0.8314696123025452, 0.7071067811865476, 0.5555702330196022, 0.3826834323650898, 0.19509032201612828, 0.0, -0.19509032201612828, -0.3826834323650898, -0.5555702330196022, -0.7071067811865476, -0.8314696123025452, -0.9238795325112867, -0.9807852804032304, -1.0, -0.9807852804032304, -0.9238795325112867, -0.8314696123025452, -0.7071067811865476, -0.5555702330196022, -0.3826834323650898, -0.19509032201612828],
+])
+_GENERAL_5R_START = np.array([
+    [0.61, -0.37, 0.53, 0.29, 0.71, -0.43],
+    [-0.31, 0.47, 0.59, 0.67, -0.23, 0.41],
+])
+
+
+@_inner
+def _general_5r_compose(A, B):
+    """A B for rigid transforms, twelve numbers each."""
+    C = np.empty(12)
+    for i in range(3):
+        for j in range(4):
+            total = A[4 * i] * B[j] + A[4 * i + 1] * B[4 + j] + A[4 * i + 2] * B[8 + j]
+            C[4 * i + j] = total + A[4 * i + 3] if j == 3 else total
+    return C
+
+
+@_inner
+def _general_5r_invert(A):
+    """The inverse of a rigid transform."""
+    B = np.empty(12)
+    for i in range(3):
+        for j in range(3):
+            B[4 * i + j] = A[4 * j + i]
+        B[4 * i + 3] = -(A[i] * A[3] + A[4 + i] * A[7] + A[8 + i] * A[11])
+    return B
+
+
+@_inner
+def _general_5r_turn(T, c, s):
+    """T Rz, in place."""
+    for i in range(3):
+        x, y = T[4 * i], T[4 * i + 1]
+        T[4 * i] = x * c + y * s
+        T[4 * i + 1] = y * c - x * s
+
+
+@_inner
+def _general_5r_move(T, joint, c, s):
+    """The motion of a joint, by cosine and sine or by a length that stands in the sine's place."""
+    _general_5r_turn(T, c, s)
+
+
+@_inner
+def _general_5r_close(T):
+    """The loop: K0 ... K4 and its pose P = L T R, in arm sizes; in its place L stands before, then R."""
+    links, first = np.empty((7, 12)), (0, 1, 2, 3, 4, 5, 6)
+    for i in range(7):
+        _take(links[i], _GENERAL_5R_CONSTANTS[first[i]])
+    _take(links[5], _general_5r_compose(_general_5r_compose(links[5], T), links[6]))
+    for i in range(3):
+        links[5, 4 * i + 3] *= 1.1709969711217951
+    return links
+
+
+@_inner
+def _general_5r_unit(c, s):
+    """A cosine and a sine without their common factor."""
+    length = math.sqrt(c * c + s * s)
+    if length < 1e-150:
+        return 1.0, 0.0
+    return c / length, s / length
+
+
+@_inner
+def _general_5r_reflect(M, first, rest, column):
+    """Reflect the first row and the rows from `rest` on so that `column` stays in the first only."""
+    rows, columns = M.shape
+    head = M[first, column]
+    square = head * head
+    for i in range(rest, rows):
+        square += M[i, column] * M[i, column]
+    length = math.copysign(math.sqrt(square), head)
+    head += length
+    factor = 1.0 / (length * head + 1e-300)
+    for j in range(column + 1, columns):
+        total = head * M[first, j]
+        for i in range(rest, rows):
+            total += M[i, column] * M[i, j]
+        total *= factor
+        M[first, j] -= head * total
+        for i in range(rest, rows):
+            M[i, j] -= M[i, column] * total
+    for i in range(rest, rows):
+        M[i, column] = 0.0
+    M[first, column] = -length
+    return -length
+
+
+@_apart("float64[:, ::1](int64, float64[:, ::1])")
+def _general_5r_around(form, loop):
+    """The links L0 ... L5 of a formulation."""
+    links = np.empty((6, 12))
+    for i in range(6):
+        joint = _GENERAL_5R_JOINTS[form, i]
+        if _GENERAL_5R_SIGNS[form] > 0.0:
+            _take(links[i], loop[joint] if joint < 5 else _general_5r_invert(loop[5]))
+        else:
+            _take(links[i], _general_5r_invert(loop[joint - 1]) if joint > 0 else loop[5])
+    return links
+
+
+@_apart("void(float64[::1], float64[:, ::1])")
+def _general_5r_act(K, x):
+    """The features of a point and a direction, for all columns of x: 1, l, p, p.p, p.l, p x l and
+    (p.p) l - 2 (p.l) p, as a rigid motion acts on them, in place."""
+    t0, t1, t2 = K[3], K[7], K[11]
+    square = t0 * t0 + t1 * t1 + t2 * t2
+    for k in range(x.shape[1]):
+        for at in (1, 4, 9, 12):
+            a, b, c = x[at, k], x[at + 1, k], x[at + 2, k]
+            for i in range(3):
+                x[at + i, k] = K[4 * i] * a + K[4 * i + 1] * b + K[4 * i + 2] * c
+        u0, u1, u2, q0, q1, q2 = x[1, k], x[2, k], x[3, k], x[4, k], x[5, k], x[6, k]
+        v0, v1, v2, one = x[9, k], x[10, k], x[11, k], x[0, k]
+        along = t0 * u0 + t1 * u1 + t2 * u2
+        x[7, k] += 2.0 * (t0 * q0 + t1 * q1 + t2 * q2) + square * one
+        x[8, k] += along
+        twice = 2.0 * x[8, k]
+        x[4, k] += t0 * one
+        x[5, k] += t1 * one
+        x[6, k] += t2 * one
+        x[9, k] += t1 * u2 - t2 * u1
+        x[10, k] += t2 * u0 - t0 * u2
+        x[11, k] += t0 * u1 - t1 * u0
+        x[12, k] += square * u0 - twice * t0 - 2.0 * (t1 * v2 - t2 * v1)
+        x[13, k] += square * u1 - twice * t1 - 2.0 * (t2 * v0 - t0 * v2)
+        x[14, k] += square * u2 - twice * t2 - 2.0 * (t0 * v1 - t1 * v0)
+
+
+@_apart("float64[:, ::1](float64[::1], float64[:, ::1], int64, boolean)")
+def _general_5r_pass(K, x, joint, powers):
+    """Columns of features pass a link, and each becomes three by what the joint before it does: the
+    coefficients of 1, cos and sin, or with `powers` of y^2, y and 1 for y = tan(phi/2), times
+    1 + y^2, or for the length of a slide. Column a columns + k is part a of column k."""
+    n = x.shape[1]
+    _general_5r_act(K, x)
+    to = np.zeros((15, 3 * n))
+    for i in range(15):
+        for k in range(n):
+            to[i, k] = x[i, k]
+    for at in (1, 4, 9, 12):
+        for k in range(n):
+            to[at, k] = to[at + 1, k] = 0.0
+            to[at, n + k] = to[at + 1, 2 * n + k] = x[at, k]
+            to[at + 1, n + k] = x[at + 1, k]
+            to[at, 2 * n + k] = -x[at + 1, k]
+    if powers:
+        for i in range(15):
+            for k in range(n):
+                one, cosine, sine = to[i, k], to[i, n + k], to[i, 2 * n + k]
+                to[i, k], to[i, n + k], to[i, 2 * n + k] = one - cosine, 2.0 * sine, one + cosine
+    return to
+
+
+@_apart("float64[:, ::1](int64[::1], float64[:, ::1])")
+def _general_5r_equations(joints, links):
+    """The six equations of a formulation: columns 9 a + 3 j + i for 1, c1, s1 (a), the powers x3^2, x3,
+    1 (i) and x2^2, x2, 1 (j) of the partners' half-angle tangents or lengths."""
+    right, left = np.zeros((15, 1)), np.zeros((15, 1))
+    right[0, 0] = right[3, 0] = left[0, 0] = left[3, 0] = 1.0  # the origin and z
+    for i in (3, 4):
+        right = _general_5r_pass(_general_5r_invert(links[i]), right, joints[i + 1], False)
+    for i in (2, 1, 0):
+        left = _general_5r_pass(links[i], left, joints[i], i > 0)
+    _general_5r_act(links[5], left)
+    work = np.empty((14, 35))
+    for i in range(14):
+        for k in range(8):
+            work[i, k] = right[1 + i, 1 + k]
+        for k in range(27):
+            # the constant column of the right side, times 1 + x2^2 and 1 + x3^2
+            work[i, 8 + k] = left[1 + i, k] - right[1 + i, 0] * left[0, k]
+    for column in range(8):
+        _general_5r_reflect(work, column, column + 1, column)
+    E = np.empty((6, 27))
+    for i in range(6):
+        for k in range(27):
+            E[i, k] = work[8 + i, 8 + k]
+    return E
+
+
+@_apart("float64(float64[:, ::1], float64, float64, float64[:, ::1])")
+def _general_5r_fold(E, c, s, factor):
+    """The determinant at a hidden angle, and into `factor` the upper triangular one whose null vectors are
+    (x3, 1) x (x2^2, x2, 1). With A2, A1, A0 the blocks of x3^2, x3, 1 the matrix is
+    [A2 A1 A0 0; 0 A2 A1 A0]; reflections fold it to 9x9 and to 6x6."""
+    M = np.empty((6, 9))
+    for r in range(6):
+        for k in range(9):
+            at = 3 * (k % 3) + k // 3
+            M[r, k] = E[r, at] + E[r, 9 + at] * c + E[r, 18 + at] * s
+    determinant = 1.0
+    for column in range(3):
+        determinant *= _general_5r_reflect(M, column, column + 1, column)
+    # now M is [R B1 B0; 0 D1 D0]; the other shift has R B1 B0 under D1 D0 0
+    W = np.zeros((6, 9))
+    for r in range(3):
+        for k in range(9):
+            W[r, k] = M[r, k]
+        for k in range(6):
+            W[3 + r, k] = factor[3 + r, k] = M[3 + r, 3 + k]
+    for column in range(3):
+        determinant *= _general_5r_reflect(W, column, 3, column)
+    for r in range(3):
+        for k in range(6):
+            factor[r, k] = W[3 + r, 3 + k]
+    for column in range(5):
+        determinant *= _general_5r_reflect(factor, column, column + 1, column)
+    return determinant * factor[5, 5]
+
+
+@_inner
+def _general_5r_at(f, x):
+    """f, f', f'' at an angle; f holds a_0 ... a_8, b_1 ... b_8."""
+    value, slope, bend = f[0], 0.0, 0.0
+    cosine, sine = math.cos(x), math.sin(x)
+    c, s = cosine, sine
+    for m in range(1, 9):
+        even, odd = f[m] * c + f[8 + m] * s, f[8 + m] * c - f[m] * s
+        value += even
+        slope += m * odd
+        bend -= m * m * even
+        c, s = c * cosine - s * sine, s * cosine + c * sine
+    return value, slope, bend
+
+
+@_inner
+def _general_5r_fit(samples):
+    """The coefficients from 24 samples, the largest sample, and the harmonics beyond the eighth."""
+    h = np.zeros(24)
+    scale = 0.0
+    for k in range(24):
+        scale = max(scale, abs(samples[k]))
+        for j in range(24):
+            h[j] += samples[k] * _GENERAL_5R_HARMONICS[k, j]
+    beyond = 0.0
+    for j in range(17, 24):
+        beyond = max(beyond, abs(h[j]))
+    return h, scale, beyond / scale if scale > 0.0 else 1.0
+
+
+@_inner
+def _general_5r_grid(f):
+    """f, f', f'' at the edges of the cells; the first edge stands at the end again."""
+    grid = np.zeros((257, 3))
+    for i in range(128):
+        # even multiples are the same half a turn on, odd ones the opposite
+        grid[i, 0] = grid[i + 128, 0] = f[0]
+        for m in range(1, 9):
+            c, s = _GENERAL_5R_GRID_C[m - 1, i], _GENERAL_5R_GRID_S[m - 1, i]
+            even, odd = f[m] * c + f[8 + m] * s, f[8 + m] * c - f[m] * s
+            sign = -1.0 if m % 2 else 1.0
+            grid[i, 0] += even
+            grid[i, 1] += m * odd
+            grid[i, 2] -= m * m * even
+            grid[i + 128, 0] += sign * even
+            grid[i + 128, 1] += sign * m * odd
+            grid[i + 128, 2] -= sign * m * m * even
+    for k in range(3):
+        grid[256, k] = grid[0, k]
+    return grid
+
+
+@_inner
+def _general_5r_kind(low, high, h, scale, rounding):
+    """0: no root between two angles; 1: nothing but rounding; 2: one extremum at most; 3: none of
+    these. The Bernstein coefficients of the quintic through f, f', f'' at both ends and their
+    differences bound f, f' and f''."""
+    part = h / 0.02454369260617026
+    doubt = rounding + scale * 2e-09 * part**6
+    b0, b5 = low[0], high[0]
+    b1 = b0 + h * low[1] / 5.0
+    b2 = b0 + 2.0 * h * low[1] / 5.0 + h * h * low[2] / 20.0
+    b3 = b5 - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0
+    b4 = b5 - h * high[1] / 5.0
+    least, most = min(b0, b1, b2, b3, b4, b5), max(b0, b1, b2, b3, b4, b5)
+    if least > doubt or most < -doubt:
+        return 0
+    if least >= -rounding and most <= rounding:
+        return 1
+    d0, d1, d2, d3, d4 = b1 - b0, b2 - b1, b3 - b2, b4 - b3, b5 - b4
+    if min(d0, d1, d2, d3, d4) > doubt * part or max(d0, d1, d2, d3, d4) < -doubt * part:
+        return 2
+    e0, e1, e2, e3 = d1 - d0, d2 - d1, d3 - d2, d4 - d3
+    bound = doubt * part * part
+    return 2 if min(e0, e1, e2, e3) > bound or max(e0, e1, e2, e3) < -bound else 3
+
+
+@_apart("float64(float64[::1], int64, float64, float64, boolean)")
+def _general_5r_between(f, order, low, high, rising):
+    """Where f (order 0) or f' (order 1) vanishes between two angles at which it has unlike signs:
+    Newton, with bisection where it leaves. `rising` says that it is negative at the lower one."""
+    x = 0.5 * (low + high)
+    for _ in range(48):
+        at = _general_5r_at(f, x)
+        value, slope = (at[1], at[2]) if order else (at[0], at[1])
+        if (value < 0.0) == rising:
+            low = x
+        else:
+            high = x
+        step = -value / slope if slope != 0.0 else high - low
+        if abs(step) < 1e-15:
+            break
+        x = x + step if low < x + step < high else 0.5 * (low + high)
+    return x
+
+
+@_inner
+def _general_5r_few(f, rounding, low, at_low, high, at_high, roots, counts):
+    """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double)."""
+    middle, at_middle = high, at_high[0]
+    if at_low[1] * at_high[1] < 0.0:
+        middle = _general_5r_between(f, 1, low, high, at_low[1] < 0.0)
+        at_middle, _, bend = _general_5r_at(f, middle)
+        lifted = at_middle * bend > 0.0 and abs(at_middle) <= abs(bend) * 5e-09
+        if abs(at_middle) <= rounding or lifted:
+            _general_5r_add_root(roots, counts, 1, middle)
+            return
+        if (at_middle < 0.0) != (at_high[0] < 0.0):
+            x = _general_5r_between(f, 0, middle, high, at_middle < 0.0)
+            _general_5r_add_root(roots, counts, 0, x)
+    if (at_low[0] < 0.0) != (at_middle < 0.0):
+        _general_5r_add_root(roots, counts, 0, _general_5r_between(f, 0, low, middle, at_low[0] < 0.0))
+
+
+@_apart("void(float64[:, ::1], int64[::1], int64, float64)")
+def _general_5r_add_root(roots, counts, twice, x):
+    """Add a root; counts[2] says that nothing was given up."""
+    if twice:
+        for i in range(counts[1]):
+            gap = abs(x - roots[1, i])
+            if min(gap, 6.283185307179586 - gap) < 0.02454369260617026 / 64.0:
+                return  # neighbouring cells that were given up together
+    if counts[twice] == 24:
+        counts[2] = 0
+        return
+    roots[twice, counts[twice]] = x
+    counts[twice] += 1
+
+
+@_apart("Tuple((float64[:, ::1], int64[::1]))(float64[::1], float64, float64)")
+def _general_5r_find_roots(f, scale, rounding):
+    """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]]."""
+    roots = np.empty((2, 24))
+    counts = np.array([0, 0, 1])
+    grid = _general_5r_grid(f)
+    budget = 100  # against an f that is next to nothing for long stretches
+    edge = np.empty(16)  # the upper edges still to come
+    at, at_low = np.empty((16, 3)), np.empty(3)
+    depth = np.zeros(16, dtype=np.int64)
+    for i in range(256):
+        if _general_5r_kind(grid[i], grid[i + 1], 0.02454369260617026, scale, rounding) == 0:
+            continue
+        low = i * 0.02454369260617026
+        edge[0], depth[0] = (i + 1) * 0.02454369260617026, 0
+        for k in range(3):
+            at_low[k], at[0, k] = grid[i, k], grid[i + 1, k]
+        waiting = 1
+        while waiting > 0:
+            top = waiting - 1
+            h = edge[top] - low
+            kind = _general_5r_kind(at_low, at[top], h, scale, rounding)
+            if kind == 2:
+                _general_5r_few(f, rounding, low, at_low, edge[top], at[top], roots, counts)
+            elif kind == 1 or (kind == 3 and (depth[top] == 14 or budget == 0)):
+                counts[2] = 0
+                _general_5r_add_root(roots, counts, 1, low + 0.5 * h)
+            elif kind == 3:
+                budget -= 1
+                edge[waiting] = low + 0.5 * h
+                depth[top] += 1
+                depth[waiting] = depth[top]
+                at[waiting, 0], at[waiting, 1], at[waiting, 2] = _general_5r_at(f, edge[waiting])
+                waiting += 1
+                continue
+            low = edge[top]
+            for k in range(3):
+                at_low[k] = at[top, k]
+            waiting -= 1
+    return roots, counts
+
+
+# A lens on the circle: e^(i phi) = (w + a) / (1 + conj(a) w) with a = x + i y inside the circle maps the
+# circle of w = e^(i psi) to itself and shows what lies around the direction of a larger. Where all roots
+# lie together, as near the boundary of reach, f drowns in rounding without it.
+
+
+@_inner
+def _general_5r_through(x, y, c, s):
+    """Cosine and sine of phi from those of psi, and |1 + conj(a) w|^16, which makes of f a polynomial
+    in psi."""
+    u, v, d, e = c + x, s + y, 1.0 + x * c + y * s, x * s - y * c
+    square = d * d + e * e
+    return (u * d + v * e) / square, (v * d - u * e) / square, square**8
+
+
+@_inner
+def _general_5r_spread(samples):
+    """The lens under which the roots are spread, from samples without one; 0, 0 when they are already.
+    log |f| is a sum over the roots z, and the first harmonic of log |e^(i phi) - z| is -z for z inside
+    the circle, that of its mirror image for z outside."""
+    x = y = 0.0
+    for k in range(12):
+        ratio = math.log((abs(samples[k]) + 1e-300) / (abs(samples[k + 12]) + 1e-300))
+        x += ratio * _GENERAL_5R_SAMPLE_C[k]
+        y += ratio * _GENERAL_5R_SAMPLE_S[k]
+    x, y = -0.005208333333333333 * x, -0.005208333333333333 * y
+    square = x * x + y * y
+    if not square > 0.12249999999999998:
+        return 0.0, 0.0
+    part = min(1.0, 0.9 / math.sqrt(square))
+    return part * x, part * y
+
+
+@_inner
+def _general_5r_behind(x, y, roots, counts):
+    """The roots as they are without the lens."""
+    for twice in range(2):
+        for i in range(counts[twice]):
+            c, s, _ = _general_5r_through(x, y, math.cos(roots[twice, i]), math.sin(roots[twice, i]))
+            roots[twice, i] = math.atan2(s, c)
+
+
+@_inner
+def _general_5r_inverse_iteration(U, x):
+    """x = U^-1 U^-T x, to length one; a diagonal next to nothing is kept finite."""
+    most = 0.0
+    for i in range(6):
+        most = max(most, abs(U[i, i]))
+    least = most * 1e-15 + 1e-300
+    for i in range(6):
+        for j in range(i):
+            x[i] -= U[j, i] * x[j]
+        x[i] /= U[i, i] if abs(U[i, i]) > least else math.copysign(least, U[i, i])
+    square = 0.0
+    for i in range(5, -1, -1):
+        for j in range(i + 1, 6):
+            x[i] -= U[i, j] * x[j]
+        x[i] /= U[i, i] if abs(U[i, i]) > least else math.copysign(least, U[i, i])
+        square += x[i] * x[i]
+    length = math.sqrt(square)
+    for i in range(6):
+        x[i] /= length
+
+
+@_apart("int64(float64[:, ::1], int64, float64[:, ::1], int64)")
+def _general_5r_split(n, shift, out, count):
+    """Vectors w of the plane with up w = x down w for some x (least squares): their sums of the two
+    null vectors n go to `out`. The shift, by 3 for x3 or by 1 for x2, takes `down` to `up`."""
+    A, G, H = np.zeros((2, 2)), np.zeros((2, 2)), np.zeros((2, 2))
+    for i in range(2):
+        for j in range(2):
+            for k in range(3 if shift == 3 else 4):
+                up = k if shift == 3 else k + k // 2
+                A[i, j] += n[i, up + shift] * n[j, up]
+                G[i, j] += n[i, up + shift] * n[j, up + shift]
+                H[i, j] += n[i, up] * n[j, up]
+    det = G[0, 0] * G[1, 1] - G[0, 1] * G[0, 1]
+    det_h = H[0, 0] * H[1, 1] - H[0, 1] * H[0, 1]
+    if det < det_h:  # 1/x is the better unknown
+        A[0, 1], A[1, 0] = A[1, 0], A[0, 1]
+        G, det = H, det_h
+    if det < 1e-24:
+        return count
+    a = (G[1, 1] * A[0, 0] - G[0, 1] * A[1, 0]) / det
+    b = (G[1, 1] * A[0, 1] - G[0, 1] * A[1, 1]) / det
+    c = (G[0, 0] * A[1, 0] - G[0, 1] * A[0, 0]) / det
+    d = (G[0, 0] * A[1, 1] - G[0, 1] * A[0, 1]) / det
+    spread = math.sqrt(max(0.25 * (a - d) * (a - d) + b * c, 0.0))
+    for sign in (-1.0, 1.0):
+        # (M - x) w = 0 from the longer of its rows
+        x = 0.5 * (a + d) + sign * spread
+        upper = abs(a - x) + abs(b) > abs(d - x) + abs(c)
+        w0, w1 = (b, x - a) if upper else (d - x, -c)
+        for i in range(6):
+            out[count, i] = w0 * n[0, i] + w1 * n[1, i]
+        count += 1
+    return count
+
+
+@_apart("int64(float64[:, ::1], float64, float64, boolean, float64[:, ::1])")
+def _general_5r_null_vectors(E, c, s, double, out):
+    """Vectors near (x3, 1) x (x2^2, x2, 1): one of a simple root, and of a double one also those at
+    which one of the two shifts, x3 or x2, has an eigenvalue. Into out; returns how many."""
+    factor = np.empty((6, 6))
+    _general_5r_fold(E, c, s, factor)
+    n = _GENERAL_5R_START.copy()
+    for _ in range(4 if double else 2):
+        _general_5r_inverse_iteration(factor, n[0])
+        if double:
+            _general_5r_inverse_iteration(factor, n[1])
+            along = 0.0
+            for i in range(6):
+                along += n[0, i] * n[1, i]
+            for i in range(6):
+                n[1, i] -= along * n[0, i]
+    for i in range(6):
+        out[0, i] = n[0, i]
+    if not double:
+        return 1
+    square = 0.0
+    for i in range(6):
+        square += n[1, i] * n[1, i]
+    for i in range(6):
+        n[1, i] /= math.sqrt(square) + 1e-300
+    count = 1
+    for shift in (3, 1):
+        count = _general_5r_split(n, shift, out, count)
+    return count
+
+
+@_inner
+def _general_5r_middle(K, M, value):
+    """c and s of phi5 from invariants of B = Rz K Rz(phi5) M Rz, `value` = l_z, p_z, p.l, p.p / 2 and
+    (p x l)_z, by least squares."""
+    t0, t1, t2 = K[3], K[7], K[11]
+    e0, e1, e2, u0, u1, u2 = M[2], M[6], M[10], M[3], M[7], M[11]
+    axis = (K[8], K[9], K[10])
+    foot = (
+        K[0] * t0 + K[4] * t1 + K[8] * t2,
+        K[1] * t0 + K[5] * t1 + K[9] * t2,
+        K[2] * t0 + K[6] * t1 + K[10] * t2,
+    )
+    side = (K[4] * t0 - K[0] * t1, K[5] * t0 - K[1] * t1, K[6] * t0 - K[2] * t1)
+    e, u = (e0, e1, e2), (u0, u1, u2)
+    v = (u1 * e2 - u2 * e1, u2 * e0 - u0 * e2, u0 * e1 - u1 * e0)
+    pairs = ((axis, e), (axis, u), (foot, e), (foot, u), (axis, v))
+    rest = np.array([
+        0.0,
+        t2,
+        u0 * e0 + u1 * e1 + u2 * e2,
+        0.5 * (t0 * t0 + t1 * t1 + t2 * t2 + u0 * u0 + u1 * u1 + u2 * u2),
+        side[2] * e2,
+    ])
+    aa = ab = bb = ar = br = 0.0
+    for i in range(5):
+        left, right = pairs[i]
+        a = left[0] * right[0] + left[1] * right[1]
+        b = left[1] * right[0] - left[0] * right[1]
+        r = value[i] - rest[i] - left[2] * right[2]
+        if i == 4:
+            a += side[0] * e0 + side[1] * e1
+            b += side[1] * e0 - side[0] * e1
+        aa += a * a
+        ab += a * b
+        bb += b * b
+        ar += a * r
+        br += b * r
+    return _general_5r_unit(bb * ar - ab * br, aa * br - ab * ar)
+
+
+@_apart("void(int64[::1], float64[:, ::1], float64[::1], float64[::1], float64[::1])")
+def _general_5r_angles(joints, links, n, c, s):
+    """The cosines and sines of phi_2 ... phi_6 from phi_1 and a null vector, in place; the length of a
+    slide stands in the sine's place."""
+    up = n[0] * n[0] + n[1] * n[1] + n[2] * n[2]
+    down = n[3] * n[3] + n[4] * n[4] + n[5] * n[5]
+    row = n[:3] if up > down else n[3:]
+    sign = math.copysign(1.0, row[0] + row[2])
+    c[1], s[1] = _general_5r_unit(sign * (row[2] - row[0]), sign * 2.0 * row[1])
+    top = n[0] * row[0] + n[1] * row[1] + n[2] * row[2]
+    bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2]
+    c[2], s[2] = _general_5r_unit(bottom * bottom - top * top, 2.0 * top * bottom)
+    G = links[5]
+    for i in range(3):
+        G = G.copy()
+        _general_5r_move(G, joints[i], c[i], s[i])
+        G = _general_5r_compose(G, links[i])
+    B = _general_5r_invert(G)
+    l0, l1, q0, q1 = B[2], B[6], B[3], B[7]
+    square = G[3] * G[3] + G[7] * G[7] + G[11] * G[11]
+    value = np.array([B[10], B[11], -G[11], 0.5 * square, q0 * l1 - q1 * l0])
+    c[4], s[4] = _general_5r_middle(links[3], links[4], value)
+    C = links[3].copy()
+    _general_5r_turn(C, c[4], s[4])
+    C = _general_5r_compose(C, links[4])
+    c[3], s[3] = _general_5r_unit(
+        C[2] * l0 + C[6] * l1 + C[3] * q0 + C[7] * q1, C[2] * l1 - C[6] * l0 + C[3] * q1 - C[7] * q0
+    )
+    cosine = sine = 0.0
+    for i in range(2):
+        for j in range(2):
+            # columns of Rz(phi_4) C against columns of B
+            x, y = c[3] * C[j] - s[3] * C[4 + j], s[3] * C[j] + c[3] * C[4 + j]
+            along = x * B[i] + y * B[4 + i] + C[8 + j] * B[8 + i]
+            if i == j:
+                cosine += along
+            else:
+                sine += -along if i else along
+    c[5], s[5] = _general_5r_unit(cosine, sine)
+
+
+@_inner
+def _general_5r_marked(marks):
+    """How many marks are set."""
+    count = 0
+    for mark in marks:
+        count += mark
+    return count
+
+
+@_inner
+def _general_5r_error(links, c, s, J):
+    """The square of the loop's error; J takes the Jacobian with the error, translation and rotation
+    vector, as seventh column."""
+    P = links[5]
+    T = np.zeros(12)
+    T[0] = T[5] = T[10] = 1.0
+    for k in range(6):
+        if k:
+            T = _general_5r_compose(T, links[k - 1])
+        for i in range(3):
+            J[3 + i, k] = T[4 * i + 2]
+            J[i, k] = T[4 * i + 3]
+        _general_5r_move(T, k, c[k], s[k])
+    for k in range(6):
+        z0, z1, z2 = J[3, k], J[4, k], J[5, k]
+        r0, r1, r2 = T[3] - J[0, k], T[7] - J[1, k], T[11] - J[2, k]
+        J[0, k], J[1, k], J[2, k] = z1 * r2 - z2 * r1, z2 * r0 - z0 * r2, z0 * r1 - z1 * r0
+    S = np.empty((3, 3))
+    for i in range(3):
+        for j in range(3):
+            S[i, j] = P[4 * i] * T[4 * j] + P[4 * i + 1] * T[4 * j + 1] + P[4 * i + 2] * T[4 * j + 2]
+        J[i, 6] = P[4 * i + 3] - T[4 * i + 3]
+    J[3, 6] = 0.5 * (S[2, 1] - S[1, 2])
+    J[4, 6] = 0.5 * (S[0, 2] - S[2, 0])
+    J[5, 6] = 0.5 * (S[1, 0] - S[0, 1])
+    square = 0.0
+    for i in range(6):
+        square += J[i, 6] * J[i, 6]
+    # half a turn away the skew part vanishes too: the trace tells
+    return square + 1.0 if S[0, 0] + S[1, 1] + S[2, 2] < 0.0 else square
+
+
+@_inner
+def _general_5r_step(J, x):
+    """A step of Newton: the least-squares solution of J x = error by reflections. Where a diagonal is
+    next to nothing the step stays zero instead of leaping. Returns the smallest diagonal over the
+    largest."""
+    for column in range(5):
+        _general_5r_reflect(J, column, column + 1, column)
+    most = least = abs(J[0, 0])
+    for i in range(1, 6):
+        most, least = max(most, abs(J[i, i])), min(least, abs(J[i, i]))
+    for i in range(5, -1, -1):
+        total = J[i, 6]
+        for j in range(i + 1, 6):
+            total -= J[i, j] * x[j]
+        x[i] = 0.0
+        if abs(J[i, i]) > most * 1e-09:
+            x[i] = max(min(total / J[i, i], 1.0), -1.0)
+    return least / most if most > 0.0 else 0.0
+
+
+@_inner
+def _general_5r_damped_step(J, damping, x):
+    """The same damped, for starts far away and for singular solutions: (J' J + d) x = J' error."""
+    A = np.empty((6, 7))
+    for i in range(6):
+        for j in range(i, 7):
+            total = 0.0
+            for k in range(6):
+                total += J[k, i] * J[k, j]
+            A[i, j] = total
+        A[i, i] += damping + 1e-30
+    for i in range(6):
+        for j in range(i + 1, 6):
+            factor = A[i, j] / A[i, i]
+            for k in range(j, 7):
+                A[j, k] -= factor * A[i, k]
+    for i in range(5, -1, -1):
+        total = A[i, 6]
+        for j in range(i + 1, 6):
+            total -= A[i, j] * x[j]
+        x[i] = max(min(total / A[i, i], 1.0), -1.0)
+
+
+@_inner
+def _general_5r_polish(links, c, s, afar):
+    """Newton on the loop; what remains in c and s is the best iterate, and its error is returned."""
+    J, x = np.empty((6, 7)), np.empty(6)
+    tc, ts = c.copy(), s.copy()
+    least = now = _general_5r_error(links, c, s, J)
+    for _ in range(40 if afar else 4):
+        if least < 1e-29:
+            break
+        if afar:
+            _general_5r_damped_step(J, 0.01 * min(now, 1.0), x)
+        else:
+            _general_5r_step(J, x)
+        for i in range(6):
+            # a turn by 2 atan(x/2), without trigonometry
+            u = 0.25 * x[i] * x[i]
+            dc, ds = (1.0 - u) / (1.0 + u), x[i] / (1.0 + u)
+            tc[i], ts[i] = tc[i] * dc - ts[i] * ds, ts[i] * dc + tc[i] * ds
+        now = _general_5r_error(links, tc, ts, J)
+        if now < least:
+            least = now
+            for i in range(6):
+                c[i], s[i] = tc[i], ts[i]
+    return math.sqrt(least)
+
+
+@_inner
+def _general_5r_gap(a, b):
+    """The largest difference of two joint vectors, modulo turns."""
+    most = 0.0
+    for i in range(6):
+        gap = abs(a[i] - b[i])
+        most = max(most, min(gap, 6.283185307179586 - gap))
+    return most
+
+
+@_inner
+def _general_5r_merge(q, residual, singular, count):
+    """Singular solutions are known less well: those that lie together become one."""
+    kept = 0
+    for i in range(count):
+        known = False
+        if singular[i]:
+            for j in range(kept):
+                if singular[j] and _general_5r_gap(q[i], q[j]) < 0.001:
+                    known = True
+        if not known:
+            residual[kept], singular[kept] = residual[i], singular[i]
+            for k in range(6):
+                q[kept, k] = q[i, k]
+            kept += 1
+    return kept
+
+
+@_inner
+def _general_5r_begun(q, c, s):
+    """The cosines and sines in the loop of joint values; a length stands in the sine's place."""
+    for i in range(6):
+        cosine, sine = math.cos(q[i]), math.sin(q[i])
+        c[i] = cosine * _GENERAL_5R_ADVANCE_C[i] + sine * _GENERAL_5R_ADVANCE_S[i]
+        s[i] = sine * _GENERAL_5R_ADVANCE_C[i] - cosine * _GENERAL_5R_ADVANCE_S[i]
+
+
+@_apart("UniTuple(int64, 2)(float64[:, ::1], float64[::1], float64[::1], boolean, boolean, float64[:, ::1], float64[::1], int64[::1], int64)")
+def _general_5r_offer(links, c, s, afar, doubtful, q, residual, singular, count):
+    """Polish a candidate and keep it unless it is known or none: (its place or -1, the count)."""
+    missing = _general_5r_polish(links, c, s, afar)
+    if not missing <= 1e-10:
+        return -1, count
+    theta = np.empty(6)
+    for i in range(6):
+        cosine, sine = _GENERAL_5R_ADVANCE_C[i], _GENERAL_5R_ADVANCE_S[i]
+        theta[i] = math.atan2(s[i] * cosine + c[i] * sine, c[i] * cosine - s[i] * sine)
+        # half a turn is +pi, also when rounding says otherwise
+        if theta[i] < -3.141592653589783:
+            theta[i] = 3.141592653589793
+    place = count
+    for k in range(count):
+        if _general_5r_gap(q[k], theta) < 1e-06:
+            place = k
+            break
+    if place == 16:
+        return -1, count
+    if place == count:
+        count += 1
+        singular[place] = 0
+        residual[place] = math.inf
+    if missing < residual[place]:
+        residual[place] = missing
+        for i in range(6):
+            q[place, i] = theta[i]
+    if doubtful:
+        J = np.empty((6, 7))
+        _general_5r_error(links, c, s, J)
+        if _general_5r_step(J, theta) < 1e-06:
+            singular[place] = 1
+    return place, count
+
+
+@_apart("Tuple((boolean, int64))(int64, float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1], int64)")
+def _general_5r_attempt(form, loop, q, residual, singular, doubles_met, count):
+    """Find what a formulation finds: (whether that is certainly everything, the count).
+
+    The certificate: every simple root leads to a solution, there is another one for each of them and
+    two more for each double root, or a singular one; and regular solutions come in pairs.
+    """
+    joints, links = _GENERAL_5R_JOINTS[form], _general_5r_around(form, loop)
+    E = _general_5r_equations(joints, links)
+    samples, factor = np.empty(24), np.empty((6, 6))
+    x = y = 0.0
+    for look in range(2):
+        for k in range(24):
+            c1, s1, weight = _general_5r_through(x, y, _GENERAL_5R_SAMPLE_C[k], _GENERAL_5R_SAMPLE_S[k])
+            samples[k] = weight * _general_5r_fold(E, c1, s1, factor)
+        if look == 0:
+            x, y = _general_5r_spread(samples)
+        if x == 0.0 and y == 0.0:
+            break
+    f, scale, noise = _general_5r_fit(samples)
+    if not noise <= 1e-06:
+        return False, count
+    rounding = scale * (3e-15 + 8.0 * noise)
+    roots, counts = _general_5r_find_roots(f, scale, rounding)
+    _general_5r_behind(x, y, roots, counts)
+    simple, doubles, complete = counts[0], counts[1], counts[2] == 1
+    doubles_met[0] += doubles
+    # simple roots, pairs of them that nearly meet, double roots
+    angles = np.empty(96)
+    total = simple
+    for i in range(simple):
+        angles[i] = roots[0, i]
+        for j in range(i):
+            gap = math.cos(0.5 * (roots[0, i] - roots[0, j]))
+            if 4.0 * gap * gap > 3.999999 and total < 72:
+                middle = 0.5 * (roots[0, i] + roots[0, j])
+                angles[total] = middle if gap > 0.0 else middle + 3.141592653589793
+                total += 1
+    first_double = total
+    for i in range(doubles):
+        angles[total] = roots[1, i]
+        total += 1
+    met = np.zeros(16, dtype=np.int64)
+    c, s, tc, ts = np.empty(6), np.empty(6), np.empty(6), np.empty(6)
+    vectors, expected = np.empty((5, 6)), simple
+    for i in range(total):
+        cosine, sine = math.cos(angles[i]), math.sin(angles[i])
+        singular_here = False
+        for n in range(_general_5r_null_vectors(E, cosine, sine, i >= simple, vectors)):
+            c[0], s[0] = cosine, sine
+            _general_5r_angles(joints, links, vectors[n], c, s)
+            for k in range(6):
+                tc[joints[k]], ts[joints[k]] = c[k], _GENERAL_5R_SIGNS[form] * s[k]
+            place, count = _general_5r_offer(
+                loop, tc, ts, False, i >= simple, q, residual, singular, count
+            )
+            if place >= 0:
+                met[place] = 1
+                singular_here = singular_here or singular[place] == 1
+            elif i < simple:
+                complete = False
+        if i >= first_double:
+            expected += 1 if singular_here else 2
+    regular = count - _general_5r_marked(singular)
+    return complete and _general_5r_marked(met) >= expected and regular % 2 == 0, count
+
+
+@_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1])")
+def _general_5r_try(loop, q, residual, singular, doubles_met):
+    """Find what the methods find, one after the other, until that is certainly everything."""
+    for i in range(16):
+        singular[i] = 0
+    complete, count = False, np.int64(0)
+    for form in range(2):
+        if not complete:
+            complete, count = _general_5r_attempt(form, loop, q, residual, singular, doubles_met, count)
+    return complete, count
+
+
+@_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64)")
+def _general_5r_from_nearby(loop, q, residual, singular, count):
+    """Solve poses close by, and follow their solutions back: (whether that is all, the count).
+
+    Where two solutions meet they are on one side only: both sides have to have as many as are
+    found. Around a singular pose none of them has to have all solutions: then all are looked at.
+    """
+    followed = False
+    before = -1
+    c, s = np.empty(6), np.empty(6)
+    other, ignored, marks = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
+    for n in range(10):
+        nearby = loop.copy()
+        _take(nearby[5], _general_5r_compose(loop[5], _GENERAL_5R_NUDGES[n]))
+        complete, found = _general_5r_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
+        met = np.zeros(16, dtype=np.int64)
+        singular_here = False
+        for i in range(found):
+            _general_5r_begun(other[i], c, s)
+            place, count = _general_5r_offer(
+                loop, c, s, True, True, q, residual, singular, count
+            )
+            if place < 0:
+                complete = False
+            else:
+                met[place] = 1
+                singular_here = singular_here or singular[place] == 1
+        marked = _general_5r_marked(singular)
+        agreed = -1
+        if complete and found > 0:
+            agreed = found if _general_5r_marked(met) == found else -1
+            followed = followed or singular_here
+        alike = n % 2 == 1 and before == count and agreed == count
+        if alike and marked == 0 and count % 2 == 0:
+            return True, count
+        before = agreed
+    return followed and (count - _general_5r_marked(singular)) % 2 == 0, count
+
+
+@_inner
+def _general_5r_before(a, b):
+    """Whether row a comes before row b: by the first angle, angles that agree to rounding by the
+    next."""
+    for i in range(6):
+        if abs(a[i] - b[i]) > 1e-09:
+            return a[i] < b[i]
+    return False
+
+
+@_apart("int64(float64[::1], float64[:, ::1], float64[::1])")
+def general_5r_general(T, q, residual):
+    """All solutions of T = C0 J(q1) C1 ... J(q6) C6, at most 16.
+
+    Args:
+        T: A rigid transform, twelve numbers.
+        q: (16, 6), takes the angles, in (-pi, pi], or length; rows in the order of q1, rows whose q1 agree to
+            1e-09 in the order of q2, and so on.
+        residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
+
+    Returns:
+        How many; -1 - count when it is not certain that these are all: for want of a certificate,
+        or because roots met or the arm is singular at a solution.
+    """
+    loop = _general_5r_close(T)
+    P = loop[5]
+    if P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004:
+        return 0
+    found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
+    doubles_met = np.zeros(1, dtype=np.int64)
+    complete, count = _general_5r_try(loop, found, missing, singular, doubles_met)
+    if not complete:
+        complete, count = _general_5r_from_nearby(loop, found, missing, singular, count)
+    if not complete:
+        seed = 1
+        c, s = np.empty(6), np.empty(6)
+        for _ in range(128):
+            start = np.empty(6)
+            for i in range(6):
+                seed = (seed * 1103515245 + 12345) % 2147483648
+                start[i] = (seed / 1073741824.0 - 1.0) * 3.141592653589793
+            _general_5r_begun(start, c, s)
+            _, count = _general_5r_offer(
+                loop, c, s, True, True, found, missing, singular, count
+            )
+    count = _general_5r_merge(found, missing, singular, count)
+    order = np.empty(16, dtype=np.int64)
+    for i in range(count):
+        j = i
+        while j > 0 and _general_5r_before(found[i], found[order[j - 1]]):
+            order[j] = order[j - 1]
+            j -= 1
+        order[j] = i
+    for i in range(count):
+        for k in range(6):
+            q[i, k] = found[order[i], k]
+        residual[i] = missing[order[i]]
+    regular = _general_5r_marked(singular) == 0 and doubles_met[0] == 0
+    return count if complete and regular else -1 - count
+
+
+_FACING = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
+_ZERO = np.array([0.0, 0.0, 0.0, 0.0, 0.0])
+
+
+@_apart("Tuple((float64[:, ::1], boolean[::1], boolean[::1]))(UniTuple(float64, 12), float64[::1])")
+def _all_joints(pose, seed):
+    """All solutions, which rows hold one, and where a joint was indeterminate and follows the seed."""
+    flat, T = np.empty(12), np.empty((3, 4))
+    for i in range(3):
+        for j in range(4):
+            flat[4 * i + j] = T[i, j] = pose[4 * i + j]
+    angles, residual, joints = np.empty((16, 6)), np.empty(16), np.zeros(5)
+    known = general_5r_general(flat, angles, residual)
+    q = np.zeros((16, 5))
+    found, chosen = np.zeros(16, np.bool_), np.zeros(16, np.bool_)
+    kept, kinds, count = np.empty((16, 5)), np.empty(16, np.int64), 0
+    near, u = np.empty(5), np.empty(5)
+    for j in range(5):
+        near[j] = seed[_SOLVED[j]] / _UNIT[j]
+    for k in range(16):
+        kinds[k] = -1
+    if known < 0:
+        _take(u, near)
+        if _descend(T, joints, u) <= 1e-05:
+            count = _keep(T, joints, near, kept, kinds, count, u)
+    for k in range(-1 - known if known < 0 else known):
+        for j in range(5):
+            u[j] = _FACING[j] * (angles[k, j] - _ZERO[j]) / _UNIT[j]
+        # what is not nearly without the sixth turn is no start for the five joints
+        if abs(angles[k, 5]) < 0.1 and _descend(T, joints, u) <= 1e-05:
+            count = _keep(T, joints, near, kept, kinds, count, u)
+    if known < 0 or count == 0:
+        for k in range(12):
+            _start_of(k, near, u)
+            if _descend(T, joints, u) <= 1e-05:
+                count = _keep(T, joints, near, kept, kinds, count, u)
+    count = _keep_exact_ones(T, joints, kept, kinds, count)
+    _sorted_rows(kept, kinds, count, joints, q, found, chosen)
+    return q, found, chosen
+
+
+@_inner
+def _solve(pose, seed, q, status):
+    """Fills the rows of the branches that have a solution, and no others."""
+    # all joints: the general 6R loop
+    solution_roots, solution_found, solution_chosen = _all_joints(pose, seed)
+
+    for i1 in range(16):  # root1 to root16
+        q1 = solution_roots[i1, 0]
+        q2 = solution_roots[i1, 1]
+        q3 = solution_roots[i1, 2]
+        q4 = solution_roots[i1, 3]
+        q5 = solution_roots[i1, 4]
+        found = solution_found[i1]
+        chosen = solution_chosen[i1]
+        # all joints: the general 6R loop
+        if not found:
+            continue  # out of reach
+        row = i1
+        q[row, 0] = q1
+        q[row, 1] = q2
+        q[row, 2] = q3
+        q[row, 3] = q4
+        q[row, 4] = q5
+        status[row] = FREE_JOINT if chosen else OK
+
+
+@njit(**{**_OPTIONS, "forceinline": True})
+def _read(T):
+    """Whether T is a pose, and its upper three rows.
+
+    Where it is only rounded, with the nearest rotation: R becomes (3 I - R R') R / 2, twice
+    (Higham 1986).
+    """
+    x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
+    y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
+    z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
+    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
+    rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
+    valid = valid and rest <= 1e-09
+    xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+    yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+    xy = x0 * y0 + x1 * y1 + x2 * y2
+    u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
+    miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
+    valid = valid and miss <= 1e-09
+    if valid and miss > 1e-24:
+        for _ in range(2):
+            xx = 1.5 - 0.5 * (x0 * x0 + x1 * x1 + x2 * x2)
+            yy = 1.5 - 0.5 * (y0 * y0 + y1 * y1 + y2 * y2)
+            zz = 1.5 - 0.5 * (z0 * z0 + z1 * z1 + z2 * z2)
+            xy = -0.5 * (x0 * y0 + x1 * y1 + x2 * y2)
+            xz = -0.5 * (x0 * z0 + x1 * z1 + x2 * z2)
+            yz = -0.5 * (y0 * z0 + y1 * z1 + y2 * z2)
+            x0, y0, z0 = (
+                xx * x0 + xy * y0 + xz * z0,
+                xy * x0 + yy * y0 + yz * z0,
+                xz * x0 + yz * y0 + zz * z0,
+            )
+            x1, y1, z1 = (
+                xx * x1 + xy * y1 + xz * z1,
+                xy * x1 + yy * y1 + yz * z1,
+                xz * x1 + yz * y1 + zz * z1,
+            )
+            x2, y2, z2 = (
+                xx * x2 + xy * y2 + xz * z2,
+                xy * x2 + yy * y2 + yz * z2,
+                xz * x2 + yz * y2 + zz * z2,
+            )
+    return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
+
+
+@_inner
+def _turned(joint, given, towards):
+    """A joint value moved by whole turns, near to another value but inside its limits."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    if value > high:
+        value -= _TURN * math.ceil((value - high) / _TURN)
+    if value < low:
+        value += _TURN * math.ceil((low - value) / _TURN)
+    return value if value <= high else given
+
+
+@_jit
+def _whole(pose, seed, q, status):
+    """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
+    for row in range(16):
+        status[row] = UNREACHABLE
+        for i in range(5):
+            q[row, i] = math.nan
+    _solve(pose, seed, q, status)
+    count = 0
+    for row in range(16):
+        if status[row] == UNREACHABLE:
+            continue
+        for i in range(5):
+            if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                q[row, i] = _turned(i, q[row, i], q[row, i])
+                if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
+                    status[row] = OUT_OF_LIMITS
+        if status[row] != OUT_OF_LIMITS:
+            count += 1
+    return count
+
+
+@_merged
+def _into(T, seed, q, status):
+    """All solutions into q and status; how many rows are OK or FREE_JOINT."""
+    if T.shape != (4, 4) or q.shape != (16, 5) or status.shape != (16,):
+        raise ValueError("T, q and status must be (4, 4), (16, 5) and (16,)")
+    q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
+    holds = q[0, 0] == 0.5
+    status[0] = INVALID_POSE
+    if not holds or status[0] != INVALID_POSE:
+        raise ValueError("q must hold float64, status uint8")
+    valid, pose = _read(T)
+    if not valid:
+        status[:] = INVALID_POSE
+        q[:] = math.nan
+        return 0
+    return _whole(pose, seed, q, status)
+
+
+@_merged
+def _zeros(seed):
+    """The seed where there is none; of the type that callers' arrays have."""
+    for i in range(5):
+        seed[i] = 0.0
+    return seed
+
+
+@_jit
+def _unseeded(T, q, status):
+    """ik_into without a seed: from Python an argument that is left out takes its time, too."""
+    seed = _zeros(carray(_room(5), 5))
+    return _into(T, seed, q, status)
+
+
+@_jit
+def ik_into(T, q, status, q_seed=None):
+    """All solutions into the caller's arrays, for control loops and for other numba functions.
+
+    Memory is allocated nowhere. numba compiles
+    once more for arrays of another type or layout.
+
+    Args:
+        T: Pose (4, 4), float64.
+        q: Filled with joint values (16, 5), NaN where there is no solution; float64.
+        status: Filled with what each row holds (16,); uint8.
+        q_seed: Values for joints that are indeterminate (5,), float64; zeros without it.
+
+    Returns:
+        How many rows are OK or FREE_JOINT.
+
+    Raises:
+        ValueError: An array has another shape, q or status cannot hold what is written, or the
+            seed is not finite.
+    """
+    seed = _zeros(carray(_room(5), 5)) if q_seed is None else q_seed
+    if seed.shape != (5,):
+        raise ValueError("q_seed must be (5,)")
+    for value in seed:
+        if not math.isfinite(value):
+            raise ValueError("q_seed must be finite")
+    return _into(T, seed, q, status)
+
+
+def ik_all(T, q_seed=None):
+    """All solutions: q (16, 5) and status (16,).
+
+    Row b is always branch BRANCHES[b].
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Values for joints that are indeterminate at this pose (5,); zeros without it.
+
+    Raises:
+        ValueError: An argument has another shape, or the seed is not finite.
+    """
+    q, status = np.empty((16, 5)), np.empty(16, _BYTE)
+    T = np.ascontiguousarray(T, _FLOAT)
+    try:
+        if q_seed is None:
+            _unseeded(T, q, status)
+        else:
+            seed = _array(q_seed, (5,), "q_seed")
+            ik_into(T, q, status, seed)
+    except Exception:
+        # Shapes are looked at in there: only who fails is asked again, and told which one it is.
+        _array(T, (4, 4), "T")
+        raise
+    return q, status
+
+
+@_jit
+def _near(joint, value, towards, limits):
+    """A joint value moved by whole turns near to another, if limits count inside its own."""
+    if limits:
+        return _turned(joint, value, towards)
+    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+
+
+@_jit
+def _nearest(rows, status, seed, limits, q):
+    """The solution nearest to the seed into q; whether there is one."""
+    nearest, least = -1, math.inf
+    for row in range(len(rows)):
+        if status[row] == UNREACHABLE or (limits and status[row] == OUT_OF_LIMITS):
+            continue
+        distance = 0.0
+        for i in range(5):
+            rows[row, i] = _near(i, rows[row, i], seed[i], limits)
+            moved = rows[row, i] - seed[i]
+            distance += _WEIGHT[i] * moved * moved
+        if distance < least:
+            nearest, least = row, distance
+    for i in range(5):
+        q[i] = rows[nearest, i]
+    return nearest >= 0
+
+
+def ik(T, q_seed=None, *, branch=None, limits=True):
+    """One solution (5,): the nearest to the seed.
+
+    Angles are moved by whole turns inside their limits.
+
+    Args:
+        T: Pose (4, 4).
+        q_seed: Where the arm is (5,); zeros without it.
+        branch: Only this branch: a name out of BRANCHES, or its row.
+        limits: Whether joint limits count.
+
+    Raises:
+        Unreachable: There is no such solution; the text says why.
+        ValueError: T is no pose, or there is no such branch.
+    """
+    first, last = (0, 16) if branch is None else _span(branch)
+    rows, status = ik_all(T, q_seed)
+    if status[0] == INVALID_POSE:
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+    rows, status, q = rows[first:last], status[first:last], np.empty(5)
+    seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
+    if _nearest(rows, status, seed, limits, q):
+        return q
+    where = "" if branch is None else f" in branch {BRANCHES[first]}"
+    beyond = OUT_OF_LIMITS in status
+    why = "every solution is beyond the joint limits" if beyond else "the pose is out of reach"
+    raise Unreachable(why + where)
+
+
+@njit(nogil=True, **_OPTIONS)
+def _one_by_one(T, q, status):
+    for k in range(len(T)):
+        _unseeded(T[k], q[k], status[k])
+
+
+def ik_batch(T, *, cores=None):
+    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Returns:
+        q (N, 16, 5) and status (N, 16).
+
+    Raises:
+        ValueError: An argument has another shape, or cores is less than 1.
+    """
+    T = np.ascontiguousarray(T, _FLOAT)
+    if T.ndim != 3 or T.shape[1:] != (4, 4):
+        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+    if cores is not None and cores < 1:
+        raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
+    q, status = np.empty((len(T), 16, 5)), np.empty((len(T), 16), _BYTE)
+    _share(_one_by_one, cores, T, q, status)
+    return q, status
+
+
+def warm_up():
+    """Compiles everything, or gets it from numba's cache, so that no call waits for it later."""
+    q, status = np.empty((16, 5)), np.empty(16, _BYTE)
+    T = fk(_ZEROS)
+    jacobian(_ZEROS)
+    ik_into(T, q, status)
+    ik_into(T, q, status, _ZEROS)
+    _unseeded(T, q, status)
+    _nearest(q, status, _ZEROS, True, np.empty(5))
+    ik_batch(T[np.newaxis])
+    for number in range(len(_APART)):
+        _address(number)
+
+
+def _share(solve, cores, *arrays):
+    """Solves the rows of arrays, shared among threads."""
+    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    if shares > 1:
+        with ThreadPoolExecutor(shares) as threads:
+            list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
+    else:
+        solve(*arrays)
+
+
+def _span(branch):
+    """The rows of a branch: the first, and the one after the last."""
+    if branch in BRANCHES:
+        branch = BRANCHES.index(branch)
+    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+        return branch, branch + 1
+    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")

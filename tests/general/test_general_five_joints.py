@@ -1,0 +1,154 @@
+"""Five joints without structure, asked for whole poses: a sixth turn that has to be zero."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.general.arm import general_kernel
+from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.program.forward import forward_program, jacobian_program
+from dhgen.program.interpret import interpret
+from dhgen.program.tolerances import DOUBLE
+from dhgen.program.whole import whole_program
+from dhgen.robot.load import load
+from dhgen.survey.oracle.newton import all_solutions
+from dhgen.targets.c import c_files
+from dhgen.targets.module import SolverModule
+from dhgen.verify.native import compile_solver
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.kinematics.chain import Chain
+    from dhgen.program.interpret import Rows
+    from dhgen.robot.robot import Robot
+
+HEAD = "name: arm\nconvention: modified\ntool: {xyz: [0.02, 0, 0.15], rpy: [0, 0.4, 0]}\njoints:\n"
+TURNS = (
+    "{theta: q + 0.7, d: 0.31, a: 0.2, alpha: 80 deg}",
+    "{theta: q, d: 0.1, a: 0.4, alpha: 25 deg}",
+    "{theta: -q, d: -0.17, a: 0.15, alpha: 70 deg}",
+    "{theta: q, d: 0.2, a: 0.1, alpha: 95 deg}",
+    "{theta: 1.1 - q, d: 0.15, a: 0.05, alpha: 50 deg}",
+)
+SLIDE = "{theta: 0.3, d: 0.1 - q, a: 0.15, alpha: 70 deg}"
+POSES = 2
+UNREACHABLE = 1
+# At NEARLY another way to stand takes the tool to the same place but for 8e-6.
+TWISTED = """name: arm
+joints:
+  - {theta: q, d: 0.007, a: 0.126, alpha: 2.487}
+  - {theta: q, d: -0.046, a: -0.211, alpha: 1.609}
+  - {theta: q, d: 0.152, a: 0.186, alpha: 2.135}
+  - {theta: q, d: -0.028, a: 0.209, alpha: -0.848}
+  - {theta: q, d: 0.150, a: -0.235, alpha: -2.558}
+tool: {xyz: [0.05, 0.02, 0.11], rpy: [0.3, 0.4, -0.2]}
+"""
+NEARLY = (1.11882171, 2.53570551, -0.09606933, 2.52138356, 3.13879235)
+
+
+def robot(folder: Path, rows: tuple[str, ...], free: tuple[int, ...] = ()) -> Robot:
+    path = folder / "arm.yaml"
+    text = HEAD + "".join(f"  - {row}\n" for row in rows) + f"free: {list(free)}\n"
+    path.write_text(text, encoding="utf-8")
+    return load(path)
+
+
+def solved(chain: Chain, T: np.ndarray, values: list[float] | None = None) -> Rows:
+    kernel = general_kernel(chain)
+    assert kernel is not None
+    assert kernel.checked
+    free = None if values is None else np.array(values)
+    return interpret(whole_program(chain, kernel), T, seed=np.zeros(chain.dof), free=free)
+
+
+def without_derivation(arm: Robot) -> SolverModule:
+    """The programs alone: the search for a closed form takes seconds, and finds none."""
+    chain = build_chain(arm)
+    kernel = general_kernel(chain)
+    assert kernel is not None
+    return SolverModule(
+        name=chain.name,
+        title=arm.title,
+        source="arm.yaml",
+        chain=chain,
+        solver=whole_program(chain, kernel),
+        forward=replace(forward_program(chain), name=chain.name),
+        jacobian=replace(jacobian_program(chain), name=chain.name),
+        length_unit=arm.length_unit,
+        arm_angle=None,
+        precision=DOUBLE,
+    )
+
+
+def gaps(rows: np.ndarray, q: np.ndarray) -> np.ndarray:
+    return np.asarray(np.abs(np.remainder(rows - q + np.pi, 2 * np.pi) - np.pi).max(axis=-1))
+
+
+@pytest.mark.parametrize(("place", "free"), [*((place, ()) for place in range(6)), (0, (1,))])
+def test_all_solutions(tmp_path: Path, place: int, free: tuple[int, ...]) -> None:
+    """Without a slide (place 0) and with one at each place; and on a joint that is given."""
+    rows = TURNS if place == 0 else (*TURNS[: place - 1], SLIDE, *TURNS[place:])
+    arm = robot(tmp_path, (SLIDE, *rows) if free else rows, free)
+    chain = build_chain(arm)
+    forward = numeric_arm(chain)
+    joints = np.random.default_rng(place).uniform(-1.5, 1.5, (POSES, chain.dof))
+    joints[:, [number - 1 for number in free]] = 0.2
+    poses = forward.pose(joints)
+    found = solved(chain, poses, [0.2] if free else None)
+    for k, T in enumerate(poses):
+        q = found.q[k][found.solved[k]]
+        expected = all_solutions(arm, T, [0.2] if free else [])
+        np.testing.assert_allclose(forward.pose(q), [T] * len(q), atol=1e-9)
+        assert len(q) == len(expected)
+        assert gaps(q, joints[k]).min() < 1e-6
+        for row in expected:
+            assert gaps(q, row).min() < 1e-6
+
+
+def test_poses_that_were_rounded_and_poses_that_are_not_the_arms(tmp_path: Path) -> None:
+    chain = build_chain(robot(tmp_path, TURNS))
+    forward = numeric_arm(chain)
+    joints = np.random.default_rng(9).uniform(-3.0, 3.0, (2, 5))
+    rounded = np.round(forward.pose(joints), 6)
+    found = solved(chain, rounded)
+    for k, q in enumerate(joints):
+        rows = found.q[k][found.solved[k]]
+        assert gaps(rows, q).min() < 1e-4
+        np.testing.assert_allclose(forward.pose(rows), [rounded[k]] * len(rows), atol=1e-5)
+    turned = forward.pose(joints)
+    turned[:, :3, :2] = turned[:, :3, :2] @ [[0.8, -0.6], [0.6, 0.8]]
+    assert not solved(chain, turned).solved.any()
+
+
+def test_in_c(tmp_path: Path) -> None:
+    """And what nearly takes a pose counts only where the pose has been rounded."""
+    (tmp_path / "arm.yaml").write_text(TWISTED, encoding="utf-8")
+    arm = load(tmp_path / "arm.yaml")
+    module = without_derivation(arm)
+    for name, text in c_files(module).items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 5, 16, 0)
+    assert solver is not None
+    seed = np.zeros(5)
+    for q in (np.array(NEARLY), *np.random.default_rng(4).uniform(-3.0, 3.0, (20, 5))):
+        T = solver.fk(q)
+        rows, status = solver.ik(T, seed)
+        assert (status != UNREACHABLE).sum() == 1
+        assert gaps(rows[0], q) < 1e-6
+        T[:3, 3] += 1e-3
+        assert (solver.ik(T, seed)[1] == UNREACHABLE).all()
+    T = np.round(solver.fk(np.array(NEARLY)), 6)
+    rows, status = solver.ik(T, seed)
+    held = rows[status != UNREACHABLE]
+    assert len(held) == 2
+    assert gaps(held, np.array(NEARLY)).min() < 1e-4
+    for row in held:
+        np.testing.assert_allclose(solver.fk(row), T, atol=2e-5)
+    known = interpret(module.solver, T[None], seed=seed)
+    np.testing.assert_allclose(held, known.q[0][known.solved[0]], atol=1e-9)
