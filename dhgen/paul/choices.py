@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import combinations, groupby
+from math import comb
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-MOST_CHOICES = 16  # more would take longer than a refusal may
+MOST_CHOICES = 16  # trying more would take longer than a refusal may
 MOST_SKEW = 4  # so many joints are solved, or refused, soon without structure
 MOST_TURNING = 3  # the same whatever the number of slides
 POSITIONS = 3
@@ -57,6 +58,8 @@ def good_choices(
 ) -> tuple[Choice, ...]:
     """The free joints for which the remaining arm is solved, best first.
 
+    Of very many sets some are tried, evenly spread.
+
     Args:
         chain: The arm.
         spare: What its task leaves open.
@@ -64,7 +67,7 @@ def good_choices(
     """
     sets = list(combinations(spare.joints, spare.count))
     found = []
-    for chosen in sets if len(sets) <= MOST_CHOICES else ():
+    for chosen in sets[:: -(-len(sets) // MOST_CHOICES)]:
         remaining = replace(chain, free=tuple(sorted((*chain.free, *chosen))))
         if surplus(remaining).count:
             continue
@@ -80,13 +83,16 @@ def good_choices(
     return tuple(sorted(found))
 
 
-def choices_text(choices: tuple[Choice, ...]) -> list[str]:
+def choices_text(choices: tuple[Choice, ...], spare: Surplus) -> list[str]:
     """What is said of them: a line for each method and number of rows."""
     lines = []
     for (_, rows, method), alike in groupby(choices, lambda c: (c.rank, c.rows, c.method)):
         sets = [f"[{', '.join(map(str, choice.free))}]" for choice in alike]
         count = "one row" if rows == 1 else f"{rows} rows"
         lines.append(f"  free: {' or '.join(sets)} leaves a {method} with {count}")
+    total = comb(len(spare.joints), spare.count)
+    if choices and total > MOST_CHOICES:
+        lines.append(f"  there are {total} sets of {spare.count} joints, of which some were tried")
     return lines
 
 

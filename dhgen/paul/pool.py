@@ -16,7 +16,7 @@ from dhgen.kinematics.product import product, reversed_elements
 from dhgen.kinematics.transform import Transform, compose, dot
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.chain import Element
@@ -177,27 +177,56 @@ class Pool:
     plane: ArmPlane | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class MixedForm:
+    """(A_1 ... A_m)^-1 U_0 (A_{k+1} ... A_n)^-1 = A_{m+1} ... A_k.
+
+    Attributes:
+        m: Joints moved from the left.
+        k: Joints moved from the right begin at k + 1.
+        moved: (A_1 ... A_m)^-1.
+        known: The side with U_0.
+        joints: The other side.
+    """
+
+    m: int
+    k: int
+    moved: Transform
+    known: Transform
+    joints: Transform
+
+
 def build_pool(problem: Problem) -> Pool:
     """Every usable equation of the problem."""
-    algebra = problem.algebra
-    links = problem.links
-    dof = len(links)
+    dof = len(problem.links)
     points: list[Point] = []
     steps = [right_inverse(problem, k) for k in range(dof + 1)]
     rights = [_moved_right(problem, step, points) for step in steps]
     equations: list[Equation] = []
-    for m in range(dof):
-        before = [element for link in links[:m] for element in link]
-        left = product(reversed_elements(before, algebra), algebra)
-        for k in range(dof, m, -1):
-            middle = product((element for link in links[m:k] for element in link), algebra)
-            moved = compose(left, rights[k], algebra.normal)
-            equations += _entries(m, k, dof, moved, middle)
-            origin = Origin(m, k, dof, 0, 4)
-            equations += _squared_length(problem, origin, (left, rights[k]), steps[k], middle)
+    for form in mixed_forms(problem, rights):
+        equations += _entries(form, dof)
+        origin = Origin(form.m, form.k, dof, 0, 4)
+        factors = form.moved, rights[form.k]
+        equations += _squared_length(problem, origin, factors, steps[form.k], form.joints)
     withheld = Withheld(problem)
     usable = (e for e in equations if e.difference and not withheld(e.difference))
     return Pool(problem, merged(usable), tuple(points))
+
+
+def mixed_forms(problem: Problem, rights: Sequence[Transform]) -> Iterator[MixedForm]:
+    """Every mixed form, m ascending and k descending.
+
+    Args:
+        problem: What is asked.
+        rights: U_0 (A_{k+1} ... A_n)^-1 for k = 0 ... n.
+    """
+    algebra, links = problem.algebra, problem.links
+    for m in range(len(links)):
+        before = [element for link in links[:m] for element in link]
+        left = product(reversed_elements(before, algebra), algebra)
+        for k in range(len(links), m, -1):
+            joints = product((element for link in links[m:k] for element in link), algebra)
+            yield MixedForm(m, k, left, compose(left, rights[k], algebra.normal), joints)
 
 
 def merged(equations: Iterable[Equation]) -> tuple[Equation, ...]:
@@ -248,12 +277,12 @@ def _uses_joints(problem: Problem, entry: Polynomial) -> bool:
     return any(monomial[place] for monomial in entry for place in joint)
 
 
-def _entries(m: int, k: int, dof: int, left: Transform, right: Transform) -> list[Equation]:
+def _entries(form: MixedForm, dof: int) -> list[Equation]:
     return [
         _equation(
-            Origin(m, k, dof, row + 1, column + 1),
-            left.entry(row, column),
-            right.entry(row, column),
+            Origin(form.m, form.k, dof, row + 1, column + 1),
+            form.known.entry(row, column),
+            form.joints.entry(row, column),
         )
         for column in (3, 2, 1, 0)
         for row in range(3)

@@ -58,7 +58,7 @@ def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
         f"the arm has infinitely many solutions for every pose: {first}",
         *others,
         f"name {given} under `free` to solve for the others with its value given",
-        *choices_text(choices),
+        *choices_text(choices, spare),
         *_elbow_choice(chain),
         "--numerical would give the solution near to a seed, by damped least squares",
     ]

@@ -10,15 +10,22 @@ origin (J. Pluecker), and a slide along z is not in it.
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import combinations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.kinematics.product import product, reversed_elements
 from dhgen.kinematics.transform import compose
 from dhgen.paul.forms import FormReader, substitute
 from dhgen.paul.knowledge import initial_knowledge
-from dhgen.paul.pool import MOMENT, Equation, Origin, Pool, Withheld, merged, right_inverse
+from dhgen.paul.pool import (
+    MOMENT,
+    Equation,
+    Origin,
+    Pool,
+    Withheld,
+    merged,
+    mixed_forms,
+    right_inverse,
+)
 from dhgen.paul.search import learn
 from dhgen.paul.step import Kind, View
 from dhgen.paul.types.angle import Angle
@@ -115,17 +122,15 @@ def _offers(reader: FormReader, view: View) -> list[Step]:
 
 def _moments(problem: Problem) -> Iterator[Equation]:
     """The elements of column 3 x column 4 of every form that the task gives."""
-    algebra, links = problem.algebra, problem.links
+    algebra, dof = problem.algebra, len(problem.links)
     withheld = Withheld(problem)
-    for m, k in combinations(range(len(links) + 1), 2):
-        before = [element for link in links[:m] for element in link]
-        moved = compose(problem.target, right_inverse(problem, k), algebra.normal)
-        known = compose(product(reversed_elements(before, algebra), algebra), moved, algebra.normal)
-        joints = product((element for link in links[m:k] for element in link), algebra)
-        for row, (left, right) in enumerate(
-            zip(moment(known, algebra), moment(joints, algebra), strict=True), start=1
-        ):
-            origin = Origin(m, k, len(links), row, MOMENT)
+    rights = [
+        compose(problem.target, right_inverse(problem, k), algebra.normal) for k in range(dof + 1)
+    ]
+    for form in mixed_forms(problem, rights):
+        sides = moment(form.known, algebra), moment(form.joints, algebra)
+        for row, (left, right) in enumerate(zip(*sides, strict=True), start=1):
+            origin = Origin(form.m, form.k, dof, row, MOMENT)
             if left != right and not withheld(right - left):
                 yield Equation(origin, (origin,), left, right, right - left)
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache, partial, reduce
-from itertools import combinations
 from typing import TYPE_CHECKING
 
 from dhgen.program.builder import Builder
@@ -79,19 +78,39 @@ def regular(
     if any(isinstance(statement, AllJoints | Roots) for statement in program.body):
         return None
     wider = tolerances.near / tolerances.free
-    return _cheapest(program, limits or (None,) * len(program.outputs), wider)
+    kept = inverses_kept(program, wider)
+    return _made(program, limits or (None,) * len(program.outputs), kept, wider)
 
 
 @cache  # every target asks for it
-def _cheapest(program: Program, limits: tuple[Limits | None, ...], wider: float) -> Regular:
-    """With the inverses of lengths in front that make it so."""
+def _made(
+    program: Program, limits: tuple[Limits | None, ...], kept: frozenset[str], wider: float
+) -> Regular:
+    """With these inverses of lengths in front."""
+    return _Regular(program, limits, kept, wider).run()
+
+
+@cache
+def inverses_kept(program: Program, wider: float) -> frozenset[str]:
+    """The inverses of lengths that stay in front: one more as long as that makes it cheaper.
+
+    Limits come after everything else, whatever is kept.
+
+    Args:
+        program: The whole program.
+        wider: How much farther from where a joint is free regular poses end.
+    """
+    limits = (None,) * len(program.outputs)
     inverses = [s.name for s in program.body if isinstance(s, Let) and _is_inverse(s.expression)]
-    found = (
-        _Regular(program, limits, frozenset(kept), wider).run()
-        for count in range(len(inverses) + 1)
-        for kept in combinations(inverses, count)
-    )
-    return min(found, key=lambda solver: _cost(solver.program))
+    kept: frozenset[str] = frozenset()
+    cost = _cost(_made(program, limits, kept, wider).program)
+    while True:
+        tried = [kept | {name} for name in inverses if name not in kept]
+        costs = [_cost(_made(program, limits, each, wider).program) for each in tried]
+        if min(costs, default=cost) >= cost:
+            return kept
+        cost = min(costs)
+        kept = tried[costs.index(cost)]
 
 
 class _Regular:

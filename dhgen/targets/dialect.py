@@ -74,9 +74,9 @@ def _text(expression: Expression, dialect: Dialect) -> tuple[str, int]:
 
 
 def _apply(operator: str, operands: tuple[Expression, ...], dialect: Dialect) -> tuple[str, int]:
-    def part(place: int, least: int) -> str:
+    def part(place: int, least: int, unlike: int | None = None) -> str:
         text, binds = _text(operands[place], dialect)
-        return text if binds >= least else f"({text})"
+        return text if binds >= least and binds != unlike else f"({text})"
 
     if operator in INFIX:
         sign, binds = INFIX[operator]
@@ -92,12 +92,8 @@ def _apply(operator: str, operands: tuple[Expression, ...], dialect: Dialect) ->
             )
         case "or":
             # compilers warn of an unbracketed conjunction here
-            parts = part(0, DISJUNCTION), part(1, DISJUNCTION + 1)
-            joined = [
-                f"({text})" if _text(operand, dialect)[1] == CONJUNCTION else text
-                for text, operand in zip(parts, operands, strict=True)
-            ]
-            return f"{joined[0]} {dialect.disjunction()} {joined[1]}", DISJUNCTION
+            first, second = part(0, DISJUNCTION, CONJUNCTION), part(1, DISJUNCTION + 1, CONJUNCTION)
+            return f"{first} {dialect.disjunction()} {second}", DISJUNCTION
         case "not":
             return f"{dialect.negation()}{part(0, UNARY)}", NEGATION
         case "select":

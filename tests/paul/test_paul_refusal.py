@@ -127,3 +127,10 @@ def test_any_joint_of_a_skew_arm_leaves_a_general_one() -> None:
     assert "joints 1, 2, 3, 4, 5, 6, 7 can be moved against each other" in lines[0]
     each = " or ".join(f"[{joint}]" for joint in range(1, 8))
     assert f"  free: {each} leaves a general 6R with 16 rows" in lines
+
+
+def test_of_very_many_sets_of_free_joints_some_are_tried() -> None:
+    lines = refused(*["theta: 0, d: q", "theta: pi/2, d: q, alpha: pi/2"] * 3)
+    (free,) = (line for line in lines if line.startswith("  free: "))
+    assert free.endswith("leaves a closed form with one row")
+    assert "  there are 20 sets of 3 joints, of which some were tried" in lines

@@ -16,7 +16,8 @@ from dhgen.program.flatten import flatten
 from dhgen.program.given import given_values
 from dhgen.program.interpret import Rows, interpret, outputs
 from dhgen.program.ir import Let
-from dhgen.program.regular import regular
+from dhgen.program.limits import Limits
+from dhgen.program.regular import inverses_kept, regular
 from tests.derivation.stories import story
 
 if TYPE_CHECKING:
@@ -169,3 +170,14 @@ def test_names_say_the_branch() -> None:
 
 def test_roots_of_polynomials_have_no_regular_program() -> None:
     assert regular(story("cuspidal_3r").program) is None
+
+
+def test_what_stays_in_front_is_found_once_for_all_targets() -> None:
+    program = story("craig_417").program
+    regular(program)
+    searched = inverses_kept.cache_info().misses
+    limits = (Limits(-1.0, 1.0, turns=True),) * len(program.outputs)
+    found = regular(program, limits)
+    assert found is not None
+    assert found.outside is not None
+    assert inverses_kept.cache_info().misses == searched

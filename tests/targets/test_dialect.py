@@ -6,6 +6,7 @@ import ast
 import ctypes
 import math
 import subprocess
+from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -115,6 +116,13 @@ def test_no_parentheses_without_need(expression: Expression) -> None:
     if " if " not in text and "-(-" not in text:  # which C needs
         least = ast.unparse(ast.parse(text, mode="eval"))
         assert text.count("(") <= least.count("(")
+
+
+def test_many_conditions_are_printed_once_each() -> None:
+    """An arm's doubts are one disjunction; printing parts of parts twice would never end."""
+    flag: Expression = Apply("less", (Pose(1, 4), Integer(0)))
+    whole = reduce(lambda left, right: Apply("or", (left, right)), [flag] * 60)
+    assert expression_text(whole, Python()).count(" < 0.0") == 60
 
 
 def test_c_means_the_same(tmp_path: Path) -> None:
