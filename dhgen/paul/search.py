@@ -12,15 +12,20 @@ from dataclasses import dataclass
 from itertools import combinations, count
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.forms import MOST_UNKNOWNS, FormReader
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.step import Kind, View
-from dhgen.paul.witness import build_witnesses
+from dhgen.paul.witness import OWN_LENGTHS, VANISHING, build_witnesses
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge, State
     from dhgen.paul.pool import Pool
@@ -153,15 +158,53 @@ class Search:
 
 
 def _without_needless_silence(steps: list[Step], view: View) -> list[Step]:
-    """Without X s = Z or Y c = Z whose factor may vanish where a constant factor says the same."""
-    alone = []
-    for step in steps:
-        factors = [step.coefficient(letter) for letter in "XY"] if step.kind is Kind.ANGLE else []
-        if sum(map(bool, factors)) == 1:
-            alone.append((step, view.is_constant(factors[0] or factors[1])))
-    sure = {step.unknowns for step, constant in alone if constant}
-    silent = {id(step) for step, constant in alone if step.unknowns in sure and not constant}
+    """Without X s + Y c = Z whose X and Y may vanish where constant factors say the same.
+
+    That is so where X or Y is zero in both, and where the equation is a multiple of the constant
+    one, be it for another angle, by a factor that varies.
+    """
+    angles = [step for step in steps if step.kind is Kind.ANGLE]
+    sure = [step for step in angles if all(map(view.is_constant, _factors(step)))]
+    told = {id(step) for step in sure}
+    silent = {
+        id(step)
+        for step in angles
+        for other in sure
+        if id(step) not in told and (_are_single(step, other) or _is_multiple(step, other, view))
+    }
     return [step for step in steps if id(step) not in silent]
+
+
+def _factors(step: Step) -> tuple[Polynomial, Polynomial]:
+    return step.coefficient("X"), step.coefficient("Y")
+
+
+def _are_single(step: Step, other: Step) -> bool:
+    """Whether both hold the sine or the cosine of one angle alone."""
+    alone = not all(_factors(step)) and not all(_factors(other))
+    return alone and step.unknowns == other.unknowns
+
+
+def _is_multiple(step: Step, other: Step, view: View) -> bool:
+    """Whether two equations of type 2 differ by a factor that varies.
+
+    Then the solution is as far from the direction of (X, Y) in both, whatever their angles are.
+    """
+    (one, first), (two, second) = (_place(each, view) for each in (step, other))
+    factor = (first / second)[OWN_LENGTHS]
+    varies = np.ptp(factor) > VANISHING * np.max(factor)
+    return bool(varies) and np.allclose(one, two, rtol=0.0, atol=VANISHING)
+
+
+def _place(step: Step, view: View) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """(X c - Y s)^2 / (X^2 + Y^2), and its divisor, on the witnesses."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    algebra, on = view.knowledge.runs.algebra, view.witnesses.evaluate
+    x, y = map(on, _factors(step))
+    c, s = (on(algebra.generator(name)) for name in (angle.cosine, angle.sine))
+    square = x * x + y * y
+    return (x * c - y * s) ** 2 / square, square
 
 
 def learn(knowledge: Knowledge, step: Step) -> Knowledge:

@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from dhgen.kinematics.build import build_chain
@@ -19,6 +20,7 @@ from dhgen.paul.problem import build_problem
 from dhgen.paul.search import Search, learn
 from dhgen.paul.step import Kind, Step
 from dhgen.paul.types import QUARTIC
+from dhgen.paul.witness import OWN_LENGTHS, build_witnesses
 from dhgen.robot.load import load
 from tests.kinematics.values import algebra_of, table
 from tests.paul.arms import all_steps, derivation
@@ -178,3 +180,20 @@ def test_an_equation_seen_from_both_ends_of_the_arm_is_not_two() -> None:
     algebra = algebra_of(table(*(link * 4), free="[1, 2]"))
     pool = with_inverse_forms(build_pool(build_problem(algebra)))
     assert list(Search(pool, QUARTIC).routes()) == []
+
+
+def test_a_multiple_of_an_equation_with_constant_factors_is_not_needed() -> None:
+    """x of the tool in the base is its place across axis 3 times s1, silent at s1 = 0."""
+    arm = table(
+        "theta: q",
+        "theta: -pi/2, d: q, alpha: -pi/2",
+        "theta: q, d: 0.26, a: 0.27, alpha: pi",
+        "theta: pi/2, d: q, a: 0.24",
+        "theta: q, alpha: -45 deg",
+        "theta: q, alpha: -pi/2",
+    )
+    found = derive(build_chain(arm))
+    _, elbow = (step for step in found.steps if step.kind is Kind.ANGLE)
+    assert unknown_name(elbow.unknowns[0]) == "theta3"
+    x, y = (build_witnesses(found.pool).evaluate(elbow.coefficient(letter)) for letter in "XY")
+    assert np.hypot(x, y)[OWN_LENGTHS] == pytest.approx(np.hypot(0.27, 0.24))
