@@ -52,11 +52,16 @@ def lower(derivation: Derivation, tolerances: Tolerances = TOLERANCES) -> Progra
 def _has_strangers(derivation: Derivation, program: Program) -> bool:
     """Whether rows come out that do not reproduce their pose.
 
-    Equations may leave a part of the task unsaid; then every row has to be checked.
+    Equations may leave a part of the task unsaid, be it only at right angles; then every row has to
+    be checked.
     """
     chain = derivation.problem.algebra.chain
     arm = numeric_arm(chain)
-    q = np.random.default_rng(17).uniform(-2.5, 2.5, (TRIED, chain.dof))
+    source = np.random.default_rng(17)
+    everywhere = source.uniform(-2.5, 2.5, (TRIED, chain.dof))
+    right = source.integers(-1, 3, everywhere.shape) * (np.pi / 2)
+    mixed = np.where(source.random(everywhere.shape) < 0.5, right, everywhere)
+    q = np.concatenate([everywhere, right, mixed])
     poses = arm.pose(q)
     rows = interpret(program, poses, q, given_values(arm, q))
     reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
