@@ -29,6 +29,11 @@ def load(path: str | os.PathLike[str]) -> Robot:
     try:
         with Path(path).open("rb") as file:
             content = file.read(MAX_BYTES + 1)
+    except IsADirectoryError:
+        files = Path(path) / "*.yaml"
+        raise _refusal(
+            Diagnostic(name, 0, 0, f"this is a folder; name the files in it: {files}")
+        ) from None
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise _refusal(Diagnostic(name, 0, 0, f"the file can't be read: {reason}")) from None

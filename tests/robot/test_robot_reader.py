@@ -100,7 +100,7 @@ def test_a_missing_file_is_shown_as_given(name: str) -> None:
 
 
 def test_a_folder_is_no_file(tmp_path: Path) -> None:
-    with pytest.raises(RobotFileError, match="the file can't be read: Is a directory"):
+    with pytest.raises(RobotFileError, match=r"this is a folder; name the files in it: .*\*\.yaml"):
         load(tmp_path)
 
 
