@@ -17,8 +17,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -296,7 +299,9 @@ static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 330000.0; /* a coefficient of v5 */
 static const double m3 = 600.0; /* a coefficient of v5 */
 static const double m4 = 33.1776; /* doubt_limit_squared2^2 [mm^4] */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double m5 = 0.000576; /* pose_slack1^2 [mm^2] */
+static const double m6 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m7 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const adept_branches[1] = {
     "only",
@@ -376,7 +381,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -388,11 +393,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -405,7 +410,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 
     /* r3 */
     const wide t34 = T14 - ez * T13;
-    const wide r3 = d1 - t34;
+    const wide q3 = d1 - t34;
 
     /* theta12 */
     const wide v1 = T32 * T32 + T22 * T22;
@@ -422,25 +427,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide angle1 = atan2_wide(v4, v5);
 
     /* is the pose one that the arm can take? */
-    const double v8 = sqrt(-1.0);
-    const wide v9 = pick_wide(maximum_wide(abs_wide(t14 - (l2 * c12 + l1 * (v5 * v7))),
-        maximum_wide(abs_wide(t34 - (d1 - r3)), abs_wide(t24 - (l2 * s12 + l1 * (v4 * v7))))) <=
-        pose_slack1, all_wide(0.0), all_wide(v8));
-    const wide v10 = pick_wide(maximum_wide(abs_wide(s12 + T21), maximum_wide(abs_wide(T22 - c12),
-        maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T32 - s12), maximum_wide(abs_wide(c12 -
-        T31), maximum_wide(abs_wide(T33), maximum_wide(abs_wide(T12), maximum_wide(abs_wide(T13 +
-        1.0), abs_wide(T11))))))))) <= pose_slack, all_wide(0.0), all_wide(v8));
+    const wide v8 = t34 - (d1 - q3), v9 = T13 + 1.0, v10 = t24 - (l2 * s12 + l1 * (v4 * v7));
+    const wide v11 = c12 - T31, v12 = T32 - s12, v13 = t14 - (l2 * c12 + l1 * (v5 * v7));
+    const wide v14 = T22 - c12, v15 = s12 + T21;
 
     /* joint values */
     const wide angle2 = atan2_wide(T32, T22);
-    const wide v11 = angle2 - angle1;
-    const wide_mask doubt1 = (v1 <= m1) | (v6 <= m4);
-    const wide q1 = v10 + (angle1 + v9);
-    const wide q2 = v10 + (v9 + (v11 - only_wide(half_turn < v11, m5) + only_wide(v11 <= -half_turn,
-        m5)));
-    const wide q3 = v10 + (r3 + v9);
+    const wide v16 = angle2 - angle1;
+    const wide q2 = v16 - only_wide(half_turn < v16, m7) + only_wide(v16 <= -half_turn, m7);
+    const wide_mask doubt1 = (v6 <= m4) | ((v1 <= m1) | ((m6 < v15 * v15 + (v14 * v14 + (T23 * T23 +
+        (v12 * v12 + (v11 * v11 + (T33 * T33 + (T12 * T12 + (v9 * v9 + T11 * T11)))))))) | (m5 < v13
+        * v13 + (v8 * v8 + v10 * v10))));
 
-    q[0] = q1; q[1] = q2; q[2] = q3;
+    q[0] = angle1; q[1] = q2; q[2] = q3;
     kind[0] = kind_of(q[0] != q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -449,6 +448,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 #if LANES > 1
 /* One regular pose, 0 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[1][3], unsigned char status[1])
 {
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
@@ -457,7 +457,7 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
 
     /* r3 */
     const double t34 = T14 - ez * T13;
-    const double r3 = d1 - t34;
+    const double q3 = d1 - t34;
 
     /* theta12 */
     const double v1 = T32 * T32 + T22 * T22;
@@ -473,32 +473,26 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const double v6 = v4 * v4 + v5 * v5, v7 = sqrt(v6) * (1.0 / v6);
 
     /* is the pose one that the arm can take? */
-    const double v8 = sqrt(-1.0);
-    const double v9 = (maximum_double(fabs(t14 - (l2 * c12 + l1 * (v5 * v7))),
-        maximum_double(fabs(t34 - (d1 - r3)), fabs(t24 - (l2 * s12 + l1 * (v4 * v7))))) <=
-        pose_slack1) ? 0.0 : v8;
-    const double v10 = (maximum_double(fabs(s12 + T21), maximum_double(fabs(T22 - c12),
-        maximum_double(fabs(T23), maximum_double(fabs(T32 - s12), maximum_double(fabs(c12 - T31),
-        maximum_double(fabs(T33), maximum_double(fabs(T12), maximum_double(fabs(T13 + 1.0),
-        fabs(T11))))))))) <= pose_slack) ? 0.0 : v8;
+    const double v8 = t34 - (d1 - q3), v9 = T13 + 1.0, v10 = t24 - (l2 * s12 + l1 * (v4 * v7));
+    const double v11 = c12 - T31, v12 = T32 - s12, v13 = t14 - (l2 * c12 + l1 * (v5 * v7));
+    const double v14 = T22 - c12, v15 = s12 + T21;
 
     /* joint values */
-    const int doubt1 = (v1 <= m1) | (v6 <= m4);
-    const double q3 = v10 + (r3 + v9);
+    const int doubt1 = (v6 <= m4) | ((v1 <= m1) | ((m6 < v15 * v15 + (v14 * v14 + (T23 * T23 + (v12
+        * v12 + (v11 * v11 + (T33 * T33 + (T12 * T12 + (v9 * v9 + T11 * T11)))))))) | (m5 < v13 *
+        v13 + (v8 * v8 + v10 * v10))));
 
     const four packed1 = atan2_four((four){ v4, T32, v4, v4 }, (four){ v5, T22, v5, v5 });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four v11 = angle2 - angle1;
-    const four q1 = v10 + (angle1 + v9);
-    const four q2 = v10 + (v9 + (v11 - only_four(half_turn < v11, m5) + only_four(v11 <= -half_turn,
-        m5)));
+    const four v16 = angle2 - angle1;
+    const four q2 = v16 - only_four(half_turn < v16, m7) + only_four(v16 <= -half_turn, m7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    store_2(&q[0][0], &q[0][0], &q[0][0], &q[0][0], q1, q2);
+    store_2(&q[0][0], &q[0][0], &q[0][0], &q[0][0], angle1, q2);
     store_1(&q[0][2], &q[0][2], &q[0][2], &q[0][2], all_four(q3));
-    const unsigned long long none1 = (bits_four(q1 != q1) * 0x1ull & 0x1ull);
+    const unsigned long long none1 = (bits_four(angle1 != angle1) * 0x1ull & 0x1ull);
     const unsigned long long kind1 = none1 * ADEPT_UNREACHABLE;
     __builtin_memcpy(status + 0, &kind1, 1);
     return 1 - __builtin_popcountll(none1);
@@ -625,21 +619,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int adept_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[1][3], unsigned char
+    status[1])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 1; row++) {
@@ -655,12 +644,19 @@ int adept_ik(const double T[16], const double *q_seed, double q[1][3], unsigned 
             continue;
         for (int i = 0; i < 3; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = ADEPT_OUT_OF_LIMITS;
         }
         count += status[row] != ADEPT_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int adept_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int adept_ik_nearest(const double T[16], const double q_seed[3], double q[3])

@@ -92,7 +92,9 @@ m1 = 1e-12  # doubt_limit_squared^2
 m2 = 330000.0  # a coefficient of v5
 m3 = 600.0  # a coefficient of v5
 m4 = 33.1776  # doubt_limit_squared2^2 [mm^4]
-m5 = 6.283185307179586  # 2 * half_turn
+m5 = 0.000576  # pose_slack1^2 [mm^2]
+m6 = 1.0000000000000002e-10  # pose_slack^2
+m7 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -362,7 +364,7 @@ def _regular(pose, q, status):
 
     # r3, type 1: U0[3, 4]
     t34 = T14 - ez * T13
-    r3 = d1 - t34
+    q3 = d1 - t34
 
     # theta12, type 3: U0[1, 2] and U0[2, 2]
     v1 = T32 * T32 + T22 * T22
@@ -381,20 +383,21 @@ def _regular(pose, q, status):
     v7 = math.sqrt(v6) * (1.0 / v6)
 
     # is the pose one that the arm can take?
-    v8 = math.sqrt(-1.0)
-    v9 = (
-        0.0 if max(abs(t14 - (l2 * c12 + l1 * (v5 * v7))), max(abs(t34 - (d1 - r3)), abs(t24 - (l2 *
-        s12 + l1 * (v4 * v7))))) <= pose_slack1 else v8
-    )
-    v10 = (
-        0.0 if max(abs(s12 + T21), max(abs(T22 - c12), max(abs(T23), max(abs(T32 - s12), max(abs(c12
-        - T31), max(abs(T33), max(abs(T12), max(abs(T13 + 1.0), abs(T11))))))))) <= pose_slack else
-        v8
-    )
+    v8 = t34 - (d1 - q3)
+    v9 = T13 + 1.0
+    v10 = t24 - (l2 * s12 + l1 * (v4 * v7))
+    v11 = c12 - T31
+    v12 = T32 - s12
+    v13 = t14 - (l2 * c12 + l1 * (v5 * v7))
+    v14 = T22 - c12
+    v15 = s12 + T21
 
     # joint values
-    doubt1 = v1 <= m1 or v6 <= m4
-    q3 = v10 + (r3 + v9)
+    doubt1 = (
+        v6 <= m4 or (v1 <= m1 or (m6 < v15 * v15 + (v14 * v14 + (T23 * T23 + (v12 * v12 + (v11 * v11
+        + (T33 * T33 + (T12 * T12 + (v9 * v9 + T11 * T11))))))) or m5 < v13 * v13 + (v8 * v8 + v10 *
+        v10)))
+    )
 
     # angles, side by side
     room[0] = v4
@@ -409,14 +412,13 @@ def _regular(pose, q, status):
     angle2 = room[1]
 
     # joint values
-    v11 = angle2 - angle1
-    q1 = v10 + (angle1 + v9)
-    q2 = v10 + (v9 + (v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)))
+    v16 = angle2 - angle1
+    q2 = v16 - (m7 if half_turn < v16 else 0.0) + (m7 if v16 <= -half_turn else 0.0)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = q1
+    q[0, 0] = angle1
     q[0, 1] = q2
     q[0, 2] = q3
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
@@ -583,9 +585,9 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [800, 832, 864],
+    [736, 768, 800],
 ])
-_KINDS = np.array([896])
+_KINDS = np.array([832])
 _LEFT_OVER = 255
 
 
@@ -596,7 +598,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(928)
+    work = np.empty(864)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -633,7 +635,7 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             t34 = T14 - ez * T13
-            r3 = d1 - t34
+            q3 = d1 - t34
             v1 = T32 * T32 + T22 * T22
             w12 = math.sqrt(v1)
             v2 = 1.0 / v1
@@ -646,48 +648,41 @@ def _in_tiles(T, q, status):
             v5 = m3 * t14 - w12 * (m2 * (T22 * v2))
             v6 = v4 * v4 + v5 * v5
             v7 = math.sqrt(v6) * (1.0 / v6)
-            v8 = math.sqrt(-1.0)
-            v9 = (
-                0.0 if max(abs(t14 - (l2 * c12 + l1 * (v5 * v7))), max(abs(t34 - (d1 - r3)), abs(t24
-                - (l2 * s12 + l1 * (v4 * v7))))) <= pose_slack1 else v8
+            v8 = t34 - (d1 - q3)
+            v9 = T13 + 1.0
+            v10 = t24 - (l2 * s12 + l1 * (v4 * v7))
+            v11 = c12 - T31
+            v12 = T32 - s12
+            v13 = t14 - (l2 * c12 + l1 * (v5 * v7))
+            v14 = T22 - c12
+            v15 = s12 + T21
+            doubt1 = (
+                v6 <= m4 or (v1 <= m1 or (m6 < v15 * v15 + (v14 * v14 + (T23 * T23 + (v12 * v12 +
+                (v11 * v11 + (T33 * T33 + (T12 * T12 + (v9 * v9 + T11 * T11))))))) or m5 < v13 * v13
+                + (v8 * v8 + v10 * v10)))
             )
-            v10 = (
-                0.0 if max(abs(s12 + T21), max(abs(T22 - c12), max(abs(T23), max(abs(T32 - s12),
-                max(abs(c12 - T31), max(abs(T33), max(abs(T12), max(abs(T13 + 1.0), abs(T11)))))))))
-                <= pose_slack else v8
-            )
-            doubt1 = v1 <= m1 or v6 <= m4
-            q3 = v10 + (r3 + v9)
-            work[544 + k] = v9
-            work[576 + k] = v10
-            work[608 + k] = doubt1
-            work[640 + k] = q3
-            work[672 + k] = v4
-            work[704 + k] = T32
-            work[736 + k] = v5
-            work[768 + k] = T22
-        for k in range(672, 736):
+            work[544 + k] = q3
+            work[576 + k] = doubt1
+            work[608 + k] = v4
+            work[640 + k] = T32
+            work[672 + k] = v5
+            work[704 + k] = T22
+        for k in range(608, 672):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
-            v9 = work[544 + k]
-            v10 = work[576 + k]
-            doubt1 = work[608 + k] != 0.0
-            q3 = work[640 + k]
-            angle1 = work[672 + k]
-            angle2 = work[704 + k]
-            v11 = angle2 - angle1
-            q1 = v10 + (angle1 + v9)
-            q2 = (
-                v10 + (v9 + (v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else
-                0.0)))
-            )
-            _800 = q1
+            q3 = work[544 + k]
+            doubt1 = work[576 + k] != 0.0
+            angle1 = work[608 + k]
+            angle2 = work[640 + k]
+            v16 = angle2 - angle1
+            q2 = v16 - (m7 if half_turn < v16 else 0.0) + (m7 if v16 <= -half_turn else 0.0)
+            _736 = angle1
+            work[736 + k] = _736
+            _768 = q2
+            work[768 + k] = _768
+            _800 = q3
             work[800 + k] = _800
-            _832 = q2
-            work[832 + k] = _832
-            _864 = q3
-            work[864 + k] = _864
-            work[896 + k] = UNREACHABLE if _800 != _800 else OK
+            work[832 + k] = UNREACHABLE if _736 != _736 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

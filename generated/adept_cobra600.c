@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -309,7 +312,9 @@ static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 1.5384615384615385; /* a coefficient of S1 */
 static const double m3 = 0.04615384615384612; /* a coefficient of S1 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 9.74169e-11; /* pose_slack1^2 [m^2] */
+static const double m5 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m6 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const adept_cobra600_branches[2] = {
     "down", "up",
@@ -396,7 +401,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -408,11 +413,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -443,31 +448,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle3 = atan2_wide(v4 - v6, v5 + v7), angle4 = atan2_wide(v4 + v6, v5 - v7);
 
     /* is the pose one that the arm can take? */
-    const double v8 = sqrt(-1.0);
-    const wide v9 = pick_wide(abs_wide(T34 - (d1 - r3)) <= pose_slack1, all_wide(0.0),
-        all_wide(v8));
-    const wide v10 = pick_wide(maximum_wide(abs_wide(T12 - s12m4), maximum_wide(abs_wide(T11 -
-        c12m4), maximum_wide(abs_wide(T13), maximum_wide(abs_wide(T21 - s12m4),
-        maximum_wide(abs_wide(c12m4 + T22), maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T31),
-        maximum_wide(abs_wide(1.0 + T33), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0),
-        all_wide(v8));
+    const wide v8 = T34 - (d1 - r3), v9 = 1.0 + T33, v10 = c12m4 + T22, v11 = T21 - s12m4;
+    const wide v12 = T11 - c12m4, v13 = T12 - s12m4;
 
     /* joint values */
-    const wide v11 = angle2 + angle3 - angle1, v12 = angle4 - angle2 - angle1;
-    const wide q1_p = v10 + (angle3 + v9), q1_m = v10 + (angle4 + v9);
-    const wide q2_p = v10 + (angle2 + v9), q2_m = v10 + (v9 - angle2);
-    const wide q3_p = v10 + (v9 + (r3 + (w2 - w2)));
-    const wide q4_p = v10 + (v9 + (v11 - only_wide(half_turn < v11, m4) + only_wide(v11 <=
-        -half_turn, m4)));
-    const wide q4_m = v10 + (v9 + (v12 - only_wide(half_turn < v12, m4) + only_wide(v12 <=
-        -half_turn, m4)));
+    const wide v14 = angle2 + angle3 - angle1, v15 = angle4 - angle2 - angle1;
+    const wide q4_p = v14 - only_wide(half_turn < v14, m6) + only_wide(v14 <= -half_turn, m6);
+    const wide q4_m = v15 - only_wide(half_turn < v15, m6) + only_wide(v15 <= -half_turn, m6);
+    const wide q3_p = r3 + (w2 - w2);
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
-        (v1 <= m1));
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((N2 <=
+        doubt_limit_squared2) | ((m5 < v13 * v13 + (v12 * v12 + (T13 * T13 + (v11 * v11 + (v10 * v10
+        + (T23 * T23 + (T31 * T31 + (v9 * v9 + T32 * T32)))))))) | (m4 < v8 * v8))));
 
-    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
+    q[0] = angle3; q[1] = angle2; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_m; q[5] = q2_m; q[6] = q3_p; q[7] = q4_m;
+    q[4] = angle4; q[5] = -angle2; q[6] = q3_p; q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -476,6 +472,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 #if LANES > 1
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -499,16 +496,15 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v3 = m3 + m2 * N2, v4 = T24 * v3, v5 = T14 * v3;
 
     /* is the pose one that the arm can take? */
-    const double v6 = sqrt(-1.0), v7 = (fabs(T34 - (d1 - r3)) <= pose_slack1) ? 0.0 : v6;
-    const double v8 = (maximum_double(fabs(T12 - s12m4), maximum_double(fabs(T11 - c12m4),
-        maximum_double(fabs(T13), maximum_double(fabs(T21 - s12m4), maximum_double(fabs(c12m4 +
-        T22), maximum_double(fabs(T23), maximum_double(fabs(T31), maximum_double(fabs(1.0 + T33),
-        fabs(T32))))))))) <= pose_slack) ? 0.0 : v6;
+    const double v6 = T34 - (d1 - r3), v7 = 1.0 + T33, v8 = c12m4 + T22, v9 = T21 - s12m4;
+    const double v10 = T11 - c12m4, v11 = T12 - s12m4;
 
     /* joint values */
-    const double q3 = v8 + (v7 + (r3 + (w2 - w2)));
+    const double q3 = r3 + (w2 - w2);
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) | (v1 <= m1));
+        N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((N2 <= doubt_limit_squared2) | ((m5 <
+        v11 * v11 + (v10 * v10 + (T13 * T13 + (v9 * v9 + (v8 * v8 + (T23 * T23 + (T31 * T31 + (v7 *
+        v7 + T32 * T32)))))))) | (m4 < v6 * v6))));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w2 * (m2 *
         (e1 * T14)), all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
@@ -517,16 +513,14 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v9 = e1 * angle2, v10 = angle3 + v9 - angle1;
-    const four q1 = v8 + (angle3 + v7);
-    const four q2 = v8 + (v7 + v9);
-    const four q4 = v8 + (v7 + (v10 - only_four(half_turn < v10, m4) + only_four(v10 <= -half_turn,
-        m4)));
+    const four q2 = e1 * angle2;
+    const four v12 = angle3 + q2 - angle1;
+    const four q4 = v12 - only_four(half_turn < v12, m6) + only_four(v12 <= -half_turn, m6);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, all_four(q3), q4);
-    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], angle3, q2, all_four(q3), q4);
+    const unsigned long long none1 = (bits_four(angle3 != angle3) * 0x81ull & 0x101ull);
     const unsigned long long kind1 = none1 * ADEPT_COBRA600_UNREACHABLE;
     __builtin_memcpy(status + 0, &kind1, 2);
     return 2 - __builtin_popcountll(none1);
@@ -680,22 +674,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int adept_cobra600_ik(
-    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
+    status[2])
 {
     static const double zeros[4] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -711,12 +699,20 @@ int adept_cobra600_ik(
             continue;
         for (int i = 0; i < 4; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = ADEPT_COBRA600_OUT_OF_LIMITS;
         }
         count += status[row] != ADEPT_COBRA600_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int adept_cobra600_ik(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int adept_cobra600_ik_nearest(const double T[16], const double q_seed[4], double q[4])

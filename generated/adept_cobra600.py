@@ -101,7 +101,9 @@ half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.5384615384615385  # a coefficient of S1
 m3 = 0.04615384615384612  # a coefficient of S1
-m4 = 6.283185307179586  # 2 * half_turn
+m4 = 9.74169e-11  # pose_slack1^2 [m^2]
+m5 = 1.0000000000000002e-10  # pose_slack^2
+m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -427,19 +429,20 @@ def _regular(pose, q, status):
     v7 = w2 * (m2 * T24)
 
     # is the pose one that the arm can take?
-    v8 = math.sqrt(-1.0)
-    v9 = 0.0 if abs(T34 - (d1 - r3)) <= pose_slack1 else v8
-    v10 = (
-        0.0 if max(abs(T12 - s12m4), max(abs(T11 - c12m4), max(abs(T13), max(abs(T21 - s12m4),
-        max(abs(c12m4 + T22), max(abs(T23), max(abs(T31), max(abs(1.0 + T33), abs(T32))))))))) <=
-        pose_slack else v8
-    )
+    v8 = T34 - (d1 - r3)
+    v9 = 1.0 + T33
+    v10 = c12m4 + T22
+    v11 = T21 - s12m4
+    v12 = T11 - c12m4
+    v13 = T12 - s12m4
 
     # joint values
-    q3_p = v10 + (v9 + (r3 + (w2 - w2)))
+    q3_p = r3 + (w2 - w2)
     doubt1 = (
         (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or (N2 <= doubt_limit_squared2 or v1 <= m1)
+        longest2_apart)) or (v1 <= m1 or (N2 <= doubt_limit_squared2 or (m5 < v13 * v13 + (v12 * v12
+        + (T13 * T13 + (v11 * v11 + (v10 * v10 + (T23 * T23 + (T31 * T31 + (v9 * v9 + T32 *
+        T32))))))) or m4 < v8 * v8)))
     )
 
     # angles, side by side
@@ -461,29 +464,21 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v11 = angle2 + angle3 - angle1
-    v12 = angle4 - angle2 - angle1
-    q1_p = v10 + (angle3 + v9)
-    q1_m = v10 + (angle4 + v9)
-    q2_p = v10 + (angle2 + v9)
-    q2_m = v10 + (v9 - angle2)
-    q4_p = (
-        v10 + (v9 + (v11 - (m4 if half_turn < v11 else 0.0) + (m4 if v11 <= -half_turn else 0.0)))
-    )
-    q4_m = (
-        v10 + (v9 + (v12 - (m4 if half_turn < v12 else 0.0) + (m4 if v12 <= -half_turn else 0.0)))
-    )
+    v14 = angle2 + angle3 - angle1
+    v15 = angle4 - angle2 - angle1
+    q4_p = v14 - (m6 if half_turn < v14 else 0.0) + (m6 if v14 <= -half_turn else 0.0)
+    q4_m = v15 - (m6 if half_turn < v15 else 0.0) + (m6 if v15 <= -half_turn else 0.0)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = q1_p
-    q[0, 1] = q2_p
+    q[0, 0] = angle3
+    q[0, 1] = angle2
     q[0, 2] = q3_p
     q[0, 3] = q4_p
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
-    q[1, 0] = q1_m
-    q[1, 1] = q2_m
+    q[1, 0] = angle4
+    q[1, 1] = -angle2
     q[1, 2] = q3_p
     q[1, 3] = q4_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
@@ -650,10 +645,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [928, 960, 992, 1024],
-    [1056, 1088, 992, 1120],
+    [864, 896, 928, 960],
+    [992, 1024, 928, 1056],
 ])
-_KINDS = np.array([1152, 1184])
+_KINDS = np.array([1088, 1120])
 _LEFT_OVER = 255
 
 
@@ -664,7 +659,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1216)
+    work = np.empty(1152)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -712,71 +707,58 @@ def _in_tiles(T, q, status):
             v5 = T14 * v3
             v6 = w2 * (m2 * T14)
             v7 = w2 * (m2 * T24)
-            v8 = math.sqrt(-1.0)
-            v9 = 0.0 if abs(T34 - (d1 - r3)) <= pose_slack1 else v8
-            v10 = (
-                0.0 if max(abs(T12 - s12m4), max(abs(T11 - c12m4), max(abs(T13), max(abs(T21 -
-                s12m4), max(abs(c12m4 + T22), max(abs(T23), max(abs(T31), max(abs(1.0 + T33),
-                abs(T32))))))))) <= pose_slack else v8
-            )
-            q3_p = v10 + (v9 + (r3 + (w2 - w2)))
+            v8 = T34 - (d1 - r3)
+            v9 = 1.0 + T33
+            v10 = c12m4 + T22
+            v11 = T21 - s12m4
+            v12 = T11 - c12m4
+            v13 = T12 - s12m4
+            q3_p = r3 + (w2 - w2)
             doubt1 = (
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or (N2 <= doubt_limit_squared2 or v1 <= m1)
+                < longest2_apart)) or (v1 <= m1 or (N2 <= doubt_limit_squared2 or (m5 < v13 * v13 +
+                (v12 * v12 + (T13 * T13 + (v11 * v11 + (v10 * v10 + (T23 * T23 + (T31 * T31 + (v9 *
+                v9 + T32 * T32))))))) or m4 < v8 * v8)))
             )
-            work[544 + k] = v9
-            work[576 + k] = v10
-            work[608 + k] = q3_p
-            work[640 + k] = doubt1
-            work[672 + k] = T21
-            work[704 + k] = w2
-            work[736 + k] = v4 - v6
-            work[768 + k] = v4 + v6
-            work[800 + k] = T11
-            work[832 + k] = N2 - k1
-            work[864 + k] = v5 + v7
-            work[896 + k] = v5 - v7
-        for k in range(672, 800):
+            work[544 + k] = q3_p
+            work[576 + k] = doubt1
+            work[608 + k] = T21
+            work[640 + k] = w2
+            work[672 + k] = v4 - v6
+            work[704 + k] = v4 + v6
+            work[736 + k] = T11
+            work[768 + k] = N2 - k1
+            work[800 + k] = v5 + v7
+            work[832 + k] = v5 - v7
+        for k in range(608, 736):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v9 = work[544 + k]
-            v10 = work[576 + k]
-            q3_p = work[608 + k]
-            doubt1 = work[640 + k] != 0.0
-            angle1 = work[672 + k]
-            angle2 = work[704 + k]
-            angle3 = work[736 + k]
-            angle4 = work[768 + k]
-            v11 = angle2 + angle3 - angle1
-            v12 = angle4 - angle2 - angle1
-            q1_p = v10 + (angle3 + v9)
-            q1_m = v10 + (angle4 + v9)
-            q2_p = v10 + (angle2 + v9)
-            q2_m = v10 + (v9 - angle2)
-            q4_p = (
-                v10 + (v9 + (v11 - (m4 if half_turn < v11 else 0.0) + (m4 if v11 <= -half_turn else
-                0.0)))
-            )
-            q4_m = (
-                v10 + (v9 + (v12 - (m4 if half_turn < v12 else 0.0) + (m4 if v12 <= -half_turn else
-                0.0)))
-            )
-            _928 = q1_p
+            q3_p = work[544 + k]
+            doubt1 = work[576 + k] != 0.0
+            angle1 = work[608 + k]
+            angle2 = work[640 + k]
+            angle3 = work[672 + k]
+            angle4 = work[704 + k]
+            v14 = angle2 + angle3 - angle1
+            v15 = angle4 - angle2 - angle1
+            q4_p = v14 - (m6 if half_turn < v14 else 0.0) + (m6 if v14 <= -half_turn else 0.0)
+            q4_m = v15 - (m6 if half_turn < v15 else 0.0) + (m6 if v15 <= -half_turn else 0.0)
+            _864 = angle3
+            work[864 + k] = _864
+            _896 = angle2
+            work[896 + k] = _896
+            _928 = q3_p
             work[928 + k] = _928
-            _960 = q2_p
+            _960 = q4_p
             work[960 + k] = _960
-            _992 = q3_p
+            _992 = angle4
             work[992 + k] = _992
-            _1024 = q4_p
+            _1024 = -angle2
             work[1024 + k] = _1024
-            _1056 = q1_m
+            _1056 = q4_m
             work[1056 + k] = _1056
-            _1088 = q2_m
-            work[1088 + k] = _1088
-            _1120 = q4_m
-            work[1120 + k] = _1120
-            work[1152 + k] = UNREACHABLE if _928 != _928 else OK
-            work[1184 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1088 + k] = UNREACHABLE if _864 != _864 else OK
+            work[1120 + k] = UNREACHABLE if _992 != _992 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

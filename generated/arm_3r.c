@@ -11,8 +11,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -341,8 +344,7 @@ void arm_3r_jacobian(const double q[3], double J[18])
     J[15] = 1.0; J[16] = 0.0; J[17] = 0.0;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+/* Copies a pose. Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -405,6 +407,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -586,23 +589,15 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int arm_3r_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[4][3], unsigned char
+    status[4])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
     for (int row = 0; row < 4; row++) {
         status[row] = valid ? ARM_3R_UNREACHABLE : ARM_3R_INVALID_POSE;
         for (int i = 0; i < 3; i++)
@@ -616,12 +611,19 @@ int arm_3r_ik(const double T[16], const double *q_seed, double q[4][3], unsigned
             continue;
         for (int i = 0; i < 3; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = ARM_3R_OUT_OF_LIMITS;
         }
         count += status[row] != ARM_3R_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int arm_3r_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int arm_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3])

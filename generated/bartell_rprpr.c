@@ -12,8 +12,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -285,6 +288,8 @@ static const double pose_slack1 = 2e-05; /* a pose may be rounded by this [m] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-06; /* doubt_limit^2 */
 static const double m3 = 1e-12; /* doubt_limit_squared^2 */
+static const double m4 = 4.0000000000000007e-10; /* pose_slack1^2 [m^2] */
+static const double m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const bartell_rprpr_branches[2] = {
@@ -374,7 +379,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -386,11 +391,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -413,9 +418,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide v7 = v3 * factor1;
     const wide s1 = v4 * factor1;
     const wide angle1 = atan2_wide(v4, -v3);
+    const wide q1_m = angle1 - copysign_wide(all_wide(half_turn), v4) * h1;
 
     /* r2 */
-    const wide r2 = w1 * (v6 * (T24 * v3 + T14 * v4));
+    const wide q2_p = w1 * (v6 * (T24 * v3 + T14 * v4));
 
     /* theta3 */
     const wide Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3));
@@ -428,7 +434,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide angle2 = atan2_wide(Z2_3, -T33);
 
     /* r4 */
-    const wide r4 = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
+    const wide q4_p = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
 
     /* theta5 */
     const wide v11 = w1 * (v6 * (v3 * T22 + v4 * T12)), v12 = w1 * (v6 * (v3 * T21 + v4 * T11));
@@ -436,33 +442,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide c5 = v11 * v14;
     const wide s5 = v12 * v14;
     const wide angle3 = atan2_wide(v12, v11);
+    const wide q5_m = angle3 - h1 * copysign_wide(all_wide(half_turn), v12);
 
     /* is the pose one that the arm can take? */
     const wide v15 = v7 * v10, v16 = v7 * s3, v17 = s1 * v10, v18 = s1 * s3;
-    const double v19 = sqrt(-1.0);
-    const wide v20 = pick_wide(maximum_wide(abs_wide(T14 - (s1 * r2 - r4 * v16)),
-        maximum_wide(abs_wide(T34 - (d1 + v10 * r4)), abs_wide(T24 - (r4 * v18 + v7 * r2)))) <=
-        pose_slack1, all_wide(0.0), all_wide(v19));
-    const wide v21 = pick_wide(maximum_wide(abs_wide(T12 - (s1 * c5 - s5 * v15)),
-        maximum_wide(abs_wide(T11 - (c5 * v15 + s1 * s5)), maximum_wide(abs_wide(T13 + v16),
-        maximum_wide(abs_wide(T21 - (v7 * s5 - c5 * v17)), maximum_wide(abs_wide(T22 - (v7 * c5 + s5
-        * v17)), maximum_wide(abs_wide(T23 - v18), maximum_wide(abs_wide(T31 - s3 * c5),
-        maximum_wide(abs_wide(T33 - v10), abs_wide(T32 + s3 * s5))))))))) <= pose_slack,
-        all_wide(0.0), all_wide(v19));
+    const wide v19 = T34 - (d1 + v10 * q4_p), v20 = T33 - v10, v21 = T32 + s3 * s5;
+    const wide v22 = T31 - s3 * c5, v23 = T24 - (q4_p * v18 + v7 * q2_p), v24 = T23 - v18;
+    const wide v25 = T22 - (v7 * c5 + s5 * v17), v26 = T21 - (v7 * s5 - c5 * v17);
+    const wide v27 = T14 - (s1 * q2_p - q4_p * v16), v28 = T13 + v16;
+    const wide v29 = T11 - (c5 * v15 + s1 * s5), v30 = T12 - (s1 * c5 - s5 * v15);
 
     /* joint values */
-    const wide q1_p = v21 + (angle1 + v20);
-    const wide q1_m = v21 + (v20 + (angle1 - copysign_wide(all_wide(half_turn), v4) * h1));
-    const wide q2_p = v21 + (r2 + v20), q2_m = v21 + (v20 - r2);
-    const wide q3_p = v21 + (angle2 + v20), q3_m = v21 + (v20 - angle2);
-    const wide q4_p = v21 + (r4 + v20);
-    const wide q5_p = v21 + (angle3 + v20);
-    const wide q5_m = v21 + (v20 + (angle3 - h1 * copysign_wide(all_wide(half_turn), v12)));
-    const wide_mask doubt1 = (v8 <= m3) | ((v13 <= m3) | (v5 <= m1));
+    const wide_mask doubt1 = (v8 <= m3) | ((v5 <= m1) | ((v13 <= m3) | ((m5 < v30 * v30 + (v29 * v29
+        + (v28 * v28 + (v26 * v26 + (v25 * v25 + (v24 * v24 + (v22 * v22 + (v20 * v20 + v21 *
+        v21)))))))) | (m4 < v27 * v27 + (v19 * v19 + v23 * v23)))));
 
-    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p; q[4] = q5_p;
+    q[0] = angle1; q[1] = q2_p; q[2] = angle2; q[3] = q4_p; q[4] = angle3;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_m; q[6] = q2_m; q[7] = q3_m; q[8] = q4_p; q[9] = q5_m;
+    q[5] = q1_m; q[6] = -q2_p; q[7] = -angle2; q[8] = q4_p; q[9] = q5_m;
     kind[1] = kind_of(q[5] != q[5], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -472,6 +469,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][5], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -506,7 +504,7 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     const double s3 = Z2_3 * factor3;
 
     /* r4 */
-    const double r4 = w3 * (v11 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
+    const double q4 = w3 * (v11 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
 
     /* theta5 */
     const double v13 = w1 * (v6 * (v3 * T22 + v4 * T12)), v14 = w1 * (v6 * (v3 * T21 + v4 * T11));
@@ -516,27 +514,26 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     const double v17 = copysign(half_turn, v14);
 
     /* is the pose one that the arm can take? */
-    const double v18 = v7 * v12, v19 = v7 * s3, v20 = s1 * v12, v21 = s1 * s3, v22 = sqrt(-1.0);
-    const double v23 = (maximum_double(fabs(T14 - (s1 * r2 - r4 * v19)), maximum_double(fabs(T34 -
-        (d1 + v12 * r4)), fabs(T24 - (r4 * v21 + v7 * r2)))) <= pose_slack1) ? 0.0 : v22;
-    const double v24 = (maximum_double(fabs(T12 - (s1 * c5 - s5 * v18)), maximum_double(fabs(T11 -
-        (c5 * v18 + s1 * s5)), maximum_double(fabs(T13 + v19), maximum_double(fabs(T21 - (v7 * s5 -
-        c5 * v20)), maximum_double(fabs(T22 - (v7 * c5 + s5 * v20)), maximum_double(fabs(T23 - v21),
-        maximum_double(fabs(T31 - s3 * c5), maximum_double(fabs(T33 - v12), fabs(T32 + s3 *
-        s5))))))))) <= pose_slack) ? 0.0 : v22;
+    const double v18 = v7 * v12, v19 = v7 * s3, v20 = s1 * v12, v21 = s1 * s3;
+    const double v22 = T34 - (d1 + v12 * q4), v23 = T33 - v12, v24 = T32 + s3 * s5;
+    const double v25 = T31 - s3 * c5, v26 = T24 - (q4 * v21 + v7 * r2), v27 = T23 - v21;
+    const double v28 = T22 - (v7 * c5 + s5 * v20), v29 = T21 - (v7 * s5 - c5 * v20);
+    const double v30 = T14 - (s1 * r2 - q4 * v19), v31 = T13 + v19;
+    const double v32 = T11 - (c5 * v18 + s1 * s5), v33 = T12 - (s1 * c5 - s5 * v18);
 
     /* joint values */
-    const four q2 = v24 + (v23 + e1 * r2);
-    const double q4 = v24 + (r4 + v23);
-    const int doubt1 = (v10 <= m3) | ((v15 <= m3) | (v5 <= m1));
+    const four q2 = e1 * r2;
+    const int doubt1 = (v10 <= m3) | ((v5 <= m1) | ((v15 <= m3) | ((m5 < v33 * v33 + (v32 * v32 +
+        (v31 * v31 + (v29 * v29 + (v28 * v28 + (v27 * v27 + (v25 * v25 + (v23 * v23 + v24 *
+        v24)))))))) | (m4 < v30 * v30 + (v22 * v22 + v26 * v26)))));
 
     const four packed1 = atan2_four((four){ v4, Z2_3, v14, v4 }, (four){ -v3, -T33, v13, -v3 });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
     const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four q1 = v24 + (v23 + (angle1 + v8 * v9));
-    const four q3 = v24 + (v23 + e1 * angle2);
-    const four q5 = v24 + (v23 + (angle3 + v9 * v17));
+    const four q1 = angle1 + v8 * v9;
+    const four q5 = angle3 + v9 * v17;
+    const four q3 = e1 * angle2;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -696,22 +693,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int bartell_rprpr_ik(
-    const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][5], unsigned char
+    status[2])
 {
     static const double zeros[5] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -727,12 +718,20 @@ int bartell_rprpr_ik(
             continue;
         for (int i = 0; i < 5; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = BARTELL_RPRPR_OUT_OF_LIMITS;
         }
         count += status[row] != BARTELL_RPRPR_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int bartell_rprpr_ik(
+    const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double q[5])

@@ -91,6 +91,8 @@ pose_slack1 = 2e-05  # a pose may be rounded by this [m]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-06  # doubt_limit^2
 m3 = 1e-12  # doubt_limit_squared^2
+m4 = 4.0000000000000007e-10  # pose_slack1^2 [m^2]
+m5 = 1.0000000000000002e-10  # pose_slack^2
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -417,7 +419,7 @@ def _regular(pose, q, status):
     s1 = v4 * factor1
 
     # r2, type 1: U1[2, 4]
-    r2 = w1 * (v6 * (T24 * v3 + T14 * v4))
+    q2_p = w1 * (v6 * (T24 * v3 + T14 * v4))
 
     # theta3, type 3: U1[3, 3] and U1[1, 3]
     Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3))
@@ -429,7 +431,7 @@ def _regular(pose, q, status):
     s3 = Z2_3 * factor3
 
     # r4, type 1: U3[2, 4]
-    r4 = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1))
+    q4_p = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1))
 
     # theta5, type 3: U1[2, 2] and U1[2, 1]
     v11 = w1 * (v6 * (v3 * T22 + v4 * T12))
@@ -444,23 +446,25 @@ def _regular(pose, q, status):
     v16 = v7 * s3
     v17 = s1 * v10
     v18 = s1 * s3
-    v19 = math.sqrt(-1.0)
-    v20 = (
-        0.0 if max(abs(T14 - (s1 * r2 - r4 * v16)), max(abs(T34 - (d1 + v10 * r4)), abs(T24 - (r4 *
-        v18 + v7 * r2)))) <= pose_slack1 else v19
-    )
-    v21 = (
-        0.0 if max(abs(T12 - (s1 * c5 - s5 * v15)), max(abs(T11 - (c5 * v15 + s1 * s5)), max(abs(T13
-        + v16), max(abs(T21 - (v7 * s5 - c5 * v17)), max(abs(T22 - (v7 * c5 + s5 * v17)),
-        max(abs(T23 - v18), max(abs(T31 - s3 * c5), max(abs(T33 - v10), abs(T32 + s3 * s5)))))))))
-        <= pose_slack else v19
-    )
+    v19 = T34 - (d1 + v10 * q4_p)
+    v20 = T33 - v10
+    v21 = T32 + s3 * s5
+    v22 = T31 - s3 * c5
+    v23 = T24 - (q4_p * v18 + v7 * q2_p)
+    v24 = T23 - v18
+    v25 = T22 - (v7 * c5 + s5 * v17)
+    v26 = T21 - (v7 * s5 - c5 * v17)
+    v27 = T14 - (s1 * q2_p - q4_p * v16)
+    v28 = T13 + v16
+    v29 = T11 - (c5 * v15 + s1 * s5)
+    v30 = T12 - (s1 * c5 - s5 * v15)
 
     # joint values
-    q2_p = v21 + (r2 + v20)
-    q2_m = v21 + (v20 - r2)
-    q4_p = v21 + (r4 + v20)
-    doubt1 = v8 <= m3 or (v13 <= m3 or v5 <= m1)
+    doubt1 = (
+        v8 <= m3 or (v5 <= m1 or (v13 <= m3 or (m5 < v30 * v30 + (v29 * v29 + (v28 * v28 + (v26 *
+        v26 + (v25 * v25 + (v24 * v24 + (v22 * v22 + (v20 * v20 + v21 * v21))))))) or m4 < v27 * v27
+        + (v19 * v19 + v23 * v23))))
+    )
 
     # angles, side by side
     room[0] = v4
@@ -477,26 +481,24 @@ def _regular(pose, q, status):
     angle2 = room[1]
     angle3 = room[2]
 
-    # joint values
-    q1_p = v21 + (angle1 + v20)
-    q1_m = v21 + (v20 + (angle1 - math.copysign(half_turn, v4) * h1))
-    q3_p = v21 + (angle2 + v20)
-    q3_m = v21 + (v20 - angle2)
-    q5_p = v21 + (angle3 + v20)
-    q5_m = v21 + (v20 + (angle3 - h1 * math.copysign(half_turn, v12)))
+    # theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2
+    q1_m = angle1 - math.copysign(half_turn, v4) * h1
+
+    # theta5, type 3: U1[2, 2] and U1[2, 1]
+    q5_m = angle3 - h1 * math.copysign(half_turn, v12)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = q1_p
+    q[0, 0] = angle1
     q[0, 1] = q2_p
-    q[0, 2] = q3_p
+    q[0, 2] = angle2
     q[0, 3] = q4_p
-    q[0, 4] = q5_p
+    q[0, 4] = angle3
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_m
-    q[1, 1] = q2_m
-    q[1, 2] = q3_m
+    q[1, 1] = -q2_p
+    q[1, 2] = -angle2
     q[1, 3] = q4_p
     q[1, 4] = q5_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
@@ -663,10 +665,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [992, 1024, 1056, 1088, 1120],
-    [1152, 1184, 1216, 1088, 1248],
+    [896, 928, 960, 992, 1024],
+    [1056, 1088, 1120, 992, 1152],
 ])
-_KINDS = np.array([1280, 1312])
+_KINDS = np.array([1184, 1216])
 _LEFT_OVER = 255
 
 
@@ -677,7 +679,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1344)
+    work = np.empty(1248)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -725,7 +727,7 @@ def _in_tiles(T, q, status):
             factor1 = w1 * v6
             v7 = v3 * factor1
             s1 = v4 * factor1
-            r2 = w1 * (v6 * (T24 * v3 + T14 * v4))
+            q2_p = w1 * (v6 * (T24 * v3 + T14 * v4))
             Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3))
             v8 = T33 * T33 + Z2_3 * Z2_3
             w3 = math.sqrt(v8)
@@ -733,7 +735,7 @@ def _in_tiles(T, q, status):
             factor3 = w3 * v9
             v10 = T33 * factor3
             s3 = Z2_3 * factor3
-            r4 = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1))
+            q4_p = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1))
             v11 = w1 * (v6 * (v3 * T22 + v4 * T12))
             v12 = w1 * (v6 * (v3 * T21 + v4 * T11))
             v13 = v12 * v12 + v11 * v11
@@ -744,75 +746,67 @@ def _in_tiles(T, q, status):
             v16 = v7 * s3
             v17 = s1 * v10
             v18 = s1 * s3
-            v19 = math.sqrt(-1.0)
-            v20 = (
-                0.0 if max(abs(T14 - (s1 * r2 - r4 * v16)), max(abs(T34 - (d1 + v10 * r4)), abs(T24
-                - (r4 * v18 + v7 * r2)))) <= pose_slack1 else v19
+            v19 = T34 - (d1 + v10 * q4_p)
+            v20 = T33 - v10
+            v21 = T32 + s3 * s5
+            v22 = T31 - s3 * c5
+            v23 = T24 - (q4_p * v18 + v7 * q2_p)
+            v24 = T23 - v18
+            v25 = T22 - (v7 * c5 + s5 * v17)
+            v26 = T21 - (v7 * s5 - c5 * v17)
+            v27 = T14 - (s1 * q2_p - q4_p * v16)
+            v28 = T13 + v16
+            v29 = T11 - (c5 * v15 + s1 * s5)
+            v30 = T12 - (s1 * c5 - s5 * v15)
+            doubt1 = (
+                v8 <= m3 or (v5 <= m1 or (v13 <= m3 or (m5 < v30 * v30 + (v29 * v29 + (v28 * v28 +
+                (v26 * v26 + (v25 * v25 + (v24 * v24 + (v22 * v22 + (v20 * v20 + v21 * v21))))))) or
+                m4 < v27 * v27 + (v19 * v19 + v23 * v23))))
             )
-            v21 = (
-                0.0 if max(abs(T12 - (s1 * c5 - s5 * v15)), max(abs(T11 - (c5 * v15 + s1 * s5)),
-                max(abs(T13 + v16), max(abs(T21 - (v7 * s5 - c5 * v17)), max(abs(T22 - (v7 * c5 + s5
-                * v17)), max(abs(T23 - v18), max(abs(T31 - s3 * c5), max(abs(T33 - v10), abs(T32 +
-                s3 * s5))))))))) <= pose_slack else v19
-            )
-            q2_p = v21 + (r2 + v20)
-            q2_m = v21 + (v20 - r2)
-            q4_p = v21 + (r4 + v20)
-            doubt1 = v8 <= m3 or (v13 <= m3 or v5 <= m1)
             work[544 + k] = v4
-            work[576 + k] = v12
-            work[608 + k] = v20
-            work[640 + k] = v21
-            work[672 + k] = q2_p
-            work[704 + k] = q2_m
-            work[736 + k] = q4_p
-            work[768 + k] = doubt1
-            work[800 + k] = v4
-            work[832 + k] = Z2_3
-            work[864 + k] = v12
-            work[896 + k] = -v3
-            work[928 + k] = -T33
-            work[960 + k] = v11
-        for k in range(800, 896):
+            work[576 + k] = q2_p
+            work[608 + k] = q4_p
+            work[640 + k] = v12
+            work[672 + k] = doubt1
+            work[704 + k] = v4
+            work[736 + k] = Z2_3
+            work[768 + k] = v12
+            work[800 + k] = -v3
+            work[832 + k] = -T33
+            work[864 + k] = v11
+        for k in range(704, 800):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 32):
             v4 = work[544 + k]
-            v12 = work[576 + k]
-            v20 = work[608 + k]
-            v21 = work[640 + k]
-            q2_p = work[672 + k]
-            q2_m = work[704 + k]
-            q4_p = work[736 + k]
-            doubt1 = work[768 + k] != 0.0
-            angle1 = work[800 + k]
-            angle2 = work[832 + k]
-            angle3 = work[864 + k]
-            q1_p = v21 + (angle1 + v20)
-            q1_m = v21 + (v20 + (angle1 - math.copysign(half_turn, v4) * h1))
-            q3_p = v21 + (angle2 + v20)
-            q3_m = v21 + (v20 - angle2)
-            q5_p = v21 + (angle3 + v20)
-            q5_m = v21 + (v20 + (angle3 - h1 * math.copysign(half_turn, v12)))
-            _992 = q1_p
+            q2_p = work[576 + k]
+            q4_p = work[608 + k]
+            v12 = work[640 + k]
+            doubt1 = work[672 + k] != 0.0
+            angle1 = work[704 + k]
+            angle2 = work[736 + k]
+            angle3 = work[768 + k]
+            q1_m = angle1 - math.copysign(half_turn, v4) * h1
+            q5_m = angle3 - h1 * math.copysign(half_turn, v12)
+            _896 = angle1
+            work[896 + k] = _896
+            _928 = q2_p
+            work[928 + k] = _928
+            _960 = angle2
+            work[960 + k] = _960
+            _992 = q4_p
             work[992 + k] = _992
-            _1024 = q2_p
+            _1024 = angle3
             work[1024 + k] = _1024
-            _1056 = q3_p
+            _1056 = q1_m
             work[1056 + k] = _1056
-            _1088 = q4_p
+            _1088 = -q2_p
             work[1088 + k] = _1088
-            _1120 = q5_p
+            _1120 = -angle2
             work[1120 + k] = _1120
-            _1152 = q1_m
+            _1152 = q5_m
             work[1152 + k] = _1152
-            _1184 = q2_m
-            work[1184 + k] = _1184
-            _1216 = q3_m
-            work[1216 + k] = _1216
-            _1248 = q5_m
-            work[1248 + k] = _1248
-            work[1280 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1312 + k] = UNREACHABLE if _1152 != _1152 else OK
+            work[1184 + k] = UNREACHABLE if _896 != _896 else OK
+            work[1216 + k] = UNREACHABLE if _1056 != _1056 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

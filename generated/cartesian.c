@@ -11,8 +11,11 @@
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -287,8 +290,7 @@ void cartesian_jacobian(const double q[3], double J[18])
     J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+/* Copies a pose. Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -319,6 +321,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 #if LANES > 1
 /* One regular pose, 0 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[1][3], unsigned char status[1])
 {
     const double T14 = T[3];
@@ -411,23 +414,15 @@ static void solve(
     status[row] = CARTESIAN_OK;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int cartesian_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[1][3], unsigned char
+    status[1])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
     for (int row = 0; row < 1; row++) {
         status[row] = valid ? CARTESIAN_UNREACHABLE : CARTESIAN_INVALID_POSE;
         for (int i = 0; i < 3; i++)
@@ -440,12 +435,19 @@ int cartesian_ik(const double T[16], const double *q_seed, double q[1][3], unsig
         if (status[row] == CARTESIAN_UNREACHABLE)
             continue;
         for (int i = 0; i < 3; i++) {
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = CARTESIAN_OUT_OF_LIMITS;
         }
         count += status[row] != CARTESIAN_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int cartesian_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3])

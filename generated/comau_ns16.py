@@ -602,7 +602,6 @@ def _regular(pose, q, status):
     X1 = d6 * T13 - T14
     wy = d6 * T23 - T24
     N1 = X1 * X1 + wy * wy
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k1
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
@@ -696,8 +695,8 @@ def _regular(pose, q, status):
         N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not
         (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or
         ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or ((-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (v31 <= m7
-        or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))))
+        N3_p < longest3_apart)) or (abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v31 <= m7 or
+        (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))))
     )
 
     # angles, side by side
@@ -1127,7 +1126,6 @@ def _in_tiles(T, q, status):
             X1 = d6 * T13 - T14
             wy = d6 * T23 - T24
             N1 = X1 * X1 + wy * wy
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k1
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
@@ -1211,8 +1209,8 @@ def _in_tiles(T, q, status):
                 N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
                 doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or ((-k2 <= D1 and (free1 or not
-                (k3 < D1))) or (free1 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))))
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (abs(D1) <= k2 or (N1 <=
+                doubt_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))))
             )
             work[544 + k] = w3_p
             work[576 + k] = w3_m

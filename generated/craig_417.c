@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -307,7 +310,11 @@ static const double m2 = 0.7071067811865476; /* a coefficient of v6 */
 static const double m3 = 0.5; /* a coefficient of v12 */
 static const double m4 = 1.4142135623730951; /* a coefficient of v12 */
 static const double m5 = 8.1e-11; /* doubt_limit_squared2^2 [m^4] */
-static const double m6 = 6.283185307179586; /* 2 * half_turn */
+static const double m6 = 9.000000000000002e-10; /* pose_slack1^2 [m^2] */
+static const double m7 = 2.7000000000000006e-09; /* 3 * pose_slack1^2 [m^2] */
+static const double m8 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m9 = 9.000000000000001e-10; /* 9 * pose_slack^2 */
+static const double m10 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const craig_417_branches[2] = {
     "left", "right",
@@ -421,7 +428,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -433,11 +440,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -450,7 +457,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* theta1 */
     const wide N1 = T13 * T13 + T23 * T23;
-    const wide_mask free1 = N1 <= doubt_limit_squared;
     const wide D1 = N1 - k3;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
@@ -501,48 +507,60 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide v57 = 2.0 * v55, v58 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)));
     const wide v59 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2))), v60 = v19 * 2.0, v61 = sqrt2 * c2;
     const wide v62 = sqrt2 * (k6 * c2), v63 = 2.0 * (a3 * v19), v64 = a3 * v61;
-    const wide v65 = abs_wide(T33 - k1 * v61);
-    const double v66 = sqrt(-1.0);
-    const wide v67 = pick_wide(maximum_wide(abs_wide(T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 *
-        (a3 * v48) + sqrt2 * (v52 - v19 * v50))), maximum_wide(abs_wide(T34 - k1 * (v62 + (v42 * v64
-        + c3_p * v63))), abs_wide(T24 - k1 * (sqrt2 * (v50 + v19 * v52) - (c3_p * (2.0 * (a3 * v54))
-        + v42 * (a3 * v58)))))) <= pose_slack1, all_wide(0.0), all_wide(v66));
-    const wide v68 = pick_wide(maximum_wide(abs_wide(T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 *
-        (a3 * v49) + sqrt2 * (v53 + v19 * v51))), maximum_wide(abs_wide(T34 - k1 * (v62 + (v43 * v64
-        - c3_m * v63))), abs_wide(T24 - k1 * (sqrt2 * (v51 - v19 * v53) - (c3_m * (2.0 * (a3 * v55))
-        + v43 * (a3 * v59)))))) <= pose_slack1, all_wide(0.0), all_wide(v66));
-    const wide v69 = pick_wide(maximum_wide(abs_wide(T12 + k1 * (s34_p * v46 - c34_p * v48)),
-        maximum_wide(abs_wide(T11 - k1 * (c34_p * v46 + s34_p * v48)), maximum_wide(abs_wide(T13 -
-        k1 * (sqrt2 * (v13 - c1_p * v19))), maximum_wide(abs_wide(T21 - k1 * (s34_p * v58 - c34_p *
-        v56)), maximum_wide(abs_wide(T22 - k1 * (c34_p * v58 + s34_p * v56)),
-        maximum_wide(abs_wide(T23 - k1 * (sqrt2 * (c1_p + v13 * v19))), maximum_wide(abs_wide(T31 +
-        k1 * (s34_p * v61 - c34_p * v60)), maximum_wide(v65, abs_wide(T32 + k1 * (c34_p * v61 +
-        s34_p * v60)))))))))) <= pose_slack, all_wide(0.0), all_wide(v66));
-    const wide v70 = pick_wide(maximum_wide(abs_wide(T12 + k1 * (s34_m * v47 - c34_m * v49)),
-        maximum_wide(abs_wide(T11 - k1 * (c34_m * v47 + s34_m * v49)), maximum_wide(abs_wide(T13 -
-        k1 * (sqrt2 * (v14 + c1_m * v19))), maximum_wide(abs_wide(T21 - k1 * (s34_m * v59 - c34_m *
-        v57)), maximum_wide(abs_wide(T22 - k1 * (c34_m * v59 + s34_m * v57)),
-        maximum_wide(abs_wide(T23 - k1 * (sqrt2 * (c1_m - v14 * v19))), maximum_wide(abs_wide(T31 +
-        k1 * (s34_m * v61 + c34_m * v60)), maximum_wide(v65, abs_wide(T32 + k1 * (c34_m * v61 -
-        s34_m * v60)))))))))) <= pose_slack, all_wide(0.0), all_wide(v66));
+    const wide v65 = T34 - k1 * (v62 + (v42 * v64 + c3_p * v63));
+    const wide v66 = T34 - k1 * (v62 + (v43 * v64 - c3_m * v63)), v67 = T33 - k1 * v61;
+    const wide v68 = v67 * v67, v69 = T32 + k1 * (c34_p * v61 + s34_p * v60);
+    const wide v70 = T32 + k1 * (c34_m * v61 - s34_m * v60);
+    const wide v71 = T31 + k1 * (s34_p * v61 - c34_p * v60);
+    const wide v72 = T31 + k1 * (s34_m * v61 + c34_m * v60);
+    const wide v73 = T24 - k1 * (sqrt2 * (v50 + v19 * v52) - (c3_p * (2.0 * (a3 * v54)) + v42 * (a3
+        * v58)));
+    const wide v74 = T24 - k1 * (sqrt2 * (v51 - v19 * v53) - (c3_m * (2.0 * (a3 * v55)) + v43 * (a3
+        * v59))), v75 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19));
+    const wide v76 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19));
+    const wide v77 = T22 - k1 * (c34_p * v58 + s34_p * v56);
+    const wide v78 = T22 - k1 * (c34_m * v59 + s34_m * v57);
+    const wide v79 = T21 - k1 * (s34_p * v58 - c34_p * v56);
+    const wide v80 = T21 - k1 * (s34_m * v59 - c34_m * v57);
+    const wide v81 = T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v48) + sqrt2 * (v52 - v19 *
+        v50));
+    const wide v82 = T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v49) + sqrt2 * (v53 + v19 *
+        v51)), v83 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19));
+    const wide v84 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19));
+    const wide v85 = T11 - k1 * (c34_p * v46 + s34_p * v48);
+    const wide v86 = T11 - k1 * (c34_m * v47 + s34_m * v49);
+    const wide v87 = T12 + k1 * (s34_p * v46 - c34_p * v48);
+    const wide v88 = T12 + k1 * (s34_m * v47 - c34_m * v49);
+    const wide v89 = v81 * v81 + (v65 * v65 + v73 * v73), v90 = v82 * v82 + (v66 * v66 + v74 * v74);
+    const double v91 = NAN;
+    const wide v92 = pick_wide(v89 <= m6, all_wide(0.0), all_wide(v91));
+    const wide v93 = pick_wide(v90 <= m6, all_wide(0.0), all_wide(v91));
+    const wide v94 = v87 * v87 + (v85 * v85 + (v83 * v83 + (v79 * v79 + (v77 * v77 + (v75 * v75 +
+        (v71 * v71 + (v68 + v69 * v69)))))));
+    const wide v95 = v88 * v88 + (v86 * v86 + (v84 * v84 + (v80 * v80 + (v78 * v78 + (v76 * v76 +
+        (v72 * v72 + (v68 + v70 * v70)))))));
+    const wide v96 = pick_wide(v94 <= m8, all_wide(0.0), all_wide(v91));
+    const wide v97 = pick_wide(v95 <= m8, all_wide(0.0), all_wide(v91));
 
     /* joint values */
     const wide angle4 = atan2_wide(v22, v26);
-    const wide v71 = angle4 - angle2;
+    const wide v98 = angle4 - angle2;
     const wide angle5 = atan2_wide(v23, v27);
-    const wide v72 = angle5 - angle3;
+    const wide v99 = angle5 - angle3;
     const wide angle6 = atan2_wide(-v13, c1_p);
-    const wide q1_p = v69 + (v67 + angle6);
+    const wide q1_p = v96 + (v92 + angle6);
     const wide angle7 = atan2_wide(-v14, c1_m);
-    const wide q1_m = v70 + (v68 + angle7);
-    const wide q2_p = v69 + (angle1 + v67), q2_m = v70 + (v68 - angle1);
-    const wide q3_p = v69 + (angle2 + v67), q3_m = v70 + (angle3 + v68);
-    const wide q4_p = v69 + (v67 + (v71 - only_wide(half_turn < v71, m6) + only_wide(v71 <=
-        -half_turn, m6)));
-    const wide q4_m = v70 + (v68 + (v72 - only_wide(half_turn < v72, m6) + only_wide(v72 <=
-        -half_turn, m6)));
-    const wide_mask doubt1 = ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))) | (free1 | ((v41 <= m5) |
-        ((v29 <= m1) | ((v40 <= m5) | ((v28 <= m1) | (v16 <= m1))))));
+    const wide q1_m = v97 + (v93 + angle7);
+    const wide q2_p = v96 + (angle1 + v92), q2_m = v97 + (v93 - angle1);
+    const wide q3_p = v96 + (angle2 + v92), q3_m = v97 + (angle3 + v93);
+    const wide q4_p = v96 + (v92 + (v98 - only_wide(half_turn < v98, m10) + only_wide(v98 <=
+        -half_turn, m10)));
+    const wide q4_m = v97 + (v93 + (v99 - only_wide(half_turn < v99, m10) + only_wide(v99 <=
+        -half_turn, m10)));
+    const wide_mask doubt1 = (v41 <= m5) | ((v29 <= m1) | ((v40 <= m5) | ((v28 <= m1) | (((m6 < v90)
+        & (v90 <= m7)) | (((m6 < v89) & (v89 <= m7)) | ((abs_wide(D1) <= k4) | ((N1 <=
+        doubt_limit_squared) | (((m8 < v95) & (v95 <= m9)) | ((v16 <= m1) | ((m8 < v94) & (v94 <=
+        m9)))))))))));
 
     q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -555,6 +573,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 #if LANES > 1
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -564,7 +583,6 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 
     /* theta1 */
     const double N1 = T13 * T13 + T23 * T23;
-    const int free1 = N1 <= doubt_limit_squared;
     const double D1 = N1 - k3;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
@@ -611,22 +629,28 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four v35 = k6 * c1, v36 = k6 * v9, v37 = v9 * c2, v38 = 2.0 * v37;
     const four v39 = m4 * v4 - w2 * (m4 * (v12 * (v7 * v15)));
     const double v40 = v14 * 2.0, v41 = sqrt2 * c2, v42 = sqrt2 * (k6 * c2), v43 = 2.0 * (a3 * v14);
-    const double v44 = a3 * v41, v45 = fabs(T33 - k1 * v41), v46 = sqrt(-1.0);
-    const four v47 = pick_four(maximum_four(abs_four(T14 - k1 * (c3 * (2.0 * (a3 * v32)) - v31 * (a3
-        * v34) + sqrt2 * (v36 - e1 * (v14 * v35)))), maximum_four(abs_four(T34 - k1 * (v42 + (v31 *
-        v44 + e1 * (c3 * v43)))), abs_four(T24 - k1 * (sqrt2 * (v35 + e1 * (v14 * v36)) - (c3 * (2.0
-        * (a3 * v37)) + v31 * (a3 * v39)))))) <= pose_slack1, all_four(0.0), all_four(v46));
-    const four v48 = pick_four(maximum_four(abs_four(T12 + k1 * (s34 * v33 - c34 * v34)),
-        maximum_four(abs_four(T11 - k1 * (c34 * v33 + s34 * v34)), maximum_four(abs_four(T13 - k1 *
-        (sqrt2 * (v9 - e1 * (c1 * v14)))), maximum_four(abs_four(T21 - k1 * (s34 * v39 - c34 *
-        v38)), maximum_four(abs_four(T22 - k1 * (c34 * v39 + s34 * v38)), maximum_four(abs_four(T23
-        - k1 * (sqrt2 * (c1 + e1 * (v9 * v14)))), maximum_four(abs_four(T31 + k1 * (s34 * v41 - e1 *
-        (c34 * v40))), maximum_four(all_four(v45), abs_four(T32 + k1 * (c34 * v41 + e1 * (s34 *
-        v40))))))))))) <= pose_slack, all_four(0.0), all_four(v46));
+    const double v44 = a3 * v41;
+    const four v45 = T34 - k1 * (v42 + (v31 * v44 + e1 * (c3 * v43)));
+    const double v46 = T33 - k1 * v41, v47 = v46 * v46;
+    const four v48 = T32 + k1 * (c34 * v41 + e1 * (s34 * v40));
+    const four v49 = T31 + k1 * (s34 * v41 - e1 * (c34 * v40));
+    const four v50 = T24 - k1 * (sqrt2 * (v35 + e1 * (v14 * v36)) - (c3 * (2.0 * (a3 * v37)) + v31 *
+        (a3 * v39))), v51 = T23 - k1 * (sqrt2 * (c1 + e1 * (v9 * v14)));
+    const four v52 = T22 - k1 * (c34 * v39 + s34 * v38), v53 = T21 - k1 * (s34 * v39 - c34 * v38);
+    const four v54 = T14 - k1 * (c3 * (2.0 * (a3 * v32)) - v31 * (a3 * v34) + sqrt2 * (v36 - e1 *
+        (v14 * v35))), v55 = T13 - k1 * (sqrt2 * (v9 - e1 * (c1 * v14)));
+    const four v56 = T11 - k1 * (c34 * v33 + s34 * v34), v57 = T12 + k1 * (s34 * v33 - c34 * v34);
+    const four v58 = v54 * v54 + (v45 * v45 + v50 * v50);
+    const double v59 = NAN;
+    const four v60 = pick_four(v58 <= m6, all_four(0.0), all_four(v59));
+    const four v61 = v57 * v57 + (v56 * v56 + (v55 * v55 + (v53 * v53 + (v52 * v52 + (v51 * v51 +
+        (v49 * v49 + (v47 + v48 * v48)))))));
+    const four v62 = pick_four(v61 <= m8, all_four(0.0), all_four(v59));
 
     /* joint values */
-    const four_mask doubt2 = (v22 <= m1) | (v30 <= m5);
-    const int doubt1 = ((-k4 <= D1) & (free1 | ((k5 < D1) == 0))) | (free1 | (v11 <= m1));
+    const int doubt1 = (fabs(D1) <= k4) | ((v11 <= m1) | (N1 <= doubt_limit_squared));
+    const four_mask doubt2 = (v30 <= m5) | ((v22 <= m1) | (((m8 < v61) & (v61 <= m9)) | ((m6 < v58)
+        & (v58 <= m7))));
 
     const four packed1 = atan2_four(__builtin_shufflevector(-v31, v18, 0, 1, 6, 7),
         __builtin_shufflevector(c3, v21, 0, 1, 6, 7));
@@ -636,12 +660,12 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         __builtin_shufflevector(c1, all_four(v10), 0, 1, 6, 3));
     const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four v49 = angle3 - angle2;
-    const four q1 = v48 + (v47 + angle4);
-    const four q2 = v48 + (v47 + e1 * angle1);
-    const four q3 = v48 + (angle2 + v47);
-    const four q4 = v48 + (v47 + (v49 - only_four(half_turn < v49, m6) + only_four(v49 <=
-        -half_turn, m6)));
+    const four v63 = angle3 - angle2;
+    const four q1 = v62 + (v60 + angle4);
+    const four q2 = v62 + (v60 + e1 * angle1);
+    const four q3 = v62 + (angle2 + v60);
+    const four q4 = v62 + (v60 + (v63 - only_four(half_turn < v63, m10) + only_four(v63 <=
+        -half_turn, m10)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -824,21 +848,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
+    status[2])
 {
     static const double zeros[4] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -854,12 +873,19 @@ int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsig
             continue;
         for (int i = 0; i < 4; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = CRAIG_417_OUT_OF_LIMITS;
         }
         count += status[row] != CRAIG_417_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4])

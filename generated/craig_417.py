@@ -103,7 +103,11 @@ m2 = 0.7071067811865476  # a coefficient of v6
 m3 = 0.5  # a coefficient of v12
 m4 = 1.4142135623730951  # a coefficient of v12
 m5 = 8.1e-11  # doubt_limit_squared2^2 [m^4]
-m6 = 6.283185307179586  # 2 * half_turn
+m6 = 9.000000000000002e-10  # pose_slack1^2 [m^2]
+m7 = 2.7000000000000006e-09  # 3 * pose_slack1^2 [m^2]
+m8 = 1.0000000000000002e-10  # pose_slack^2
+m9 = 9.000000000000001e-10  # 9 * pose_slack^2
+m10 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -475,7 +479,6 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[2, 3]
     N1 = T13 * T13 + T23 * T23
-    free1 = N1 <= doubt_limit_squared
     D1 = N1 - k3
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
@@ -566,37 +569,51 @@ def _regular(pose, q, status):
     v62 = sqrt2 * (k6 * c2)
     v63 = 2.0 * (a3 * v19)
     v64 = a3 * v61
-    v65 = abs(T33 - k1 * v61)
-    v66 = math.sqrt(-1.0)
-    v67 = (
-        0.0 if max(abs(T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v48) + sqrt2 * (v52 - v19
-        * v50))), max(abs(T34 - k1 * (v62 + (v42 * v64 + c3_p * v63))), abs(T24 - k1 * (sqrt2 * (v50
-        + v19 * v52) - (c3_p * (2.0 * (a3 * v54)) + v42 * (a3 * v58)))))) <= pose_slack1 else v66
+    v65 = T34 - k1 * (v62 + (v42 * v64 + c3_p * v63))
+    v66 = T34 - k1 * (v62 + (v43 * v64 - c3_m * v63))
+    v67 = T33 - k1 * v61
+    v68 = v67 * v67
+    v69 = T32 + k1 * (c34_p * v61 + s34_p * v60)
+    v70 = T32 + k1 * (c34_m * v61 - s34_m * v60)
+    v71 = T31 + k1 * (s34_p * v61 - c34_p * v60)
+    v72 = T31 + k1 * (s34_m * v61 + c34_m * v60)
+    v73 = T24 - k1 * (sqrt2 * (v50 + v19 * v52) - (c3_p * (2.0 * (a3 * v54)) + v42 * (a3 * v58)))
+    v74 = T24 - k1 * (sqrt2 * (v51 - v19 * v53) - (c3_m * (2.0 * (a3 * v55)) + v43 * (a3 * v59)))
+    v75 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
+    v76 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
+    v77 = T22 - k1 * (c34_p * v58 + s34_p * v56)
+    v78 = T22 - k1 * (c34_m * v59 + s34_m * v57)
+    v79 = T21 - k1 * (s34_p * v58 - c34_p * v56)
+    v80 = T21 - k1 * (s34_m * v59 - c34_m * v57)
+    v81 = T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v48) + sqrt2 * (v52 - v19 * v50))
+    v82 = T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v49) + sqrt2 * (v53 + v19 * v51))
+    v83 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
+    v84 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
+    v85 = T11 - k1 * (c34_p * v46 + s34_p * v48)
+    v86 = T11 - k1 * (c34_m * v47 + s34_m * v49)
+    v87 = T12 + k1 * (s34_p * v46 - c34_p * v48)
+    v88 = T12 + k1 * (s34_m * v47 - c34_m * v49)
+    v89 = v81 * v81 + (v65 * v65 + v73 * v73)
+    v90 = v82 * v82 + (v66 * v66 + v74 * v74)
+    v91 = math.sqrt(-1.0)
+    v92 = 0.0 if v89 <= m6 else v91
+    v93 = 0.0 if v90 <= m6 else v91
+    v94 = (
+        v87 * v87 + (v85 * v85 + (v83 * v83 + (v79 * v79 + (v77 * v77 + (v75 * v75 + (v71 * v71 +
+        (v68 + v69 * v69)))))))
     )
-    v68 = (
-        0.0 if max(abs(T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v49) + sqrt2 * (v53 + v19
-        * v51))), max(abs(T34 - k1 * (v62 + (v43 * v64 - c3_m * v63))), abs(T24 - k1 * (sqrt2 * (v51
-        - v19 * v53) - (c3_m * (2.0 * (a3 * v55)) + v43 * (a3 * v59)))))) <= pose_slack1 else v66
+    v95 = (
+        v88 * v88 + (v86 * v86 + (v84 * v84 + (v80 * v80 + (v78 * v78 + (v76 * v76 + (v72 * v72 +
+        (v68 + v70 * v70)))))))
     )
-    v69 = (
-        0.0 if max(abs(T12 + k1 * (s34_p * v46 - c34_p * v48)), max(abs(T11 - k1 * (c34_p * v46 +
-        s34_p * v48)), max(abs(T13 - k1 * (sqrt2 * (v13 - c1_p * v19))), max(abs(T21 - k1 * (s34_p *
-        v58 - c34_p * v56)), max(abs(T22 - k1 * (c34_p * v58 + s34_p * v56)), max(abs(T23 - k1 *
-        (sqrt2 * (c1_p + v13 * v19))), max(abs(T31 + k1 * (s34_p * v61 - c34_p * v60)), max(v65,
-        abs(T32 + k1 * (c34_p * v61 + s34_p * v60)))))))))) <= pose_slack else v66
-    )
-    v70 = (
-        0.0 if max(abs(T12 + k1 * (s34_m * v47 - c34_m * v49)), max(abs(T11 - k1 * (c34_m * v47 +
-        s34_m * v49)), max(abs(T13 - k1 * (sqrt2 * (v14 + c1_m * v19))), max(abs(T21 - k1 * (s34_m *
-        v59 - c34_m * v57)), max(abs(T22 - k1 * (c34_m * v59 + s34_m * v57)), max(abs(T23 - k1 *
-        (sqrt2 * (c1_m - v14 * v19))), max(abs(T31 + k1 * (s34_m * v61 + c34_m * v60)), max(v65,
-        abs(T32 + k1 * (c34_m * v61 - s34_m * v60)))))))))) <= pose_slack else v66
-    )
+    v96 = 0.0 if v94 <= m8 else v91
+    v97 = 0.0 if v95 <= m8 else v91
 
     # joint values
     doubt1 = (
-        (-k4 <= D1 and (free1 or not (k5 < D1))) or (free1 or (v41 <= m5 or (v29 <= m1 or (v40 <= m5
-        or (v28 <= m1 or v16 <= m1)))))
+        v41 <= m5 or (v29 <= m1 or (v40 <= m5 or (v28 <= m1 or ((m6 < v90 and v90 <= m7) or ((m6 <
+        v89 and v89 <= m7) or (abs(D1) <= k4 or (N1 <= doubt_limit_squared or ((m8 < v95 and v95 <=
+        m9) or (v16 <= m1 or (m8 < v94 and v94 <= m9))))))))))
     )
 
     # angles, side by side
@@ -627,19 +644,21 @@ def _regular(pose, q, status):
     angle7 = room[6]
 
     # joint values
-    v71 = angle4 - angle2
-    v72 = angle5 - angle3
-    q1_p = v69 + (v67 + angle6)
-    q1_m = v70 + (v68 + angle7)
-    q2_p = v69 + (angle1 + v67)
-    q2_m = v70 + (v68 - angle1)
-    q3_p = v69 + (angle2 + v67)
-    q3_m = v70 + (angle3 + v68)
+    v98 = angle4 - angle2
+    v99 = angle5 - angle3
+    q1_p = v96 + (v92 + angle6)
+    q1_m = v97 + (v93 + angle7)
+    q2_p = v96 + (angle1 + v92)
+    q2_m = v97 + (v93 - angle1)
+    q3_p = v96 + (angle2 + v92)
+    q3_m = v97 + (angle3 + v93)
     q4_p = (
-        v69 + (v67 + (v71 - (m6 if half_turn < v71 else 0.0) + (m6 if v71 <= -half_turn else 0.0)))
+        v96 + (v92 + (v98 - (m10 if half_turn < v98 else 0.0) + (m10 if v98 <= -half_turn else
+        0.0)))
     )
     q4_m = (
-        v70 + (v68 + (v72 - (m6 if half_turn < v72 else 0.0) + (m6 if v72 <= -half_turn else 0.0)))
+        v97 + (v93 + (v99 - (m10 if half_turn < v99 else 0.0) + (m10 if v99 <= -half_turn else
+        0.0)))
     )
 
     # a joint is free, or branches meet
@@ -867,7 +886,6 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             N1 = T13 * T13 + T23 * T23
-            free1 = N1 <= doubt_limit_squared
             D1 = N1 - k3
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
@@ -950,44 +968,66 @@ def _in_tiles(T, q, status):
             v62 = sqrt2 * (k6 * c2)
             v63 = 2.0 * (a3 * v19)
             v64 = a3 * v61
-            v65 = abs(T33 - k1 * v61)
-            v66 = math.sqrt(-1.0)
-            v67 = (
-                0.0 if max(abs(T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v48) + sqrt2 *
-                (v52 - v19 * v50))), max(abs(T34 - k1 * (v62 + (v42 * v64 + c3_p * v63))), abs(T24 -
-                k1 * (sqrt2 * (v50 + v19 * v52) - (c3_p * (2.0 * (a3 * v54)) + v42 * (a3 * v58))))))
-                <= pose_slack1 else v66
+            v65 = T34 - k1 * (v62 + (v42 * v64 + c3_p * v63))
+            v66 = T34 - k1 * (v62 + (v43 * v64 - c3_m * v63))
+            v67 = T33 - k1 * v61
+            v68 = v67 * v67
+            v69 = T32 + k1 * (c34_p * v61 + s34_p * v60)
+            v70 = T32 + k1 * (c34_m * v61 - s34_m * v60)
+            v71 = T31 + k1 * (s34_p * v61 - c34_p * v60)
+            v72 = T31 + k1 * (s34_m * v61 + c34_m * v60)
+            v73 = (
+                T24 - k1 * (sqrt2 * (v50 + v19 * v52) - (c3_p * (2.0 * (a3 * v54)) + v42 * (a3 *
+                v58)))
             )
-            v68 = (
-                0.0 if max(abs(T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v49) + sqrt2 *
-                (v53 + v19 * v51))), max(abs(T34 - k1 * (v62 + (v43 * v64 - c3_m * v63))), abs(T24 -
-                k1 * (sqrt2 * (v51 - v19 * v53) - (c3_m * (2.0 * (a3 * v55)) + v43 * (a3 * v59))))))
-                <= pose_slack1 else v66
+            v74 = (
+                T24 - k1 * (sqrt2 * (v51 - v19 * v53) - (c3_m * (2.0 * (a3 * v55)) + v43 * (a3 *
+                v59)))
             )
-            v69 = (
-                0.0 if max(abs(T12 + k1 * (s34_p * v46 - c34_p * v48)), max(abs(T11 - k1 * (c34_p *
-                v46 + s34_p * v48)), max(abs(T13 - k1 * (sqrt2 * (v13 - c1_p * v19))), max(abs(T21 -
-                k1 * (s34_p * v58 - c34_p * v56)), max(abs(T22 - k1 * (c34_p * v58 + s34_p * v56)),
-                max(abs(T23 - k1 * (sqrt2 * (c1_p + v13 * v19))), max(abs(T31 + k1 * (s34_p * v61 -
-                c34_p * v60)), max(v65, abs(T32 + k1 * (c34_p * v61 + s34_p * v60)))))))))) <=
-                pose_slack else v66
+            v75 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
+            v76 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
+            v77 = T22 - k1 * (c34_p * v58 + s34_p * v56)
+            v78 = T22 - k1 * (c34_m * v59 + s34_m * v57)
+            v79 = T21 - k1 * (s34_p * v58 - c34_p * v56)
+            v80 = T21 - k1 * (s34_m * v59 - c34_m * v57)
+            v81 = (
+                T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v48) + sqrt2 * (v52 - v19 *
+                v50))
             )
-            v70 = (
-                0.0 if max(abs(T12 + k1 * (s34_m * v47 - c34_m * v49)), max(abs(T11 - k1 * (c34_m *
-                v47 + s34_m * v49)), max(abs(T13 - k1 * (sqrt2 * (v14 + c1_m * v19))), max(abs(T21 -
-                k1 * (s34_m * v59 - c34_m * v57)), max(abs(T22 - k1 * (c34_m * v59 + s34_m * v57)),
-                max(abs(T23 - k1 * (sqrt2 * (c1_m - v14 * v19))), max(abs(T31 + k1 * (s34_m * v61 +
-                c34_m * v60)), max(v65, abs(T32 + k1 * (c34_m * v61 - s34_m * v60)))))))))) <=
-                pose_slack else v66
+            v82 = (
+                T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v49) + sqrt2 * (v53 + v19 *
+                v51))
             )
+            v83 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
+            v84 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
+            v85 = T11 - k1 * (c34_p * v46 + s34_p * v48)
+            v86 = T11 - k1 * (c34_m * v47 + s34_m * v49)
+            v87 = T12 + k1 * (s34_p * v46 - c34_p * v48)
+            v88 = T12 + k1 * (s34_m * v47 - c34_m * v49)
+            v89 = v81 * v81 + (v65 * v65 + v73 * v73)
+            v90 = v82 * v82 + (v66 * v66 + v74 * v74)
+            v91 = math.sqrt(-1.0)
+            v92 = 0.0 if v89 <= m6 else v91
+            v93 = 0.0 if v90 <= m6 else v91
+            v94 = (
+                v87 * v87 + (v85 * v85 + (v83 * v83 + (v79 * v79 + (v77 * v77 + (v75 * v75 + (v71 *
+                v71 + (v68 + v69 * v69)))))))
+            )
+            v95 = (
+                v88 * v88 + (v86 * v86 + (v84 * v84 + (v80 * v80 + (v78 * v78 + (v76 * v76 + (v72 *
+                v72 + (v68 + v70 * v70)))))))
+            )
+            v96 = 0.0 if v94 <= m8 else v91
+            v97 = 0.0 if v95 <= m8 else v91
             doubt1 = (
-                (-k4 <= D1 and (free1 or not (k5 < D1))) or (free1 or (v41 <= m5 or (v29 <= m1 or
-                (v40 <= m5 or (v28 <= m1 or v16 <= m1)))))
+                v41 <= m5 or (v29 <= m1 or (v40 <= m5 or (v28 <= m1 or ((m6 < v90 and v90 <= m7) or
+                ((m6 < v89 and v89 <= m7) or (abs(D1) <= k4 or (N1 <= doubt_limit_squared or ((m8 <
+                v95 and v95 <= m9) or (v16 <= m1 or (m8 < v94 and v94 <= m9))))))))))
             )
-            work[544 + k] = v67
-            work[576 + k] = v68
-            work[608 + k] = v69
-            work[640 + k] = v70
+            work[544 + k] = v92
+            work[576 + k] = v93
+            work[608 + k] = v96
+            work[640 + k] = v97
             work[672 + k] = doubt1
             work[704 + k] = -S2
             work[736 + k] = -v42
@@ -1006,10 +1046,10 @@ def _in_tiles(T, q, status):
         for k in range(704, 928):
             work[k] = _atan2(work[k], work[k + 224])
         for k in range(0, 32):
-            v67 = work[544 + k]
-            v68 = work[576 + k]
-            v69 = work[608 + k]
-            v70 = work[640 + k]
+            v92 = work[544 + k]
+            v93 = work[576 + k]
+            v96 = work[608 + k]
+            v97 = work[640 + k]
             doubt1 = work[672 + k] != 0.0
             angle1 = work[704 + k]
             angle2 = work[736 + k]
@@ -1018,21 +1058,21 @@ def _in_tiles(T, q, status):
             angle5 = work[832 + k]
             angle6 = work[864 + k]
             angle7 = work[896 + k]
-            v71 = angle4 - angle2
-            v72 = angle5 - angle3
-            q1_p = v69 + (v67 + angle6)
-            q1_m = v70 + (v68 + angle7)
-            q2_p = v69 + (angle1 + v67)
-            q2_m = v70 + (v68 - angle1)
-            q3_p = v69 + (angle2 + v67)
-            q3_m = v70 + (angle3 + v68)
+            v98 = angle4 - angle2
+            v99 = angle5 - angle3
+            q1_p = v96 + (v92 + angle6)
+            q1_m = v97 + (v93 + angle7)
+            q2_p = v96 + (angle1 + v92)
+            q2_m = v97 + (v93 - angle1)
+            q3_p = v96 + (angle2 + v92)
+            q3_m = v97 + (angle3 + v93)
             q4_p = (
-                v69 + (v67 + (v71 - (m6 if half_turn < v71 else 0.0) + (m6 if v71 <= -half_turn else
-                0.0)))
+                v96 + (v92 + (v98 - (m10 if half_turn < v98 else 0.0) + (m10 if v98 <= -half_turn
+                else 0.0)))
             )
             q4_m = (
-                v70 + (v68 + (v72 - (m6 if half_turn < v72 else 0.0) + (m6 if v72 <= -half_turn else
-                0.0)))
+                v97 + (v93 + (v99 - (m10 if half_turn < v99 else 0.0) + (m10 if v99 <= -half_turn
+                else 0.0)))
             )
             _1152 = q1_p
             work[1152 + k] = _1152

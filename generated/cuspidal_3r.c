@@ -195,8 +195,7 @@ void cuspidal_3r_jacobian(const double q[3], double J[18])
     J[15] = 1.0; J[16] = 0.0; J[17] = c2;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+/* Copies a pose. Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -276,11 +275,6 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
 int cuspidal_3r_ik(
     const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
@@ -302,7 +296,8 @@ int cuspidal_3r_ik(
             continue;
         for (int i = 0; i < 3; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = CUSPIDAL_3R_OUT_OF_LIMITS;
         }
         count += status[row] != CUSPIDAL_3R_OUT_OF_LIMITS;

@@ -12,8 +12,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -281,6 +284,8 @@ static const double free_limit_squared = 1e-24; /* square of a length that fixes
 static const double pose_slack = 1e-05; /* a pose may be rounded by this */
 static const double pose_slack1 = 3e-06; /* a pose may be rounded by this [m] */
 static const double m1 = 1e-12; /* doubt_limit_squared^2 */
+static const double m2 = 9.000000000000001e-12; /* pose_slack1^2 [m^2] */
+static const double m3 = 1.0000000000000002e-10; /* pose_slack^2 */
 
 const char *const cylindrical_branches[1] = {
     "only",
@@ -346,7 +351,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -358,11 +363,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -374,36 +379,29 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* r2 */
-    const wide r2 = T34 - d1;
+    const wide q2 = T34 - d1;
 
     /* theta1 */
     const wide v1 = T21 * T21 + T11 * T11;
     const wide w1 = sqrt_wide(v1);
-    const wide_mask doubt1 = v1 <= m1;
     const wide v2 = 1.0 / v1, v3 = w1 * v2;
     const wide c1 = T11 * v3;
     const wide s1 = T21 * v3;
+    const wide angle1 = atan2_wide(T21, T11);
 
     /* r3 */
-    const wide r3 = w1 * (v2 * (T11 * T24 - T21 * T14));
+    const wide q3 = w1 * (v2 * (T11 * T24 - T21 * T14));
 
     /* is the pose one that the arm can take? */
-    const double v4 = sqrt(-1.0);
-    const wide v5 = pick_wide(maximum_wide(abs_wide(T14 + s1 * r3), maximum_wide(abs_wide(T34 - (d1
-        + r2)), abs_wide(T24 - c1 * r3))) <= pose_slack1, all_wide(0.0), all_wide(v4));
-    const wide v6 = pick_wide(maximum_wide(abs_wide(T12), maximum_wide(abs_wide(T11 - c1),
-        maximum_wide(abs_wide(s1 + T13), maximum_wide(abs_wide(T21 - s1),
-        maximum_wide(abs_wide(T22), maximum_wide(abs_wide(T23 - c1), maximum_wide(abs_wide(T31),
-        maximum_wide(abs_wide(T33), abs_wide(1.0 + T32))))))))) <= pose_slack, all_wide(0.0),
-        all_wide(v4));
+    const wide v4 = T34 - (d1 + q2), v5 = 1.0 + T32, v6 = T24 - c1 * q3, v7 = T23 - c1;
+    const wide v8 = T21 - s1, v9 = T14 + s1 * q3, v10 = s1 + T13, v11 = T11 - c1;
 
     /* joint values */
-    const wide angle1 = atan2_wide(T21, T11);
-    const wide q1 = v6 + (v5 + angle1);
-    const wide q2 = v6 + (r2 + v5);
-    const wide q3 = v6 + (r3 + v5);
+    const wide_mask doubt1 = (m2 < v9 * v9 + (v4 * v4 + v6 * v6)) | ((m3 < T12 * T12 + (v11 * v11 +
+        (v10 * v10 + (v8 * v8 + (T22 * T22 + (v7 * v7 + (T31 * T31 + (T33 * T33 + v5 * v5)))))))) |
+        (v1 <= m1));
 
-    q[0] = q1; q[1] = q2; q[2] = q3;
+    q[0] = angle1; q[1] = q2; q[2] = q3;
     kind[0] = kind_of(q[0] != q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -412,6 +410,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 #if LANES > 1
 /* One regular pose, 0 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[1][3], unsigned char status[1])
 {
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
@@ -419,41 +418,35 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* r2 */
-    const double r2 = T34 - d1;
+    const double q2 = T34 - d1;
 
     /* theta1 */
     const double v1 = T21 * T21 + T11 * T11;
     const double w1 = sqrt(v1);
-    const int doubt1 = v1 <= m1;
     const double v2 = 1.0 / v1, v3 = w1 * v2;
     const double c1 = T11 * v3;
     const double s1 = T21 * v3;
 
     /* r3 */
-    const double r3 = w1 * (v2 * (T11 * T24 - T21 * T14));
+    const double q3 = w1 * (v2 * (T11 * T24 - T21 * T14));
 
     /* is the pose one that the arm can take? */
-    const double v4 = sqrt(-1.0);
-    const double v5 = (maximum_double(fabs(T14 + s1 * r3), maximum_double(fabs(T34 - (d1 + r2)),
-        fabs(T24 - c1 * r3))) <= pose_slack1) ? 0.0 : v4;
-    const double v6 = (maximum_double(fabs(T12), maximum_double(fabs(T11 - c1),
-        maximum_double(fabs(s1 + T13), maximum_double(fabs(T21 - s1), maximum_double(fabs(T22),
-        maximum_double(fabs(T23 - c1), maximum_double(fabs(T31), maximum_double(fabs(T33), fabs(1.0
-        + T32))))))))) <= pose_slack) ? 0.0 : v4;
+    const double v4 = T34 - (d1 + q2), v5 = 1.0 + T32, v6 = T24 - c1 * q3, v7 = T23 - c1;
+    const double v8 = T21 - s1, v9 = T14 + s1 * q3, v10 = s1 + T13, v11 = T11 - c1;
 
     /* joint values */
-    const double q2 = v6 + (r2 + v5);
-    const double q3 = v6 + (r3 + v5);
+    const int doubt1 = (m2 < v9 * v9 + (v4 * v4 + v6 * v6)) | ((m3 < T12 * T12 + (v11 * v11 + (v10 *
+        v10 + (v8 * v8 + (T22 * T22 + (v7 * v7 + (T31 * T31 + (T33 * T33 + v5 * v5)))))))) | (v1 <=
+        m1));
 
     const four packed1 = atan2_four((four){ T21, T21, T21, T21 }, (four){ T11, T11, T11, T11 });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four q1 = v6 + (v5 + angle1);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    store_2(&q[0][0], &q[0][0], &q[0][0], &q[0][0], q1, all_four(q2));
+    store_2(&q[0][0], &q[0][0], &q[0][0], &q[0][0], angle1, all_four(q2));
     store_1(&q[0][2], &q[0][2], &q[0][2], &q[0][2], all_four(q3));
-    const unsigned long long none1 = (bits_four(q1 != q1) * 0x1ull & 0x1ull);
+    const unsigned long long none1 = (bits_four(angle1 != angle1) * 0x1ull & 0x1ull);
     const unsigned long long kind1 = none1 * CYLINDRICAL_UNREACHABLE;
     __builtin_memcpy(status + 0, &kind1, 1);
     return 1 - __builtin_popcountll(none1);
@@ -564,22 +557,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int cylindrical_ik(
-    const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[1][3], unsigned char
+    status[1])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 1; row++) {
@@ -595,12 +582,20 @@ int cylindrical_ik(
             continue;
         for (int i = 0; i < 3; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = CYLINDRICAL_OUT_OF_LIMITS;
         }
         count += status[row] != CYLINDRICAL_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int cylindrical_ik(
+    const double T[16], const double *q_seed, double q[1][3], unsigned char status[1])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int cylindrical_ik_nearest(const double T[16], const double q_seed[3], double q[3])

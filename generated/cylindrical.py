@@ -84,6 +84,8 @@ free_limit_squared = 1e-24  # square of a length that fixes no angle
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 3e-06  # a pose may be rounded by this [m]
 m1 = 1e-12  # doubt_limit_squared^2
+m2 = 9.000000000000001e-12  # pose_slack1^2 [m^2]
+m3 = 1.0000000000000002e-10  # pose_slack^2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -314,43 +316,40 @@ def _regular(pose, q, status):
     T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
 
     # r2, type 1: U0[3, 4]
-    r2 = T34 - d1
+    q2 = T34 - d1
 
     # theta1, type 3: U0[1, 3] and U0[2, 3]
     v1 = T21 * T21 + T11 * T11
     w1 = math.sqrt(v1)
-    doubt1 = v1 <= m1
     v2 = 1.0 / v1
     v3 = w1 * v2
     c1 = T11 * v3
     s1 = T21 * v3
 
     # r3, type 1: U1[2, 4]
-    r3 = w1 * (v2 * (T11 * T24 - T21 * T14))
+    q3 = w1 * (v2 * (T11 * T24 - T21 * T14))
 
     # is the pose one that the arm can take?
-    v4 = math.sqrt(-1.0)
-    v5 = (
-        0.0 if max(abs(T14 + s1 * r3), max(abs(T34 - (d1 + r2)), abs(T24 - c1 * r3))) <= pose_slack1
-        else v4
-    )
-    v6 = (
-        0.0 if max(abs(T12), max(abs(T11 - c1), max(abs(s1 + T13), max(abs(T21 - s1), max(abs(T22),
-        max(abs(T23 - c1), max(abs(T31), max(abs(T33), abs(1.0 + T32))))))))) <= pose_slack else v4
-    )
+    v4 = T34 - (d1 + q2)
+    v5 = 1.0 + T32
+    v6 = T24 - c1 * q3
+    v7 = T23 - c1
+    v8 = T21 - s1
+    v9 = T14 + s1 * q3
+    v10 = s1 + T13
+    v11 = T11 - c1
 
     # joint values
-    q2 = v6 + (r2 + v5)
-    q3 = v6 + (r3 + v5)
+    doubt1 = (
+        m2 < v9 * v9 + (v4 * v4 + v6 * v6) or (m3 < T12 * T12 + (v11 * v11 + (v10 * v10 + (v8 * v8 +
+        (T22 * T22 + (v7 * v7 + (T31 * T31 + (T33 * T33 + v5 * v5))))))) or v1 <= m1)
+    )
     angle1 = _atan2(T21, T11)
-
-    # joint values
-    q1 = v6 + (v5 + angle1)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = q1
+    q[0, 0] = angle1
     q[0, 1] = q2
     q[0, 2] = q3
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
@@ -517,9 +516,9 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [768, 800, 832],
+    [704, 736, 768],
 ])
-_KINDS = np.array([864])
+_KINDS = np.array([800])
 _LEFT_OVER = 255
 
 
@@ -530,7 +529,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(896)
+    work = np.empty(832)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -566,51 +565,46 @@ def _in_tiles(T, q, status):
             T32 = work[288 + k]
             T33 = work[320 + k]
             T34 = work[352 + k]
-            r2 = T34 - d1
+            q2 = T34 - d1
             v1 = T21 * T21 + T11 * T11
             w1 = math.sqrt(v1)
-            doubt1 = v1 <= m1
             v2 = 1.0 / v1
             v3 = w1 * v2
             c1 = T11 * v3
             s1 = T21 * v3
-            r3 = w1 * (v2 * (T11 * T24 - T21 * T14))
-            v4 = math.sqrt(-1.0)
-            v5 = (
-                0.0 if max(abs(T14 + s1 * r3), max(abs(T34 - (d1 + r2)), abs(T24 - c1 * r3))) <=
-                pose_slack1 else v4
+            q3 = w1 * (v2 * (T11 * T24 - T21 * T14))
+            v4 = T34 - (d1 + q2)
+            v5 = 1.0 + T32
+            v6 = T24 - c1 * q3
+            v7 = T23 - c1
+            v8 = T21 - s1
+            v9 = T14 + s1 * q3
+            v10 = s1 + T13
+            v11 = T11 - c1
+            doubt1 = (
+                m2 < v9 * v9 + (v4 * v4 + v6 * v6) or (m3 < T12 * T12 + (v11 * v11 + (v10 * v10 +
+                (v8 * v8 + (T22 * T22 + (v7 * v7 + (T31 * T31 + (T33 * T33 + v5 * v5))))))) or v1 <=
+                m1)
             )
-            v6 = (
-                0.0 if max(abs(T12), max(abs(T11 - c1), max(abs(s1 + T13), max(abs(T21 - s1),
-                max(abs(T22), max(abs(T23 - c1), max(abs(T31), max(abs(T33), abs(1.0 + T32)))))))))
-                <= pose_slack else v4
-            )
-            q2 = v6 + (r2 + v5)
-            q3 = v6 + (r3 + v5)
-            work[544 + k] = doubt1
-            work[576 + k] = v5
-            work[608 + k] = v6
-            work[640 + k] = q2
-            work[672 + k] = q3
-            work[704 + k] = T21
-            work[736 + k] = T11
-        for k in range(704, 736):
+            work[544 + k] = q2
+            work[576 + k] = q3
+            work[608 + k] = doubt1
+            work[640 + k] = T21
+            work[672 + k] = T11
+        for k in range(640, 672):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
-            doubt1 = work[544 + k] != 0.0
-            v5 = work[576 + k]
-            v6 = work[608 + k]
-            q2 = work[640 + k]
-            q3 = work[672 + k]
-            angle1 = work[704 + k]
-            q1 = v6 + (v5 + angle1)
-            _768 = q1
+            q2 = work[544 + k]
+            q3 = work[576 + k]
+            doubt1 = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            _704 = angle1
+            work[704 + k] = _704
+            _736 = q2
+            work[736 + k] = _736
+            _768 = q3
             work[768 + k] = _768
-            _800 = q2
-            work[800 + k] = _800
-            _832 = q3
-            work[832 + k] = _832
-            work[864 + k] = UNREACHABLE if _768 != _768 else OK
+            work[800 + k] = UNREACHABLE if _704 != _704 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -576,7 +576,6 @@ def _regular(pose, q, status):
     X1 = d6 * T13 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k1
     w1 = math.sqrt(D1)
     v1 = w1 - w1
@@ -682,8 +681,8 @@ def _regular(pose, q, status):
     v64 = h1 * math.copysign(half_turn, Y4_p)
     v65 = h1 * math.copysign(half_turn, Y4_m)
     doubt1 = (
-        (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (v49 <= m4 or (v29 <= m3 or (v48 <= m4
-        or (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or ((shortest3_reach <= N3 and N3 <=
+        abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v49 <= m4 or (v29 <= m3 or (v48 <= m4 or
+        (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or ((shortest3_reach <= N3 and N3 <=
         longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v25 <= m3)))))))))
     )
 
@@ -1083,7 +1082,6 @@ def _in_tiles(T, q, status):
             X1 = d6 * T13 - T14
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k1
             w1 = math.sqrt(D1)
             v1 = w1 - w1
@@ -1179,10 +1177,10 @@ def _in_tiles(T, q, status):
             v64 = h1 * math.copysign(half_turn, Y4_p)
             v65 = h1 * math.copysign(half_turn, Y4_m)
             doubt1 = (
-                (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (v49 <= m4 or (v29 <= m3 or
-                (v48 <= m4 or (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or
-                ((shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and
-                N3 < longest3_apart)) or v25 <= m3)))))))))
+                abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v49 <= m4 or (v29 <= m3 or (v48 <=
+                m4 or (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or ((shortest3_reach <=
+                N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart))
+                or v25 <= m3)))))))))
             )
             work[544 + k] = v1
             work[576 + k] = v6

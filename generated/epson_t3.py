@@ -105,7 +105,8 @@ high3 = 1e-09  # highest value of joint 3
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 2.2222222222222223  # a coefficient of S1
 m3 = 0.04444444444444444  # a coefficient of S1
-m4 = 6.283185307179586  # 2 * half_turn
+m4 = 1.0000000000000002e-10  # pose_slack^2
+m5 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -424,18 +425,20 @@ def _regular(pose, q, status):
     v7 = w2 * (m2 * T24)
 
     # is the pose one that the arm can take?
-    v8 = (
-        0.0 if max(abs(T12 - s12m4), max(abs(T11 - c12m4), max(abs(T13), max(abs(T21 - s12m4),
-        max(abs(c12m4 + T22), max(abs(T23), max(abs(T31), max(abs(1.0 + T33), abs(T32))))))))) <=
-        pose_slack else math.sqrt(-1.0)
-    )
+    v8 = 1.0 + T33
+    v9 = c12m4 + T22
+    v10 = T21 - s12m4
+    v11 = T11 - c12m4
+    v12 = T12 - s12m4
 
     # joint values
-    v11 = T34 < low3 or high3 < T34
-    q3_p = v8 + (T34 + (w2 - w2))
+    v15 = T34 < low3 or high3 < T34
+    q3_p = T34 + (w2 - w2)
     doubt1 = (
         (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or (N2 <= doubt_limit_squared2 or v1 <= m1)
+        longest2_apart)) or (v1 <= m1 or (m4 < v12 * v12 + (v11 * v11 + (T13 * T13 + (v10 * v10 +
+        (v9 * v9 + (T23 * T23 + (T31 * T31 + (v8 * v8 + T32 * T32))))))) or N2 <=
+        doubt_limit_squared2))
     )
 
     # angles, side by side
@@ -457,27 +460,23 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v9 = angle2 + angle3 - angle1
-    v10 = angle4 - angle2 - angle1
-    q1_p = angle3 + v8
-    q1_m = angle4 + v8
-    q2_p = angle2 + v8
-    q2_m = v8 - angle2
-    q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
-    q4_m = v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))
-    outside_p = v11 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
-    outside_m = v11 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
+    v13 = angle2 + angle3 - angle1
+    v14 = angle4 - angle2 - angle1
+    q4_p = v13 - (m5 if half_turn < v13 else 0.0) + (m5 if v13 <= -half_turn else 0.0)
+    q4_m = v14 - (m5 if half_turn < v14 else 0.0) + (m5 if v14 <= -half_turn else 0.0)
+    outside_p = v15 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
+    outside_m = v15 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = q1_p
-    q[0, 1] = q2_p
+    q[0, 0] = angle3
+    q[0, 1] = angle2
     q[0, 2] = q3_p
     q[0, 3] = q4_p
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_p else OK)
-    q[1, 0] = q1_m
-    q[1, 1] = q2_m
+    q[1, 0] = angle4
+    q[1, 1] = -angle2
     q[1, 2] = q3_p
     q[1, 3] = q4_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_m else OK)
@@ -644,10 +643,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [928, 960, 992, 1024],
-    [1056, 1088, 992, 1120],
+    [896, 928, 960, 992],
+    [1024, 1056, 960, 1088],
 ])
-_KINDS = np.array([1152, 1184])
+_KINDS = np.array([1120, 1152])
 _LEFT_OVER = 255
 
 
@@ -658,7 +657,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1216)
+    work = np.empty(1184)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -705,72 +704,66 @@ def _in_tiles(T, q, status):
             v5 = T14 * v3
             v6 = w2 * (m2 * T14)
             v7 = w2 * (m2 * T24)
-            v8 = (
-                0.0 if max(abs(T12 - s12m4), max(abs(T11 - c12m4), max(abs(T13), max(abs(T21 -
-                s12m4), max(abs(c12m4 + T22), max(abs(T23), max(abs(T31), max(abs(1.0 + T33),
-                abs(T32))))))))) <= pose_slack else math.sqrt(-1.0)
-            )
-            v11 = T34 < low3 or high3 < T34
-            q3_p = v8 + (T34 + (w2 - w2))
+            v8 = 1.0 + T33
+            v9 = c12m4 + T22
+            v10 = T21 - s12m4
+            v11 = T11 - c12m4
+            v12 = T12 - s12m4
+            v15 = T34 < low3 or high3 < T34
+            q3_p = T34 + (w2 - w2)
             doubt1 = (
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or (N2 <= doubt_limit_squared2 or v1 <= m1)
+                < longest2_apart)) or (v1 <= m1 or (m4 < v12 * v12 + (v11 * v11 + (T13 * T13 + (v10
+                * v10 + (v9 * v9 + (T23 * T23 + (T31 * T31 + (v8 * v8 + T32 * T32))))))) or N2 <=
+                doubt_limit_squared2))
             )
-            work[544 + k] = v8
-            work[576 + k] = v11
-            work[608 + k] = q3_p
-            work[640 + k] = doubt1
-            work[672 + k] = T21
-            work[704 + k] = w2
-            work[736 + k] = v4 - v6
-            work[768 + k] = v4 + v6
-            work[800 + k] = T11
-            work[832 + k] = N2 - k1
-            work[864 + k] = v5 + v7
-            work[896 + k] = v5 - v7
-        for k in range(672, 800):
+            work[544 + k] = v15
+            work[576 + k] = q3_p
+            work[608 + k] = doubt1
+            work[640 + k] = T21
+            work[672 + k] = w2
+            work[704 + k] = v4 - v6
+            work[736 + k] = v4 + v6
+            work[768 + k] = T11
+            work[800 + k] = N2 - k1
+            work[832 + k] = v5 + v7
+            work[864 + k] = v5 - v7
+        for k in range(640, 768):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v8 = work[544 + k]
-            v11 = work[576 + k] != 0.0
-            q3_p = work[608 + k]
-            doubt1 = work[640 + k] != 0.0
-            angle1 = work[672 + k]
-            angle2 = work[704 + k]
-            angle3 = work[736 + k]
-            angle4 = work[768 + k]
-            v9 = angle2 + angle3 - angle1
-            v10 = angle4 - angle2 - angle1
-            q1_p = angle3 + v8
-            q1_m = angle4 + v8
-            q2_p = angle2 + v8
-            q2_m = v8 - angle2
-            q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
-            q4_m = (
-                v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))
-            )
+            v15 = work[544 + k] != 0.0
+            q3_p = work[576 + k]
+            doubt1 = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle2 = work[672 + k]
+            angle3 = work[704 + k]
+            angle4 = work[736 + k]
+            v13 = angle2 + angle3 - angle1
+            v14 = angle4 - angle2 - angle1
+            q4_p = v13 - (m5 if half_turn < v13 else 0.0) + (m5 if v13 <= -half_turn else 0.0)
+            q4_m = v14 - (m5 if half_turn < v14 else 0.0) + (m5 if v14 <= -half_turn else 0.0)
             outside_p = (
-                v11 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
+                v15 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
             )
             outside_m = (
-                v11 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
+                v15 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
             )
-            _928 = q1_p
+            _896 = angle3
+            work[896 + k] = _896
+            _928 = angle2
             work[928 + k] = _928
-            _960 = q2_p
+            _960 = q3_p
             work[960 + k] = _960
-            _992 = q3_p
+            _992 = q4_p
             work[992 + k] = _992
-            _1024 = q4_p
+            _1024 = angle4
             work[1024 + k] = _1024
-            _1056 = q1_m
+            _1056 = -angle2
             work[1056 + k] = _1056
-            _1088 = q2_m
+            _1088 = q4_m
             work[1088 + k] = _1088
-            _1120 = q4_m
-            work[1120 + k] = _1120
-            work[1152 + k] = UNREACHABLE if _928 != _928 else (OUT_OF_LIMITS if outside_p else OK)
-            work[1184 + k] = UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_m else OK)
+            work[1120 + k] = UNREACHABLE if _896 != _896 else (OUT_OF_LIMITS if outside_p else OK)
+            work[1152 + k] = UNREACHABLE if _1024 != _1024 else (OUT_OF_LIMITS if outside_m else OK)
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

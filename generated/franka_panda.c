@@ -12,8 +12,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -550,7 +553,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -562,11 +565,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -588,186 +591,183 @@ HELPER wide_mask solve_wide(
     const wide Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y +
         (w2z * w2z - k4)));
     const wide D4 = k3 - Z4 * Z4;
-    const wide v4 = 2.0 * abs_wide(Z4);
     const wide w4 = sqrt_wide(D4);
-    const wide v5 = m2 * Z4, v6 = m1 * w4;
-    const wide c4_p = v5 + v6, c4_m = v5 - v6;
-    const wide v7 = m1 * Z4, v8 = m2 * w4;
-    const wide s4_p = v8 - v7;
-    const wide v9 = v7 + v8;
+    const wide v4 = m2 * Z4, v5 = m1 * w4;
+    const wide c4_p = v4 + v5, c4_m = v4 - v5;
+    const wide v6 = m1 * Z4, v7 = m2 * w4;
+    const wide s4_p = v7 - v6;
+    const wide v8 = v6 + v7;
     const wide angle1 = atan2_wide(w4, Z4);
     const wide q4__p = angle1 - turn1;
-    const wide v10 = turn1 + angle1;
+    const wide v9 = turn1 + angle1;
 
     /* theta5 */
-    const wide v11 = a3 * c4_p + d3 * s4_p - a4, v12 = a3 * c4_m - d3 * v9 - a4, v13 = m4 + m5 * Z4;
-    const wide v14 = m3 * w4, v15 = v13 - v14, v16 = v13 + v14;
-    const wide N5_p = v15 * v15, N5_m = v16 * v16;
-    const wide_mask free5_p = N5_p <= doubt_limit_squared2, free5_m = N5_m <= doubt_limit_squared2;
+    const wide v10 = a3 * c4_p + d3 * s4_p - a4, v11 = a3 * c4_m - d3 * v8 - a4, v12 = m4 + m5 * Z4;
+    const wide v13 = m3 * w4, v14 = v12 - v13, v15 = v12 + v13;
+    const wide N5_p = v14 * v14, N5_m = v15 * v15;
     const wide Z5 = c7 * w2y + s7 * w2x;
-    const wide v17 = Z5 * Z5;
-    const wide D5_p = N5_p - v17, D5_m = N5_m - v17;
-    const wide v18 = 2.0 * abs_wide(Z5), v19 = merge_slack1 * (merge_slack1 + v18);
+    const wide v16 = Z5 * Z5;
+    const wide D5_p = N5_p - v16, D5_m = N5_m - v16;
+    const wide v17 = reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5));
     const wide w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m);
-    const wide v20 = w5_p - w5_p, v21 = w5_m - w5_m;
+    const wide v18 = w5_p - w5_p, v19 = w5_m - w5_m;
     const wide inverse5_p = 1.0 / N5_p, inverse5_m = 1.0 / N5_m;
-    const wide v22 = v15 * w5_p, v23 = v16 * w5_m, v24 = inverse5_p * v22, v25 = inverse5_m * v23;
-    const wide v26 = v15 * Z5, v27 = v16 * Z5;
-    const wide s5_p = inverse5_p * v26, s5_m = inverse5_m * v27;
-    const wide angle2 = atan2_wide(v26, -v22), angle3 = atan2_wide(v27, -v23);
-    const wide q5_pmp = copysign_wide(all_wide(half_turn), v26) * h1 - angle2;
-    const wide q5_mmp = copysign_wide(all_wide(half_turn), v27) * h1 - angle3;
+    const wide v20 = v14 * w5_p, v21 = v15 * w5_m, v22 = inverse5_p * v20, v23 = inverse5_m * v21;
+    const wide v24 = v14 * Z5, v25 = v15 * Z5;
+    const wide s5_p = inverse5_p * v24, s5_m = inverse5_m * v25;
+    const wide angle2 = atan2_wide(v24, -v20), angle3 = atan2_wide(v25, -v21);
+    const wide q5_pmp = copysign_wide(all_wide(half_turn), v24) * h1 - angle2;
+    const wide q5_mmp = copysign_wide(all_wide(half_turn), v25) * h1 - angle3;
 
     /* theta6 */
-    const wide v28 = m7 + m3 * Z4, v29 = m5 * w4;
-    const wide Y1_6_p = v28 + v29, Y1_6_m = v28 - v29;
+    const wide v26 = m7 + m3 * Z4, v27 = m5 * w4;
+    const wide Y1_6_p = v26 + v27, Y1_6_m = v26 - v27;
     const wide Z2_6 = a6 + (c7 * w2x - s7 * w2y);
-    const wide v30 = Y1_6_p * Z2_6, v31 = Y1_6_m * Z2_6;
-    const wide v32 = w5_p * (inverse5_p * (v11 * (w2z * v15))), v33 = v30 - v32, v34 = v30 + v32;
-    const wide v35 = w5_m * (inverse5_m * (v12 * (w2z * v16))), v36 = v31 - v35, v37 = v31 + v35;
-    const wide v38 = w2z * Y1_6_p, v39 = w2z * Y1_6_m;
-    const wide v40 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6)));
-    const wide C6_pp = v38 + v40, C6_pm = v38 - v40;
-    const wide v41 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6)));
-    const wide C6_mp = v39 + v41, C6_mm = v39 - v41;
-    const wide v42 = v33 * v33 + C6_pp * C6_pp, v43 = v34 * v34 + C6_pm * C6_pm;
-    const wide v44 = v36 * v36 + C6_mp * C6_mp, v45 = v37 * v37 + C6_mm * C6_mm;
-    const wide factor6_pp = sqrt_wide(v42) * (1.0 / v42), factor6_pm = sqrt_wide(v43) * (1.0 / v43);
-    const wide factor6_mp = sqrt_wide(v44) * (1.0 / v44), factor6_mm = sqrt_wide(v45) * (1.0 / v45);
-    const wide angle4 = atan2_wide(-v33, C6_pp), angle5 = atan2_wide(-v34, C6_pm);
-    const wide angle6 = atan2_wide(-v36, C6_mp), angle7 = atan2_wide(-v37, C6_mm);
+    const wide v28 = Y1_6_p * Z2_6, v29 = Y1_6_m * Z2_6;
+    const wide v30 = w5_p * (inverse5_p * (v10 * (w2z * v14))), v31 = v28 - v30, v32 = v28 + v30;
+    const wide v33 = w5_m * (inverse5_m * (v11 * (w2z * v15))), v34 = v29 - v33, v35 = v29 + v33;
+    const wide v36 = w2z * Y1_6_p, v37 = w2z * Y1_6_m;
+    const wide v38 = w5_p * (inverse5_p * (v10 * (v14 * Z2_6)));
+    const wide C6_pp = v36 + v38, C6_pm = v36 - v38;
+    const wide v39 = w5_m * (inverse5_m * (v11 * (v15 * Z2_6)));
+    const wide C6_mp = v37 + v39, C6_mm = v37 - v39;
+    const wide v40 = v31 * v31 + C6_pp * C6_pp, v41 = v32 * v32 + C6_pm * C6_pm;
+    const wide v42 = v34 * v34 + C6_mp * C6_mp, v43 = v35 * v35 + C6_mm * C6_mm;
+    const wide factor6_pp = sqrt_wide(v40) * (1.0 / v40), factor6_pm = sqrt_wide(v41) * (1.0 / v41);
+    const wide factor6_mp = sqrt_wide(v42) * (1.0 / v42), factor6_mm = sqrt_wide(v43) * (1.0 / v43);
+    const wide angle4 = atan2_wide(-v31, C6_pp), angle5 = atan2_wide(-v32, C6_pm);
+    const wide angle6 = atan2_wide(-v34, C6_mp), angle7 = atan2_wide(-v35, C6_mm);
 
     /* theta1 */
-    const wide v46 = c7 * T11 - s7 * T12, v47 = T13 * c4_p, v48 = T13 * c4_m, v49 = c4_p * v46;
-    const wide v50 = c4_m * v46, v51 = c7 * T12 + s7 * T11, v52 = s5_p * (s4_p * v51);
-    const wide v53 = s5_m * (v9 * v51), v54 = v24 * (s4_p * v46), v55 = v25 * (v9 * v46);
-    const wide v56 = v24 * (T13 * s4_p), v57 = v25 * (T13 * v9);
-    const wide X1_pp = v52 + factor6_pp * (-v33 * (v49 - v56) - C6_pp * (v47 + v54));
-    const wide X1_pm = v52 - factor6_pm * (v34 * (v49 + v56) + C6_pm * (v47 - v54));
-    const wide X1_mp = factor6_mp * (-v36 * (v50 + v57) - C6_mp * (v48 - v55)) - v53;
-    const wide v58 = v53 + factor6_mm * (v37 * (v50 - v57) + C6_mm * (v48 + v55));
-    const wide v59 = c7 * T21 - s7 * T22, v60 = T23 * c4_p, v61 = T23 * c4_m, v62 = c4_p * v59;
-    const wide v63 = c4_m * v59, v64 = c7 * T22 + s7 * T21, v65 = s5_p * (s4_p * v64);
-    const wide v66 = s5_m * (v9 * v64), v67 = v24 * (s4_p * v59), v68 = v25 * (v9 * v59);
-    const wide v69 = v24 * (T23 * s4_p), v70 = v25 * (T23 * v9);
-    const wide v71 = v65 + factor6_pp * (-v33 * (v62 - v69) - C6_pp * (v60 + v67));
-    const wide v72 = v65 - factor6_pm * (v34 * (v62 + v69) + C6_pm * (v60 - v67));
-    const wide v73 = factor6_mp * (-v36 * (v63 + v70) - C6_mp * (v61 - v68)) - v66;
-    const wide v74 = v66 + factor6_mm * (v37 * (v63 - v70) + C6_mm * (v61 + v68));
-    const wide v75 = X1_pp * X1_pp + v71 * v71, v76 = X1_pm * X1_pm + v72 * v72;
-    const wide v77 = X1_mp * X1_mp + v73 * v73, v78 = v58 * v58 + v74 * v74;
-    const wide angle8 = atan2_wide(-v71, -X1_pp), angle9 = atan2_wide(-v72, -X1_pm);
-    const wide angle10 = atan2_wide(-v73, -X1_mp), angle11 = atan2_wide(v74, v58);
-    const wide q1_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), -v71);
-    const wide q1_pmm = angle9 - h1 * copysign_wide(all_wide(half_turn), -v72);
-    const wide q1_mpm = angle10 - h1 * copysign_wide(all_wide(half_turn), -v73);
-    const wide q1_mmm = angle11 - h1 * copysign_wide(all_wide(half_turn), v74);
+    const wide v44 = c7 * T11 - s7 * T12, v45 = T13 * c4_p, v46 = T13 * c4_m, v47 = c4_p * v44;
+    const wide v48 = c4_m * v44, v49 = c7 * T12 + s7 * T11, v50 = s5_p * (s4_p * v49);
+    const wide v51 = s5_m * (v8 * v49), v52 = v22 * (s4_p * v44), v53 = v23 * (v8 * v44);
+    const wide v54 = v22 * (T13 * s4_p), v55 = v23 * (T13 * v8);
+    const wide X1_pp = v50 + factor6_pp * (-v31 * (v47 - v54) - C6_pp * (v45 + v52));
+    const wide X1_pm = v50 - factor6_pm * (v32 * (v47 + v54) + C6_pm * (v45 - v52));
+    const wide X1_mp = factor6_mp * (-v34 * (v48 + v55) - C6_mp * (v46 - v53)) - v51;
+    const wide v56 = v51 + factor6_mm * (v35 * (v48 - v55) + C6_mm * (v46 + v53));
+    const wide v57 = c7 * T21 - s7 * T22, v58 = T23 * c4_p, v59 = T23 * c4_m, v60 = c4_p * v57;
+    const wide v61 = c4_m * v57, v62 = c7 * T22 + s7 * T21, v63 = s5_p * (s4_p * v62);
+    const wide v64 = s5_m * (v8 * v62), v65 = v22 * (s4_p * v57), v66 = v23 * (v8 * v57);
+    const wide v67 = v22 * (T23 * s4_p), v68 = v23 * (T23 * v8);
+    const wide v69 = v63 + factor6_pp * (-v31 * (v60 - v67) - C6_pp * (v58 + v65));
+    const wide v70 = v63 - factor6_pm * (v32 * (v60 + v67) + C6_pm * (v58 - v65));
+    const wide v71 = factor6_mp * (-v34 * (v61 + v68) - C6_mp * (v59 - v66)) - v64;
+    const wide v72 = v64 + factor6_mm * (v35 * (v61 - v68) + C6_mm * (v59 + v66));
+    const wide v73 = X1_pp * X1_pp + v69 * v69, v74 = X1_pm * X1_pm + v70 * v70;
+    const wide v75 = X1_mp * X1_mp + v71 * v71, v76 = v56 * v56 + v72 * v72;
+    const wide angle8 = atan2_wide(-v69, -X1_pp), angle9 = atan2_wide(-v70, -X1_pm);
+    const wide angle10 = atan2_wide(-v71, -X1_mp), angle11 = atan2_wide(v72, v56);
+    const wide q1_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), -v69);
+    const wide q1_pmm = angle9 - h1 * copysign_wide(all_wide(half_turn), -v70);
+    const wide q1_mpm = angle10 - h1 * copysign_wide(all_wide(half_turn), -v71);
+    const wide q1_mmm = angle11 - h1 * copysign_wide(all_wide(half_turn), v72);
 
     /* theta3 */
-    const wide v79 = a4 * v59, v80 = d5 * T23, v81 = a4 * T23, v82 = d5 * v59, v83 = a4 * v64;
-    const wide v84 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22)), v85 = s5_p * v83 - v84;
-    const wide v86 = s5_m * v83 - v84, v87 = v24 * v79, v88 = v25 * v79, v89 = v24 * v81;
-    const wide v90 = v25 * v81, v91 = a4 * v46, v92 = d5 * T13, v93 = a4 * T13, v94 = d5 * v46;
-    const wide v95 = a4 * v51, v96 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
-    const wide v97 = s5_p * v95 - v96, v98 = s5_m * v95 - v96, v99 = v24 * v91, v100 = v25 * v91;
-    const wide v101 = v24 * v93, v102 = v25 * v93, v103 = s5_p * v59, v104 = s5_m * v59;
-    const wide v105 = T23 * s5_p, v106 = T23 * s5_m, v107 = v24 * v64, v108 = v25 * v64;
-    const wide v109 = s5_p * v46, v110 = s5_m * v46, v111 = T13 * s5_p, v112 = T13 * s5_m;
-    const wide v113 = v24 * v51, v114 = v25 * v51;
-    const wide s3_pp = (X1_pp * (v85 + factor6_pp * (C6_pp * (v80 - v87) - -v33 * (v82 + v89))) -
-        v71 * (v97 + factor6_pp * (C6_pp * (v92 - v99) - -v33 * (v94 + v101)))) / -a3;
-    const wide s3_pm = (X1_pm * (v85 + factor6_pm * (C6_pm * (v80 + v87) + v34 * (v82 - v89))) - v72
-        * (v97 + factor6_pm * (C6_pm * (v92 + v99) + v34 * (v94 - v101)))) / -a3;
-    const wide s3_mp = (X1_mp * (v86 + factor6_mp * (C6_mp * (v80 - v88) - -v36 * (v82 + v90))) -
-        v73 * (v98 + factor6_mp * (C6_mp * (v92 - v100) - -v36 * (v94 + v102)))) / -a3;
-    const wide s3_mm = (v74 * (v98 + factor6_mm * (C6_mm * (v92 + v100) + v37 * (v94 - v102))) - v58
-        * (v86 + factor6_mm * (C6_mm * (v80 + v88) + v37 * (v82 - v90)))) / -a3;
-    const wide v115 = a3 * (v71 * (v113 + factor6_pp * (C6_pp * v109 + -v33 * v111)) - X1_pp * (v107
-        + factor6_pp * (C6_pp * v103 + -v33 * v105))) / -a3;
-    const wide v116 = a3 * (v72 * (factor6_pm * (C6_pm * v109 - v34 * v111) - v113) - X1_pm *
-        (factor6_pm * (C6_pm * v103 - v34 * v105) - v107)) / -a3;
-    const wide v117 = a3 * (v73 * (v114 + factor6_mp * (C6_mp * v110 + -v36 * v112)) - X1_mp * (v108
-        + factor6_mp * (C6_mp * v104 + -v36 * v106))) / -a3;
-    const wide v118 = a3 * (v58 * (factor6_mm * (C6_mm * v104 - v37 * v106) - v108) - v74 *
-        (factor6_mm * (C6_mm * v110 - v37 * v112) - v114)) / -a3;
-    const wide angle12 = atan2_wide(s3_pp, -v115), angle13 = atan2_wide(s3_pm, -v116);
-    const wide angle14 = atan2_wide(s3_mp, -v117), angle15 = atan2_wide(s3_mm, -v118);
+    const wide v77 = a4 * v57, v78 = d5 * T23, v79 = a4 * T23, v80 = d5 * v57, v81 = a4 * v62;
+    const wide v82 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22)), v83 = s5_p * v81 - v82;
+    const wide v84 = s5_m * v81 - v82, v85 = v22 * v77, v86 = v23 * v77, v87 = v22 * v79;
+    const wide v88 = v23 * v79, v89 = a4 * v44, v90 = d5 * T13, v91 = a4 * T13, v92 = d5 * v44;
+    const wide v93 = a4 * v49, v94 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
+    const wide v95 = s5_p * v93 - v94, v96 = s5_m * v93 - v94, v97 = v22 * v89, v98 = v23 * v89;
+    const wide v99 = v22 * v91, v100 = v23 * v91, v101 = s5_p * v57, v102 = s5_m * v57;
+    const wide v103 = T23 * s5_p, v104 = T23 * s5_m, v105 = v22 * v62, v106 = v23 * v62;
+    const wide v107 = s5_p * v44, v108 = s5_m * v44, v109 = T13 * s5_p, v110 = T13 * s5_m;
+    const wide v111 = v22 * v49, v112 = v23 * v49;
+    const wide s3_pp = (X1_pp * (v83 + factor6_pp * (C6_pp * (v78 - v85) - -v31 * (v80 + v87))) -
+        v69 * (v95 + factor6_pp * (C6_pp * (v90 - v97) - -v31 * (v92 + v99)))) / -a3;
+    const wide s3_pm = (X1_pm * (v83 + factor6_pm * (C6_pm * (v78 + v85) + v32 * (v80 - v87))) - v70
+        * (v95 + factor6_pm * (C6_pm * (v90 + v97) + v32 * (v92 - v99)))) / -a3;
+    const wide s3_mp = (X1_mp * (v84 + factor6_mp * (C6_mp * (v78 - v86) - -v34 * (v80 + v88))) -
+        v71 * (v96 + factor6_mp * (C6_mp * (v90 - v98) - -v34 * (v92 + v100)))) / -a3;
+    const wide s3_mm = (v72 * (v96 + factor6_mm * (C6_mm * (v90 + v98) + v35 * (v92 - v100))) - v56
+        * (v84 + factor6_mm * (C6_mm * (v78 + v86) + v35 * (v80 - v88)))) / -a3;
+    const wide v113 = a3 * (v69 * (v111 + factor6_pp * (C6_pp * v107 + -v31 * v109)) - X1_pp * (v105
+        + factor6_pp * (C6_pp * v101 + -v31 * v103))) / -a3;
+    const wide v114 = a3 * (v70 * (factor6_pm * (C6_pm * v107 - v32 * v109) - v111) - X1_pm *
+        (factor6_pm * (C6_pm * v101 - v32 * v103) - v105)) / -a3;
+    const wide v115 = a3 * (v71 * (v112 + factor6_mp * (C6_mp * v108 + -v34 * v110)) - X1_mp * (v106
+        + factor6_mp * (C6_mp * v102 + -v34 * v104))) / -a3;
+    const wide v116 = a3 * (v56 * (factor6_mm * (C6_mm * v102 - v35 * v104) - v106) - v72 *
+        (factor6_mm * (C6_mm * v108 - v35 * v110) - v112)) / -a3;
+    const wide angle12 = atan2_wide(s3_pp, -v113), angle13 = atan2_wide(s3_pm, -v114);
+    const wide angle14 = atan2_wide(s3_mp, -v115), angle15 = atan2_wide(s3_mm, -v116);
     const wide q3_ppm = angle12 - h1 * copysign_wide(all_wide(half_turn), s3_pp);
     const wide q3_pmm = angle13 - h1 * copysign_wide(all_wide(half_turn), s3_pm);
     const wide q3_mpm = angle14 - h1 * copysign_wide(all_wide(half_turn), s3_mp);
     const wide q3_mmm = angle15 - h1 * copysign_wide(all_wide(half_turn), s3_mm);
 
     /* theta2 */
-    const wide v119 = c7 * T31 - s7 * T32, v120 = s4_p * v119, v121 = v9 * v119, v122 = T33 * c4_p;
-    const wide v123 = T33 * c4_m, v124 = T33 * s4_p, v125 = T33 * v9, v126 = c4_p * v119;
-    const wide v127 = c4_m * v119, v128 = c7 * T32 + s7 * T31, v129 = s5_p * (s4_p * v128);
-    const wide v130 = s5_m * (v9 * v128), v131 = v24 * v120, v132 = v25 * v121, v133 = v24 * v124;
-    const wide v134 = v25 * v125, v135 = s5_p * (c4_p * v128), v136 = s5_m * (c4_m * v128);
-    const wide v137 = v24 * v126, v138 = v25 * v127, v139 = v24 * v122, v140 = v25 * v123;
-    const wide v141 = s5_p * v119, v142 = s5_m * v119, v143 = T33 * s5_p, v144 = T33 * s5_m;
-    const wide v145 = v24 * v128, v146 = v25 * v128;
-    const wide angle16 = atan2_wide(sqrt_wide(v75) * (1.0 / v75) * (v115 * (v135 + factor6_pp *
-        (C6_pp * (v124 - v137) - -v33 * (v120 + v139))) + s3_pp * (v145 + factor6_pp * (C6_pp * v141
-        + -v33 * v143))), v129 + factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 + v131)));
-    const wide angle17 = atan2_wide(sqrt_wide(v76) * (1.0 / v76) * (v116 * (v135 + factor6_pm *
-        (C6_pm * (v124 + v137) + v34 * (v120 - v139))) + s3_pm * (factor6_pm * (C6_pm * v141 - v34 *
-        v143) - v145)), v129 - factor6_pm * (v34 * (v126 + v133) + C6_pm * (v122 - v131)));
-    const wide angle18 = atan2_wide(sqrt_wide(v77) * (1.0 / v77) * (v117 * (v136 - factor6_mp *
-        (C6_mp * (v125 + v138) + -v36 * (v140 - v121))) + s3_mp * (v146 + factor6_mp * (C6_mp * v142
-        + -v36 * v144))), factor6_mp * (-v36 * (v127 + v134) - C6_mp * (v123 - v132)) - v130);
-    const wide angle19 = atan2_wide(sqrt_wide(v78) * (1.0 / v78) * (v118 * (v136 + factor6_mm *
-        (C6_mm * (v138 - v125) - v37 * (v121 + v140))) + s3_mm * (factor6_mm * (C6_mm * v142 - v37 *
-        v144) - v146)), -(v130 + factor6_mm * (v37 * (v127 - v134) + C6_mm * (v123 + v132))));
+    const wide v117 = c7 * T31 - s7 * T32, v118 = s4_p * v117, v119 = v8 * v117, v120 = T33 * c4_p;
+    const wide v121 = T33 * c4_m, v122 = T33 * s4_p, v123 = T33 * v8, v124 = c4_p * v117;
+    const wide v125 = c4_m * v117, v126 = c7 * T32 + s7 * T31, v127 = s5_p * (s4_p * v126);
+    const wide v128 = s5_m * (v8 * v126), v129 = v22 * v118, v130 = v23 * v119, v131 = v22 * v122;
+    const wide v132 = v23 * v123, v133 = s5_p * (c4_p * v126), v134 = s5_m * (c4_m * v126);
+    const wide v135 = v22 * v124, v136 = v23 * v125, v137 = v22 * v120, v138 = v23 * v121;
+    const wide v139 = s5_p * v117, v140 = s5_m * v117, v141 = T33 * s5_p, v142 = T33 * s5_m;
+    const wide v143 = v22 * v126, v144 = v23 * v126;
+    const wide angle16 = atan2_wide(sqrt_wide(v73) * (1.0 / v73) * (v113 * (v133 + factor6_pp *
+        (C6_pp * (v122 - v135) - -v31 * (v118 + v137))) + s3_pp * (v143 + factor6_pp * (C6_pp * v139
+        + -v31 * v141))), v127 + factor6_pp * (-v31 * (v124 - v131) - C6_pp * (v120 + v129)));
+    const wide angle17 = atan2_wide(sqrt_wide(v74) * (1.0 / v74) * (v114 * (v133 + factor6_pm *
+        (C6_pm * (v122 + v135) + v32 * (v118 - v137))) + s3_pm * (factor6_pm * (C6_pm * v139 - v32 *
+        v141) - v143)), v127 - factor6_pm * (v32 * (v124 + v131) + C6_pm * (v120 - v129)));
+    const wide angle18 = atan2_wide(sqrt_wide(v75) * (1.0 / v75) * (v115 * (v134 - factor6_mp *
+        (C6_mp * (v123 + v136) + -v34 * (v138 - v119))) + s3_mp * (v144 + factor6_mp * (C6_mp * v140
+        + -v34 * v142))), factor6_mp * (-v34 * (v125 + v132) - C6_mp * (v121 - v130)) - v128);
+    const wide angle19 = atan2_wide(sqrt_wide(v76) * (1.0 / v76) * (v116 * (v134 + factor6_mm *
+        (C6_mm * (v136 - v123) - v35 * (v119 + v138))) + s3_mm * (factor6_mm * (C6_mm * v140 - v35 *
+        v142) - v144)), -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130))));
 
     /* joint values */
-    const wide v147 = q4__p + only_wide(q4__p <= -half_turn, m10);
-    const wide v148 = only_wide(-v10 <= -half_turn, m10) - v10;
-    const wide_mask v149 = (v147 < low4) | (high4 < v147), v150 = (v148 < low4) | (high4 < v148);
-    const wide_mask v151 = (angle2 < low5) | (high5 < angle2);
-    const wide_mask v152 = (q5_pmp < low5) | (high5 < q5_pmp);
-    const wide_mask v153 = (angle3 < low5) | (high5 < angle3);
-    const wide_mask v154 = (q5_mmp < low5) | (high5 < q5_mmp);
-    const wide v155 = angle4 + only_wide(angle4 < low6, whole_turn);
-    const wide v156 = angle5 + only_wide(angle5 < low6, whole_turn);
-    const wide v157 = angle6 + only_wide(angle6 < low6, whole_turn);
-    const wide v158 = angle7 + only_wide(angle7 < low6, whole_turn);
+    const wide v145 = q4__p + only_wide(q4__p <= -half_turn, m10);
+    const wide v146 = only_wide(-v9 <= -half_turn, m10) - v9;
+    const wide_mask v147 = (v145 < low4) | (high4 < v145), v148 = (v146 < low4) | (high4 < v146);
+    const wide_mask v149 = (angle2 < low5) | (high5 < angle2);
+    const wide_mask v150 = (q5_pmp < low5) | (high5 < q5_pmp);
+    const wide_mask v151 = (angle3 < low5) | (high5 < angle3);
+    const wide_mask v152 = (q5_mmp < low5) | (high5 < q5_mmp);
+    const wide v153 = angle4 + only_wide(angle4 < low6, whole_turn);
+    const wide v154 = angle5 + only_wide(angle5 < low6, whole_turn);
+    const wide v155 = angle6 + only_wide(angle6 < low6, whole_turn);
+    const wide v156 = angle7 + only_wide(angle7 < low6, whole_turn);
+    const wide_mask v157 = (v153 < low6) | (high6 < v153), v158 = (v154 < low6) | (high6 < v154);
     const wide_mask v159 = (v155 < low6) | (high6 < v155), v160 = (v156 < low6) | (high6 < v156);
-    const wide_mask v161 = (v157 < low6) | (high6 < v157), v162 = (v158 < low6) | (high6 < v158);
-    const wide q6_ppp = pick_wide(v159, angle4, v155), q6_pmp = pick_wide(v160, angle5, v156);
-    const wide q6_mpp = pick_wide(v161, angle6, v157), q6_mmp = pick_wide(v162, angle7, v158);
-    const wide_mask v163 = (free_joints[0] < low7) | (high7 < free_joints[0]);
-    const wide q4_ppp = v20 + v147, q4_mpp = v21 + v148;
-    const wide v164 = free_joints[0] + (w4 - w4);
-    const wide q7_ppp = v20 + v164, q7_mpp = v21 + v164;
-    const wide_mask outside_ppp = v163 | (v159 | (v151 | (v149 | (((angle12 < low3) | (high3 <
+    const wide q6_ppp = pick_wide(v157, angle4, v153), q6_pmp = pick_wide(v158, angle5, v154);
+    const wide q6_mpp = pick_wide(v159, angle6, v155), q6_mmp = pick_wide(v160, angle7, v156);
+    const wide_mask v161 = (free_joints[0] < low7) | (high7 < free_joints[0]);
+    const wide q4_ppp = v18 + v145, q4_mpp = v19 + v146;
+    const wide v162 = free_joints[0] + (w4 - w4);
+    const wide q7_ppp = v18 + v162, q7_mpp = v19 + v162;
+    const wide_mask outside_ppp = v161 | (v157 | (v149 | (v147 | (((angle12 < low3) | (high3 <
         angle12)) | (((angle8 < low1) | (high1 < angle8)) | ((angle16 < low2) | (high2 <
         angle16)))))));
-    const wide_mask outside_ppm = v163 | (v159 | (v151 | (v149 | (((q3_ppm < low3) | (high3 <
+    const wide_mask outside_ppm = v161 | (v157 | (v149 | (v147 | (((q3_ppm < low3) | (high3 <
         q3_ppm)) | (((q1_ppm < low1) | (high1 < q1_ppm)) | ((-angle16 < low2) | (high2 <
         -angle16)))))));
-    const wide_mask outside_pmp = v163 | (v160 | (v152 | (v149 | (((angle13 < low3) | (high3 <
+    const wide_mask outside_pmp = v161 | (v158 | (v150 | (v147 | (((angle13 < low3) | (high3 <
         angle13)) | (((angle9 < low1) | (high1 < angle9)) | ((angle17 < low2) | (high2 <
         angle17)))))));
-    const wide_mask outside_pmm = v163 | (v160 | (v152 | (v149 | (((q3_pmm < low3) | (high3 <
+    const wide_mask outside_pmm = v161 | (v158 | (v150 | (v147 | (((q3_pmm < low3) | (high3 <
         q3_pmm)) | (((q1_pmm < low1) | (high1 < q1_pmm)) | ((-angle17 < low2) | (high2 <
         -angle17)))))));
-    const wide_mask outside_mpp = v163 | (v161 | (v153 | (v150 | (((angle14 < low3) | (high3 <
+    const wide_mask outside_mpp = v161 | (v159 | (v151 | (v148 | (((angle14 < low3) | (high3 <
         angle14)) | (((angle10 < low1) | (high1 < angle10)) | ((angle18 < low2) | (high2 <
         angle18)))))));
-    const wide_mask outside_mpm = v163 | (v161 | (v153 | (v150 | (((q3_mpm < low3) | (high3 <
+    const wide_mask outside_mpm = v161 | (v159 | (v151 | (v148 | (((q3_mpm < low3) | (high3 <
         q3_mpm)) | (((q1_mpm < low1) | (high1 < q1_mpm)) | ((-angle18 < low2) | (high2 <
         -angle18)))))));
-    const wide_mask outside_mmp = v163 | (v162 | (v154 | (v150 | (((angle15 < low3) | (high3 <
+    const wide_mask outside_mmp = v161 | (v160 | (v152 | (v148 | (((angle15 < low3) | (high3 <
         angle15)) | (((angle11 < low1) | (high1 < angle11)) | ((angle19 < low2) | (high2 <
         angle19)))))));
-    const wide_mask outside_mmm = v163 | (v162 | (v154 | (v150 | (((q3_mmm < low3) | (high3 <
+    const wide_mask outside_mmm = v161 | (v160 | (v152 | (v148 | (((q3_mmm < low3) | (high3 <
         q3_mmm)) | (((q1_mmm < low1) | (high1 < q1_mmm)) | ((-angle19 < low2) | (high2 <
         -angle19)))))));
-    const wide_mask doubt1 = (v78 <= m9) | ((v45 <= m8) | ((v77 <= m9) | ((v44 <= m8) | ((v76 <= m9)
-        | ((v43 <= m8) | ((v75 <= m9) | ((v42 <= m8) | (((-(reach_slack1 * (reach_slack1 + v18)) <=
-        D5_m) & (free5_m | ((v19 < D5_m) == 0))) | (free5_m | (((-(reach_slack1 * (reach_slack1 +
-        v18)) <= D5_p) & (free5_p | ((v19 < D5_p) == 0))) | (((-(reach_slack2 * (reach_slack2 + v4))
-        <= D4) & ((merge_slack2 * (merge_slack2 + v4) < D4) == 0)) | free5_p)))))))))));
+    const wide_mask doubt1 = (v76 <= m9) | ((v43 <= m8) | ((v75 <= m9) | ((v42 <= m8) | ((v74 <= m9)
+        | ((v41 <= m8) | ((v73 <= m9) | ((v40 <= m8) | ((abs_wide(D5_m) <= v17) | ((N5_m <=
+        doubt_limit_squared2) | ((abs_wide(D5_p) <= v17) | ((abs_wide(D4) <= reach_slack2 *
+        (reach_slack2 + 2.0 * abs_wide(Z4))) | (N5_p <= doubt_limit_squared2))))))))))));
 
     q[0] = angle8; q[1] = angle16; q[2] = angle12; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
     q[6] = q7_ppp;
@@ -801,6 +801,7 @@ HELPER wide_mask solve_wide(
 static const double m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(
     const double T[16], const double free_joints[1], double q[8][7], unsigned char status[8])
 {
@@ -820,106 +821,102 @@ HELPER int solve_regular(
     const double Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y +
         (w2z * w2z - k4)));
     const double D4 = k3 - Z4 * Z4;
-    const double v4 = 2.0 * fabs(Z4);
     const double w4 = sqrt(D4);
-    const int doubt1 = (-(reach_slack2 * (reach_slack2 + v4)) <= D4) & ((merge_slack2 *
-        (merge_slack2 + v4) < D4) == 0);
-    const double v5 = m2 * Z4;
-    const four c4 = v5 + w4 * (m1 * e1);
-    const double v6 = m1 * Z4;
-    const four s4 = w4 * (m2 * e1) - v6;
+    const int doubt1 = fabs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4));
+    const double v4 = m2 * Z4;
+    const four c4 = v4 + w4 * (m1 * e1);
+    const double v5 = m1 * Z4;
+    const four s4 = w4 * (m2 * e1) - v5;
 
     /* theta5 */
-    const four v7 = a3 * c4 + d3 * s4 - a4;
-    const double v8 = m4 + m5 * Z4;
-    const four v9 = v8 - w4 * (m3 * e1);
-    const four N5 = v9 * v9;
-    const four_mask free5 = N5 <= doubt_limit_squared2;
+    const four v6 = a3 * c4 + d3 * s4 - a4;
+    const double v7 = m4 + m5 * Z4;
+    const four v8 = v7 - w4 * (m3 * e1);
+    const four N5 = v8 * v8;
     const double Z5 = c7 * w2y + s7 * w2x;
-    const double v10 = Z5 * Z5;
-    const four D5 = N5 - v10;
-    const double v11 = 2.0 * fabs(Z5), v12 = merge_slack1 * (merge_slack1 + v11);
+    const double v9 = Z5 * Z5;
+    const four D5 = N5 - v9;
+    const double v10 = reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5));
     const four w5 = sqrt_four(D5);
-    const four v13 = w5 - w5;
+    const four v11 = w5 - w5;
     const four inverse5 = 1.0 / N5;
-    const four v14 = v9 * w5, v15 = inverse5 * v14, v16 = v9 * Z5;
-    const four s5 = inverse5 * v16;
-    const four v17 = copysign_four(all_four(half_turn), v16), v18 = m6 * (1.0 - e2);
+    const four v12 = v8 * w5, v13 = inverse5 * v12, v14 = v8 * Z5;
+    const four s5 = inverse5 * v14;
+    const four v15 = copysign_four(all_four(half_turn), v14), v16 = m6 * (1.0 - e2);
 
     /* theta6 */
-    const double v19 = m7 + m3 * Z4;
-    const four Y1_6 = v19 + w4 * (m5 * e1);
+    const double v17 = m7 + m3 * Z4;
+    const four Y1_6 = v17 + w4 * (m5 * e1);
     const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
-    const four v20 = Y1_6 * Z2_6, v21 = e2 * w2z, v22 = v20 - w5 * (inverse5 * (v7 * (v9 * v21)));
-    const four v23 = w2z * Y1_6, v24 = e2 * Z2_6;
-    const four C6 = v23 + w5 * (inverse5 * (v7 * (v9 * v24)));
-    const four v25 = v22 * v22 + C6 * C6;
-    const four factor6 = sqrt_four(v25) * (1.0 / v25);
+    const four v18 = Y1_6 * Z2_6, v19 = e2 * w2z, v20 = v18 - w5 * (inverse5 * (v6 * (v8 * v19)));
+    const four v21 = w2z * Y1_6, v22 = e2 * Z2_6;
+    const four C6 = v21 + w5 * (inverse5 * (v6 * (v8 * v22)));
+    const four v23 = v20 * v20 + C6 * C6;
+    const four factor6 = sqrt_four(v23) * (1.0 / v23);
 
     /* theta1 */
-    const double v26 = c7 * T11 - s7 * T12;
-    const four v27 = T13 * c4, v28 = c4 * v26;
-    const double v29 = c7 * T12 + s7 * T11;
-    const four v30 = s5 * (s4 * v29), v31 = v15 * (s4 * v26), v32 = v15 * (T13 * s4);
-    const four X1 = v30 + factor6 * (-v22 * (v28 - e2 * v32) - C6 * (v27 + e2 * v31));
-    const double v33 = c7 * T21 - s7 * T22;
-    const four v34 = T23 * c4, v35 = c4 * v33;
-    const double v36 = c7 * T22 + s7 * T21;
-    const four v37 = s5 * (s4 * v36), v38 = v15 * (s4 * v33), v39 = v15 * (T23 * s4);
-    const four v40 = v37 + factor6 * (-v22 * (v35 - e2 * v39) - C6 * (v34 + e2 * v38));
-    const four v41 = X1 * X1 + v40 * v40;
+    const double v24 = c7 * T11 - s7 * T12;
+    const four v25 = T13 * c4, v26 = c4 * v24;
+    const double v27 = c7 * T12 + s7 * T11;
+    const four v28 = s5 * (s4 * v27), v29 = v13 * (s4 * v24), v30 = v13 * (T13 * s4);
+    const four X1 = v28 + factor6 * (-v20 * (v26 - e2 * v30) - C6 * (v25 + e2 * v29));
+    const double v31 = c7 * T21 - s7 * T22;
+    const four v32 = T23 * c4, v33 = c4 * v31;
+    const double v34 = c7 * T22 + s7 * T21;
+    const four v35 = s5 * (s4 * v34), v36 = v13 * (s4 * v31), v37 = v13 * (T23 * s4);
+    const four v38 = v35 + factor6 * (-v20 * (v33 - e2 * v37) - C6 * (v32 + e2 * v36));
+    const four v39 = X1 * X1 + v38 * v38;
 
     /* theta3 */
-    const double v42 = a4 * v33, v43 = d5 * T23, v44 = a4 * T23, v45 = d5 * v33, v46 = a4 * v36;
-    const double v47 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
-    const four v48 = s5 * v46 - v47, v49 = v15 * v42, v50 = v15 * v44;
-    const double v51 = a4 * v26, v52 = d5 * T13, v53 = a4 * T13, v54 = d5 * v26, v55 = a4 * v29;
-    const double v56 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
-    const four v57 = s5 * v55 - v56, v58 = v15 * v51, v59 = v15 * v53, v60 = s5 * v33;
-    const four v61 = T23 * s5, v62 = v15 * v36, v63 = s5 * v26, v64 = T13 * s5, v65 = v15 * v29;
-    const four s3 = (X1 * (v48 + factor6 * (C6 * (v43 - e2 * v49) - -v22 * (v45 + e2 * v50))) - v40
-        * (v57 + factor6 * (C6 * (v52 - e2 * v58) - -v22 * (v54 + e2 * v59)))) / -a3;
-    const four v66 = a3 * (v40 * (e2 * v65 + factor6 * (C6 * v63 + -v22 * v64)) - X1 * (factor6 *
-        (C6 * v60 + -v22 * v61) + e2 * v62)) / -a3;
+    const double v40 = a4 * v31, v41 = d5 * T23, v42 = a4 * T23, v43 = d5 * v31, v44 = a4 * v34;
+    const double v45 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
+    const four v46 = s5 * v44 - v45, v47 = v13 * v40, v48 = v13 * v42;
+    const double v49 = a4 * v24, v50 = d5 * T13, v51 = a4 * T13, v52 = d5 * v24, v53 = a4 * v27;
+    const double v54 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
+    const four v55 = s5 * v53 - v54, v56 = v13 * v49, v57 = v13 * v51, v58 = s5 * v31;
+    const four v59 = T23 * s5, v60 = v13 * v34, v61 = s5 * v24, v62 = T13 * s5, v63 = v13 * v27;
+    const four s3 = (X1 * (v46 + factor6 * (C6 * (v41 - e2 * v47) - -v20 * (v43 + e2 * v48))) - v38
+        * (v55 + factor6 * (C6 * (v50 - e2 * v56) - -v20 * (v52 + e2 * v57)))) / -a3;
+    const four v64 = a3 * (v38 * (e2 * v63 + factor6 * (C6 * v61 + -v20 * v62)) - X1 * (factor6 *
+        (C6 * v58 + -v20 * v59) + e2 * v60)) / -a3;
 
     /* theta2 */
-    const double v67 = c7 * T31 - s7 * T32;
-    const four v68 = s4 * v67, v69 = T33 * c4, v70 = T33 * s4, v71 = c4 * v67;
-    const double v72 = c7 * T32 + s7 * T31;
-    const four v73 = s5 * (s4 * v72), v74 = v15 * v68, v75 = v15 * v70, v76 = s5 * (c4 * v72);
-    const four v77 = v15 * v71, v78 = v15 * v69, v79 = s5 * v67, v80 = T33 * s5, v81 = v15 * v72;
+    const double v65 = c7 * T31 - s7 * T32;
+    const four v66 = s4 * v65, v67 = T33 * c4, v68 = T33 * s4, v69 = c4 * v65;
+    const double v70 = c7 * T32 + s7 * T31;
+    const four v71 = s5 * (s4 * v70), v72 = v13 * v66, v73 = v13 * v68, v74 = s5 * (c4 * v70);
+    const four v75 = v13 * v69, v76 = v13 * v67, v77 = s5 * v65, v78 = T33 * s5, v79 = v13 * v70;
 
     /* joint values */
-    const int v87 = (free_joints[0] < low7) | (high7 < free_joints[0]);
-    const double v88 = free_joints[0] + (w4 - w4);
-    const four q7_p = v13 + v88;
-    const four_mask doubt2 = free5 | ((-(reach_slack1 * (reach_slack1 + v11)) <= D5) & (free5 |
-        ((v12 < D5) == 0)));
-    const four_mask doubt3 = (v25 <= m8) | (v41 <= m9);
+    const int v85 = (free_joints[0] < low7) | (high7 < free_joints[0]);
+    const double v86 = free_joints[0] + (w4 - w4);
+    const four q7_p = v11 + v86;
+    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v10);
+    const four_mask doubt3 = (v23 <= m8) | (v39 <= m9);
 
-    const four angle3 = atan2_four(-v22, C6), angle4 = atan2_four(-v40, -X1);
-    const four angle5 = atan2_four(s3, -v66);
-    const four angle6 = atan2_four(sqrt_four(v41) * (1.0 / v41) * (v66 * (v76 + factor6 * (C6 * (v70
-        - e2 * v77) - -v22 * (v68 + e2 * v78))) + s3 * (e2 * v81 + factor6 * (C6 * v79 + -v22 *
-        v80))), v73 + factor6 * (-v22 * (v71 - e2 * v75) - C6 * (v69 + e2 * v74)));
-    const four packed5 = atan2_four(__builtin_shufflevector(v16, all_four(w4), 0, 5, 2, 3),
-        __builtin_shufflevector(-v14, all_four(Z4), 0, 5, 2, 3));
+    const four angle3 = atan2_four(-v20, C6), angle4 = atan2_four(-v38, -X1);
+    const four angle5 = atan2_four(s3, -v64);
+    const four angle6 = atan2_four(sqrt_four(v39) * (1.0 / v39) * (v64 * (v74 + factor6 * (C6 * (v68
+        - e2 * v75) - -v20 * (v66 + e2 * v76))) + s3 * (e2 * v79 + factor6 * (C6 * v77 + -v20 *
+        v78))), v71 + factor6 * (-v20 * (v69 - e2 * v73) - C6 * (v67 + e2 * v72)));
+    const four packed5 = atan2_four(__builtin_shufflevector(v14, all_four(w4), 0, 5, 2, 3),
+        __builtin_shufflevector(-v12, all_four(Z4), 0, 5, 2, 3));
     const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q4_ = e1 * angle1 - turn1;
-    const four q5_p = e2 * angle2 + v17 * v18;
-    const four q1_m = angle4 - copysign_four(all_four(half_turn), -v40) * h1;
+    const four q5_p = e2 * angle2 + v15 * v16;
+    const four q1_m = angle4 - copysign_four(all_four(half_turn), -v38) * h1;
     const four q3_m = angle5 - h1 * copysign_four(all_four(half_turn), s3);
-    const four v82 = q4_ + only_four(q4_ <= -half_turn, m10);
-    const four_mask v83 = (v82 < low4) | (high4 < v82), v84 = (q5_p < low5) | (high5 < q5_p);
-    const four v85 = angle3 + only_four(angle3 < low6, whole_turn);
-    const four_mask v86 = (v85 < low6) | (high6 < v85);
-    const four q6_p = pick_four(v86, angle3, v85);
-    const four q4_p = v13 + v82;
-    const four_mask outside_p = where_four(v87) | (v86 | (v84 | (v83 | (((angle5 < low3) | (high3 <
+    const four v80 = q4_ + only_four(q4_ <= -half_turn, m10);
+    const four_mask v81 = (v80 < low4) | (high4 < v80), v82 = (q5_p < low5) | (high5 < q5_p);
+    const four v83 = angle3 + only_four(angle3 < low6, whole_turn);
+    const four_mask v84 = (v83 < low6) | (high6 < v83);
+    const four q6_p = pick_four(v84, angle3, v83);
+    const four q4_p = v11 + v80;
+    const four_mask outside_p = where_four(v85) | (v84 | (v82 | (v81 | (((angle5 < low3) | (high3 <
         angle5)) | (((angle4 < low1) | (high1 < angle4)) | ((angle6 < low2) | (high2 <
         angle6)))))));
-    const four_mask outside_m = where_four(v87) | (v86 | (v84 | (v83 | (((q3_m < low3) | (high3 <
+    const four_mask outside_m = where_four(v85) | (v84 | (v82 | (v81 | (((q3_m < low3) | (high3 <
         q3_m)) | (((q1_m < low1) | (high1 < q1_m)) | ((-angle6 < low2) | (high2 < -angle6)))))));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
@@ -1201,12 +1198,8 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int franka_panda_ik(
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
@@ -1214,10 +1207,8 @@ int franka_panda_ik(
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, free_joints, q, status)) >= 0)
-        return count;
-    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
-    if (valid && (count = solve_regular(pose, free_joints, q, status)) >= 0)
+    const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    if (valid == 2 && (count = solve_regular(pose, free_joints, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
@@ -1233,12 +1224,21 @@ int franka_panda_ik(
             continue;
         for (int i = 0; i < 7; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = FRANKA_PANDA_OUT_OF_LIMITS;
         }
         count += status[row] != FRANKA_PANDA_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int franka_panda_ik(
+    const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
+    unsigned char status[8])
+{
+    const int count = solve_regular(T, free_joints, q, status);
+    return count < 0 ? ik_carefully(T, free_joints, q_seed, q, status) : count;
 }
 
 int franka_panda_ik_nearest(

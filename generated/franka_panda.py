@@ -686,13 +686,13 @@ def _regular(pose, q_free, q, status):
     w2z = T13 * v1 + T23 * v2 + T33 * v3
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    v80 = d5 * T23
-    v81 = a4 * T23
-    v92 = d5 * T13
-    v93 = a4 * T13
+    v78 = d5 * T23
+    v79 = a4 * T23
+    v90 = d5 * T13
+    v91 = a4 * T13
 
     # joint values
-    v163 = q_free[0] < low7 or high7 < q_free[0]
+    v161 = q_free[0] < low7 or high7 < q_free[0]
     s7 = math.sin(q_free[0])
     c7 = math.cos(q_free[0])
 
@@ -702,261 +702,256 @@ def _regular(pose, q_free, q, status):
         k4)))
     )
     D4 = k3 - Z4 * Z4
-    v4 = 2.0 * abs(Z4)
     w4 = math.sqrt(D4)
-    v5 = m2 * Z4
-    v6 = m1 * w4
-    c4_p = v5 + v6
-    c4_m = v5 - v6
-    v7 = m1 * Z4
-    v8 = m2 * w4
-    s4_p = v8 - v7
-    v9 = v7 + v8
+    v4 = m2 * Z4
+    v5 = m1 * w4
+    c4_p = v4 + v5
+    c4_m = v4 - v5
+    v6 = m1 * Z4
+    v7 = m2 * w4
+    s4_p = v7 - v6
+    v8 = v6 + v7
 
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
-    v11 = a3 * c4_p + d3 * s4_p - a4
-    v12 = a3 * c4_m - d3 * v9 - a4
-    v13 = m4 + m5 * Z4
-    v14 = m3 * w4
-    v15 = v13 - v14
-    v16 = v13 + v14
-    N5_p = v15 * v15
-    N5_m = v16 * v16
-    free5_p = N5_p <= doubt_limit_squared2
-    free5_m = N5_m <= doubt_limit_squared2
+    v10 = a3 * c4_p + d3 * s4_p - a4
+    v11 = a3 * c4_m - d3 * v8 - a4
+    v12 = m4 + m5 * Z4
+    v13 = m3 * w4
+    v14 = v12 - v13
+    v15 = v12 + v13
+    N5_p = v14 * v14
+    N5_m = v15 * v15
     Z5 = c7 * w2y + s7 * w2x
-    v17 = Z5 * Z5
-    D5_p = N5_p - v17
-    D5_m = N5_m - v17
-    v18 = 2.0 * abs(Z5)
-    v19 = merge_slack1 * (merge_slack1 + v18)
+    v16 = Z5 * Z5
+    D5_p = N5_p - v16
+    D5_m = N5_m - v16
+    v17 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
     w5_p = math.sqrt(D5_p)
     w5_m = math.sqrt(D5_m)
-    v20 = w5_p - w5_p
-    v21 = w5_m - w5_m
+    v18 = w5_p - w5_p
+    v19 = w5_m - w5_m
     inverse5_p = 1.0 / N5_p
     inverse5_m = 1.0 / N5_m
-    v22 = v15 * w5_p
-    v23 = v16 * w5_m
-    v24 = inverse5_p * v22
-    v25 = inverse5_m * v23
-    v26 = v15 * Z5
-    v27 = v16 * Z5
-    s5_p = inverse5_p * v26
-    s5_m = inverse5_m * v27
+    v20 = v14 * w5_p
+    v21 = v15 * w5_m
+    v22 = inverse5_p * v20
+    v23 = inverse5_m * v21
+    v24 = v14 * Z5
+    v25 = v15 * Z5
+    s5_p = inverse5_p * v24
+    s5_m = inverse5_m * v25
 
     # theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4]
-    v28 = m7 + m3 * Z4
-    v29 = m5 * w4
-    Y1_6_p = v28 + v29
-    Y1_6_m = v28 - v29
+    v26 = m7 + m3 * Z4
+    v27 = m5 * w4
+    Y1_6_p = v26 + v27
+    Y1_6_m = v26 - v27
     Z2_6 = a6 + (c7 * w2x - s7 * w2y)
-    v30 = Y1_6_p * Z2_6
-    v31 = Y1_6_m * Z2_6
-    v32 = w5_p * (inverse5_p * (v11 * (w2z * v15)))
-    v33 = v30 - v32
-    v34 = v30 + v32
-    v35 = w5_m * (inverse5_m * (v12 * (w2z * v16)))
-    v36 = v31 - v35
-    v37 = v31 + v35
-    v38 = w2z * Y1_6_p
-    v39 = w2z * Y1_6_m
-    v40 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6)))
-    C6_pp = v38 + v40
-    C6_pm = v38 - v40
-    v41 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6)))
-    C6_mp = v39 + v41
-    C6_mm = v39 - v41
-    v42 = v33 * v33 + C6_pp * C6_pp
-    v43 = v34 * v34 + C6_pm * C6_pm
-    v44 = v36 * v36 + C6_mp * C6_mp
-    v45 = v37 * v37 + C6_mm * C6_mm
-    factor6_pp = math.sqrt(v42) * (1.0 / v42)
-    factor6_pm = math.sqrt(v43) * (1.0 / v43)
-    factor6_mp = math.sqrt(v44) * (1.0 / v44)
-    factor6_mm = math.sqrt(v45) * (1.0 / v45)
+    v28 = Y1_6_p * Z2_6
+    v29 = Y1_6_m * Z2_6
+    v30 = w5_p * (inverse5_p * (v10 * (w2z * v14)))
+    v31 = v28 - v30
+    v32 = v28 + v30
+    v33 = w5_m * (inverse5_m * (v11 * (w2z * v15)))
+    v34 = v29 - v33
+    v35 = v29 + v33
+    v36 = w2z * Y1_6_p
+    v37 = w2z * Y1_6_m
+    v38 = w5_p * (inverse5_p * (v10 * (v14 * Z2_6)))
+    C6_pp = v36 + v38
+    C6_pm = v36 - v38
+    v39 = w5_m * (inverse5_m * (v11 * (v15 * Z2_6)))
+    C6_mp = v37 + v39
+    C6_mm = v37 - v39
+    v40 = v31 * v31 + C6_pp * C6_pp
+    v41 = v32 * v32 + C6_pm * C6_pm
+    v42 = v34 * v34 + C6_mp * C6_mp
+    v43 = v35 * v35 + C6_mm * C6_mm
+    factor6_pp = math.sqrt(v40) * (1.0 / v40)
+    factor6_pm = math.sqrt(v41) * (1.0 / v41)
+    factor6_mp = math.sqrt(v42) * (1.0 / v42)
+    factor6_mm = math.sqrt(v43) * (1.0 / v43)
 
     # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
-    v46 = c7 * T11 - s7 * T12
-    v47 = T13 * c4_p
-    v48 = T13 * c4_m
-    v49 = c4_p * v46
-    v50 = c4_m * v46
-    v51 = c7 * T12 + s7 * T11
-    v52 = s5_p * (s4_p * v51)
-    v53 = s5_m * (v9 * v51)
-    v54 = v24 * (s4_p * v46)
-    v55 = v25 * (v9 * v46)
-    v56 = v24 * (T13 * s4_p)
-    v57 = v25 * (T13 * v9)
-    X1_pp = v52 + factor6_pp * (-v33 * (v49 - v56) - C6_pp * (v47 + v54))
-    X1_pm = v52 - factor6_pm * (v34 * (v49 + v56) + C6_pm * (v47 - v54))
-    X1_mp = factor6_mp * (-v36 * (v50 + v57) - C6_mp * (v48 - v55)) - v53
-    v58 = v53 + factor6_mm * (v37 * (v50 - v57) + C6_mm * (v48 + v55))
-    v59 = c7 * T21 - s7 * T22
-    v60 = T23 * c4_p
-    v61 = T23 * c4_m
-    v62 = c4_p * v59
-    v63 = c4_m * v59
-    v64 = c7 * T22 + s7 * T21
-    v65 = s5_p * (s4_p * v64)
-    v66 = s5_m * (v9 * v64)
-    v67 = v24 * (s4_p * v59)
-    v68 = v25 * (v9 * v59)
-    v69 = v24 * (T23 * s4_p)
-    v70 = v25 * (T23 * v9)
-    v71 = v65 + factor6_pp * (-v33 * (v62 - v69) - C6_pp * (v60 + v67))
-    v72 = v65 - factor6_pm * (v34 * (v62 + v69) + C6_pm * (v60 - v67))
-    v73 = factor6_mp * (-v36 * (v63 + v70) - C6_mp * (v61 - v68)) - v66
-    v74 = v66 + factor6_mm * (v37 * (v63 - v70) + C6_mm * (v61 + v68))
-    v75 = X1_pp * X1_pp + v71 * v71
-    v76 = X1_pm * X1_pm + v72 * v72
-    v77 = X1_mp * X1_mp + v73 * v73
-    v78 = v58 * v58 + v74 * v74
+    v44 = c7 * T11 - s7 * T12
+    v45 = T13 * c4_p
+    v46 = T13 * c4_m
+    v47 = c4_p * v44
+    v48 = c4_m * v44
+    v49 = c7 * T12 + s7 * T11
+    v50 = s5_p * (s4_p * v49)
+    v51 = s5_m * (v8 * v49)
+    v52 = v22 * (s4_p * v44)
+    v53 = v23 * (v8 * v44)
+    v54 = v22 * (T13 * s4_p)
+    v55 = v23 * (T13 * v8)
+    X1_pp = v50 + factor6_pp * (-v31 * (v47 - v54) - C6_pp * (v45 + v52))
+    X1_pm = v50 - factor6_pm * (v32 * (v47 + v54) + C6_pm * (v45 - v52))
+    X1_mp = factor6_mp * (-v34 * (v48 + v55) - C6_mp * (v46 - v53)) - v51
+    v56 = v51 + factor6_mm * (v35 * (v48 - v55) + C6_mm * (v46 + v53))
+    v57 = c7 * T21 - s7 * T22
+    v58 = T23 * c4_p
+    v59 = T23 * c4_m
+    v60 = c4_p * v57
+    v61 = c4_m * v57
+    v62 = c7 * T22 + s7 * T21
+    v63 = s5_p * (s4_p * v62)
+    v64 = s5_m * (v8 * v62)
+    v65 = v22 * (s4_p * v57)
+    v66 = v23 * (v8 * v57)
+    v67 = v22 * (T23 * s4_p)
+    v68 = v23 * (T23 * v8)
+    v69 = v63 + factor6_pp * (-v31 * (v60 - v67) - C6_pp * (v58 + v65))
+    v70 = v63 - factor6_pm * (v32 * (v60 + v67) + C6_pm * (v58 - v65))
+    v71 = factor6_mp * (-v34 * (v61 + v68) - C6_mp * (v59 - v66)) - v64
+    v72 = v64 + factor6_mm * (v35 * (v61 - v68) + C6_mm * (v59 + v66))
+    v73 = X1_pp * X1_pp + v69 * v69
+    v74 = X1_pm * X1_pm + v70 * v70
+    v75 = X1_mp * X1_mp + v71 * v71
+    v76 = v56 * v56 + v72 * v72
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    v79 = a4 * v59
-    v82 = d5 * v59
-    v83 = a4 * v64
-    v84 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
-    v85 = s5_p * v83 - v84
-    v86 = s5_m * v83 - v84
-    v87 = v24 * v79
-    v88 = v25 * v79
-    v89 = v24 * v81
-    v90 = v25 * v81
-    v91 = a4 * v46
-    v94 = d5 * v46
-    v95 = a4 * v51
-    v96 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
-    v97 = s5_p * v95 - v96
-    v98 = s5_m * v95 - v96
-    v99 = v24 * v91
-    v100 = v25 * v91
-    v101 = v24 * v93
-    v102 = v25 * v93
-    v103 = s5_p * v59
-    v104 = s5_m * v59
-    v105 = T23 * s5_p
-    v106 = T23 * s5_m
-    v107 = v24 * v64
-    v108 = v25 * v64
-    v109 = s5_p * v46
-    v110 = s5_m * v46
-    v111 = T13 * s5_p
-    v112 = T13 * s5_m
-    v113 = v24 * v51
-    v114 = v25 * v51
+    v77 = a4 * v57
+    v80 = d5 * v57
+    v81 = a4 * v62
+    v82 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
+    v83 = s5_p * v81 - v82
+    v84 = s5_m * v81 - v82
+    v85 = v22 * v77
+    v86 = v23 * v77
+    v87 = v22 * v79
+    v88 = v23 * v79
+    v89 = a4 * v44
+    v92 = d5 * v44
+    v93 = a4 * v49
+    v94 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
+    v95 = s5_p * v93 - v94
+    v96 = s5_m * v93 - v94
+    v97 = v22 * v89
+    v98 = v23 * v89
+    v99 = v22 * v91
+    v100 = v23 * v91
+    v101 = s5_p * v57
+    v102 = s5_m * v57
+    v103 = T23 * s5_p
+    v104 = T23 * s5_m
+    v105 = v22 * v62
+    v106 = v23 * v62
+    v107 = s5_p * v44
+    v108 = s5_m * v44
+    v109 = T13 * s5_p
+    v110 = T13 * s5_m
+    v111 = v22 * v49
+    v112 = v23 * v49
     s3_pp = (
-        (X1_pp * (v85 + factor6_pp * (C6_pp * (v80 - v87) - -v33 * (v82 + v89))) - v71 * (v97 +
-        factor6_pp * (C6_pp * (v92 - v99) - -v33 * (v94 + v101)))) / -a3
+        (X1_pp * (v83 + factor6_pp * (C6_pp * (v78 - v85) - -v31 * (v80 + v87))) - v69 * (v95 +
+        factor6_pp * (C6_pp * (v90 - v97) - -v31 * (v92 + v99)))) / -a3
     )
     s3_pm = (
-        (X1_pm * (v85 + factor6_pm * (C6_pm * (v80 + v87) + v34 * (v82 - v89))) - v72 * (v97 +
-        factor6_pm * (C6_pm * (v92 + v99) + v34 * (v94 - v101)))) / -a3
+        (X1_pm * (v83 + factor6_pm * (C6_pm * (v78 + v85) + v32 * (v80 - v87))) - v70 * (v95 +
+        factor6_pm * (C6_pm * (v90 + v97) + v32 * (v92 - v99)))) / -a3
     )
     s3_mp = (
-        (X1_mp * (v86 + factor6_mp * (C6_mp * (v80 - v88) - -v36 * (v82 + v90))) - v73 * (v98 +
-        factor6_mp * (C6_mp * (v92 - v100) - -v36 * (v94 + v102)))) / -a3
+        (X1_mp * (v84 + factor6_mp * (C6_mp * (v78 - v86) - -v34 * (v80 + v88))) - v71 * (v96 +
+        factor6_mp * (C6_mp * (v90 - v98) - -v34 * (v92 + v100)))) / -a3
     )
     s3_mm = (
-        (v74 * (v98 + factor6_mm * (C6_mm * (v92 + v100) + v37 * (v94 - v102))) - v58 * (v86 +
-        factor6_mm * (C6_mm * (v80 + v88) + v37 * (v82 - v90)))) / -a3
+        (v72 * (v96 + factor6_mm * (C6_mm * (v90 + v98) + v35 * (v92 - v100))) - v56 * (v84 +
+        factor6_mm * (C6_mm * (v78 + v86) + v35 * (v80 - v88)))) / -a3
+    )
+    v113 = (
+        a3 * (v69 * (v111 + factor6_pp * (C6_pp * v107 + -v31 * v109)) - X1_pp * (v105 + factor6_pp
+        * (C6_pp * v101 + -v31 * v103))) / -a3
+    )
+    v114 = (
+        a3 * (v70 * (factor6_pm * (C6_pm * v107 - v32 * v109) - v111) - X1_pm * (factor6_pm * (C6_pm
+        * v101 - v32 * v103) - v105)) / -a3
     )
     v115 = (
-        a3 * (v71 * (v113 + factor6_pp * (C6_pp * v109 + -v33 * v111)) - X1_pp * (v107 + factor6_pp
-        * (C6_pp * v103 + -v33 * v105))) / -a3
+        a3 * (v71 * (v112 + factor6_mp * (C6_mp * v108 + -v34 * v110)) - X1_mp * (v106 + factor6_mp
+        * (C6_mp * v102 + -v34 * v104))) / -a3
     )
     v116 = (
-        a3 * (v72 * (factor6_pm * (C6_pm * v109 - v34 * v111) - v113) - X1_pm * (factor6_pm * (C6_pm
-        * v103 - v34 * v105) - v107)) / -a3
-    )
-    v117 = (
-        a3 * (v73 * (v114 + factor6_mp * (C6_mp * v110 + -v36 * v112)) - X1_mp * (v108 + factor6_mp
-        * (C6_mp * v104 + -v36 * v106))) / -a3
-    )
-    v118 = (
-        a3 * (v58 * (factor6_mm * (C6_mm * v104 - v37 * v106) - v108) - v74 * (factor6_mm * (C6_mm *
-        v110 - v37 * v112) - v114)) / -a3
+        a3 * (v56 * (factor6_mm * (C6_mm * v102 - v35 * v104) - v106) - v72 * (factor6_mm * (C6_mm *
+        v108 - v35 * v110) - v112)) / -a3
     )
 
     # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
-    v119 = c7 * T31 - s7 * T32
-    v120 = s4_p * v119
-    v121 = v9 * v119
-    v122 = T33 * c4_p
-    v123 = T33 * c4_m
-    v124 = T33 * s4_p
-    v125 = T33 * v9
-    v126 = c4_p * v119
-    v127 = c4_m * v119
-    v128 = c7 * T32 + s7 * T31
-    v129 = s5_p * (s4_p * v128)
-    v130 = s5_m * (v9 * v128)
-    v131 = v24 * v120
-    v132 = v25 * v121
-    v133 = v24 * v124
-    v134 = v25 * v125
-    v135 = s5_p * (c4_p * v128)
-    v136 = s5_m * (c4_m * v128)
-    v137 = v24 * v126
-    v138 = v25 * v127
-    v139 = v24 * v122
-    v140 = v25 * v123
-    v141 = s5_p * v119
-    v142 = s5_m * v119
-    v143 = T33 * s5_p
-    v144 = T33 * s5_m
-    v145 = v24 * v128
-    v146 = v25 * v128
+    v117 = c7 * T31 - s7 * T32
+    v118 = s4_p * v117
+    v119 = v8 * v117
+    v120 = T33 * c4_p
+    v121 = T33 * c4_m
+    v122 = T33 * s4_p
+    v123 = T33 * v8
+    v124 = c4_p * v117
+    v125 = c4_m * v117
+    v126 = c7 * T32 + s7 * T31
+    v127 = s5_p * (s4_p * v126)
+    v128 = s5_m * (v8 * v126)
+    v129 = v22 * v118
+    v130 = v23 * v119
+    v131 = v22 * v122
+    v132 = v23 * v123
+    v133 = s5_p * (c4_p * v126)
+    v134 = s5_m * (c4_m * v126)
+    v135 = v22 * v124
+    v136 = v23 * v125
+    v137 = v22 * v120
+    v138 = v23 * v121
+    v139 = s5_p * v117
+    v140 = s5_m * v117
+    v141 = T33 * s5_p
+    v142 = T33 * s5_m
+    v143 = v22 * v126
+    v144 = v23 * v126
 
     # joint values
-    v164 = q_free[0] + (w4 - w4)
-    q7_ppp = v20 + v164
-    q7_mpp = v21 + v164
+    v162 = q_free[0] + (w4 - w4)
+    q7_ppp = v18 + v162
+    q7_mpp = v19 + v162
     doubt1 = (
-        v78 <= m9 or (v45 <= m8 or (v77 <= m9 or (v44 <= m8 or (v76 <= m9 or (v43 <= m8 or (v75 <=
-        m9 or (v42 <= m8 or ((-(reach_slack1 * (reach_slack1 + v18)) <= D5_m and (free5_m or not
-        (v19 < D5_m))) or (free5_m or ((-(reach_slack1 * (reach_slack1 + v18)) <= D5_p and (free5_p
-        or not (v19 < D5_p))) or ((-(reach_slack2 * (reach_slack2 + v4)) <= D4 and not (merge_slack2
-        * (merge_slack2 + v4) < D4)) or free5_p)))))))))))
+        v76 <= m9 or (v43 <= m8 or (v75 <= m9 or (v42 <= m8 or (v74 <= m9 or (v41 <= m8 or (v73 <=
+        m9 or (v40 <= m8 or (abs(D5_m) <= v17 or (N5_m <= doubt_limit_squared2 or (abs(D5_p) <= v17
+        or (abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or N5_p <=
+        doubt_limit_squared2)))))))))))
     )
 
     # angles, side by side
     room[0] = w4
-    room[1] = v26
-    room[2] = v27
-    room[3] = -v33
-    room[4] = -v34
-    room[5] = -v36
-    room[6] = -v37
-    room[7] = -v71
-    room[8] = -v72
-    room[9] = -v73
-    room[10] = v74
+    room[1] = v24
+    room[2] = v25
+    room[3] = -v31
+    room[4] = -v32
+    room[5] = -v34
+    room[6] = -v35
+    room[7] = -v69
+    room[8] = -v70
+    room[9] = -v71
+    room[10] = v72
     room[11] = s3_pp
     room[12] = s3_pm
     room[13] = s3_mp
     room[14] = s3_mm
     room[15] = (
-        math.sqrt(v75) * (1.0 / v75) * (v115 * (v135 + factor6_pp * (C6_pp * (v124 - v137) - -v33 *
-        (v120 + v139))) + s3_pp * (v145 + factor6_pp * (C6_pp * v141 + -v33 * v143)))
+        math.sqrt(v73) * (1.0 / v73) * (v113 * (v133 + factor6_pp * (C6_pp * (v122 - v135) - -v31 *
+        (v118 + v137))) + s3_pp * (v143 + factor6_pp * (C6_pp * v139 + -v31 * v141)))
     )
     room[16] = (
-        math.sqrt(v76) * (1.0 / v76) * (v116 * (v135 + factor6_pm * (C6_pm * (v124 + v137) + v34 *
-        (v120 - v139))) + s3_pm * (factor6_pm * (C6_pm * v141 - v34 * v143) - v145))
+        math.sqrt(v74) * (1.0 / v74) * (v114 * (v133 + factor6_pm * (C6_pm * (v122 + v135) + v32 *
+        (v118 - v137))) + s3_pm * (factor6_pm * (C6_pm * v139 - v32 * v141) - v143))
     )
     room[17] = (
-        math.sqrt(v77) * (1.0 / v77) * (v117 * (v136 - factor6_mp * (C6_mp * (v125 + v138) + -v36 *
-        (v140 - v121))) + s3_mp * (v146 + factor6_mp * (C6_mp * v142 + -v36 * v144)))
+        math.sqrt(v75) * (1.0 / v75) * (v115 * (v134 - factor6_mp * (C6_mp * (v123 + v136) + -v34 *
+        (v138 - v119))) + s3_mp * (v144 + factor6_mp * (C6_mp * v140 + -v34 * v142)))
     )
     room[18] = (
-        math.sqrt(v78) * (1.0 / v78) * (v118 * (v136 + factor6_mm * (C6_mm * (v138 - v125) - v37 *
-        (v121 + v140))) + s3_mm * (factor6_mm * (C6_mm * v142 - v37 * v144) - v146))
+        math.sqrt(v76) * (1.0 / v76) * (v116 * (v134 + factor6_mm * (C6_mm * (v136 - v123) - v35 *
+        (v119 + v138))) + s3_mm * (factor6_mm * (C6_mm * v140 - v35 * v142) - v144))
     )
     room[24] = Z4
-    room[25] = -v22
-    room[26] = -v23
+    room[25] = -v20
+    room[26] = -v21
     room[27] = C6_pp
     room[28] = C6_pm
     room[29] = C6_mp
@@ -964,15 +959,15 @@ def _regular(pose, q_free, q, status):
     room[31] = -X1_pp
     room[32] = -X1_pm
     room[33] = -X1_mp
-    room[34] = v58
-    room[35] = -v115
-    room[36] = -v116
-    room[37] = -v117
-    room[38] = -v118
-    room[39] = v129 + factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 + v131))
-    room[40] = v129 - factor6_pm * (v34 * (v126 + v133) + C6_pm * (v122 - v131))
-    room[41] = factor6_mp * (-v36 * (v127 + v134) - C6_mp * (v123 - v132)) - v130
-    room[42] = -(v130 + factor6_mm * (v37 * (v127 - v134) + C6_mm * (v123 + v132)))
+    room[34] = v56
+    room[35] = -v113
+    room[36] = -v114
+    room[37] = -v115
+    room[38] = -v116
+    room[39] = v127 + factor6_pp * (-v31 * (v124 - v131) - C6_pp * (v120 + v129))
+    room[40] = v127 - factor6_pm * (v32 * (v124 + v131) + C6_pm * (v120 - v129))
+    room[41] = factor6_mp * (-v34 * (v125 + v132) - C6_mp * (v121 - v130)) - v128
+    room[42] = -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130)))
     for k in range(19, 24):
         room[k] = room[k + 24] = 1.0
     for k in range(24):
@@ -999,17 +994,17 @@ def _regular(pose, q_free, q, status):
 
     # theta4, type 2: the squared length of column 4 of A7 U0^-1 A1
     q4__p = angle1 - turn1
-    v10 = turn1 + angle1
+    v9 = turn1 + angle1
 
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
-    q5_pmp = math.copysign(half_turn, v26) * h1 - angle2
-    q5_mmp = math.copysign(half_turn, v27) * h1 - angle3
+    q5_pmp = math.copysign(half_turn, v24) * h1 - angle2
+    q5_mmp = math.copysign(half_turn, v25) * h1 - angle3
 
     # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
-    q1_ppm = angle8 - h1 * math.copysign(half_turn, -v71)
-    q1_pmm = angle9 - h1 * math.copysign(half_turn, -v72)
-    q1_mpm = angle10 - h1 * math.copysign(half_turn, -v73)
-    q1_mmm = angle11 - h1 * math.copysign(half_turn, v74)
+    q1_ppm = angle8 - h1 * math.copysign(half_turn, -v69)
+    q1_pmm = angle9 - h1 * math.copysign(half_turn, -v70)
+    q1_mpm = angle10 - h1 * math.copysign(half_turn, -v71)
+    q1_mmm = angle11 - h1 * math.copysign(half_turn, v72)
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
     q3_ppm = angle12 - h1 * math.copysign(half_turn, s3_pp)
@@ -1018,58 +1013,58 @@ def _regular(pose, q_free, q, status):
     q3_mmm = angle15 - h1 * math.copysign(half_turn, s3_mm)
 
     # joint values
-    v147 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
-    v148 = (m10 if -v10 <= -half_turn else 0.0) - v10
-    v149 = v147 < low4 or high4 < v147
-    v150 = v148 < low4 or high4 < v148
-    v151 = angle2 < low5 or high5 < angle2
-    v152 = q5_pmp < low5 or high5 < q5_pmp
-    v153 = angle3 < low5 or high5 < angle3
-    v154 = q5_mmp < low5 or high5 < q5_mmp
-    v155 = angle4 + (whole_turn if angle4 < low6 else 0.0)
-    v156 = angle5 + (whole_turn if angle5 < low6 else 0.0)
-    v157 = angle6 + (whole_turn if angle6 < low6 else 0.0)
-    v158 = angle7 + (whole_turn if angle7 < low6 else 0.0)
+    v145 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
+    v146 = (m10 if -v9 <= -half_turn else 0.0) - v9
+    v147 = v145 < low4 or high4 < v145
+    v148 = v146 < low4 or high4 < v146
+    v149 = angle2 < low5 or high5 < angle2
+    v150 = q5_pmp < low5 or high5 < q5_pmp
+    v151 = angle3 < low5 or high5 < angle3
+    v152 = q5_mmp < low5 or high5 < q5_mmp
+    v153 = angle4 + (whole_turn if angle4 < low6 else 0.0)
+    v154 = angle5 + (whole_turn if angle5 < low6 else 0.0)
+    v155 = angle6 + (whole_turn if angle6 < low6 else 0.0)
+    v156 = angle7 + (whole_turn if angle7 < low6 else 0.0)
+    v157 = v153 < low6 or high6 < v153
+    v158 = v154 < low6 or high6 < v154
     v159 = v155 < low6 or high6 < v155
     v160 = v156 < low6 or high6 < v156
-    v161 = v157 < low6 or high6 < v157
-    v162 = v158 < low6 or high6 < v158
-    q6_ppp = angle4 if v159 else v155
-    q6_pmp = angle5 if v160 else v156
-    q6_mpp = angle6 if v161 else v157
-    q6_mmp = angle7 if v162 else v158
-    q4_ppp = v20 + v147
-    q4_mpp = v21 + v148
+    q6_ppp = angle4 if v157 else v153
+    q6_pmp = angle5 if v158 else v154
+    q6_mpp = angle6 if v159 else v155
+    q6_mmp = angle7 if v160 else v156
+    q4_ppp = v18 + v145
+    q4_mpp = v19 + v146
     outside_ppp = (
-        v163 or (v159 or (v151 or (v149 or (angle12 < low3 or high3 < angle12 or (angle8 < low1 or
+        v161 or (v157 or (v149 or (v147 or (angle12 < low3 or high3 < angle12 or (angle8 < low1 or
         high1 < angle8 or (angle16 < low2 or high2 < angle16))))))
     )
     outside_ppm = (
-        v163 or (v159 or (v151 or (v149 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm < low1 or
+        v161 or (v157 or (v149 or (v147 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm < low1 or
         high1 < q1_ppm or (-angle16 < low2 or high2 < -angle16))))))
     )
     outside_pmp = (
-        v163 or (v160 or (v152 or (v149 or (angle13 < low3 or high3 < angle13 or (angle9 < low1 or
+        v161 or (v158 or (v150 or (v147 or (angle13 < low3 or high3 < angle13 or (angle9 < low1 or
         high1 < angle9 or (angle17 < low2 or high2 < angle17))))))
     )
     outside_pmm = (
-        v163 or (v160 or (v152 or (v149 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm < low1 or
+        v161 or (v158 or (v150 or (v147 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm < low1 or
         high1 < q1_pmm or (-angle17 < low2 or high2 < -angle17))))))
     )
     outside_mpp = (
-        v163 or (v161 or (v153 or (v150 or (angle14 < low3 or high3 < angle14 or (angle10 < low1 or
+        v161 or (v159 or (v151 or (v148 or (angle14 < low3 or high3 < angle14 or (angle10 < low1 or
         high1 < angle10 or (angle18 < low2 or high2 < angle18))))))
     )
     outside_mpm = (
-        v163 or (v161 or (v153 or (v150 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm < low1 or
+        v161 or (v159 or (v151 or (v148 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm < low1 or
         high1 < q1_mpm or (-angle18 < low2 or high2 < -angle18))))))
     )
     outside_mmp = (
-        v163 or (v162 or (v154 or (v150 or (angle15 < low3 or high3 < angle15 or (angle11 < low1 or
+        v161 or (v160 or (v152 or (v148 or (angle15 < low3 or high3 < angle15 or (angle11 < low1 or
         high1 < angle11 or (angle19 < low2 or high2 < angle19))))))
     )
     outside_mmm = (
-        v163 or (v162 or (v154 or (v150 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm < low1 or
+        v161 or (v160 or (v152 or (v148 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm < low1 or
         high1 < q1_mmm or (-angle19 < low2 or high2 < -angle19))))))
     )
 
@@ -1373,21 +1368,21 @@ def _in_tiles(T, q_free, q, status):
             w2x = v1 * T11 + v2 * T21 + v3 * T31
             w2y = v1 * T12 + v2 * T22 + v3 * T32
             w2z = T13 * v1 + T23 * v2 + T33 * v3
-            v80 = d5 * T23
-            v81 = a4 * T23
-            v92 = d5 * T13
-            v93 = a4 * T13
-            v163 = given1 < low7 or high7 < given1
+            v78 = d5 * T23
+            v79 = a4 * T23
+            v90 = d5 * T13
+            v91 = a4 * T13
+            v161 = given1 < low7 or high7 < given1
             work[576 + k] = v1
             work[608 + k] = v2
             work[640 + k] = w2x
             work[672 + k] = w2y
             work[704 + k] = w2z
-            work[736 + k] = v80
-            work[768 + k] = v81
-            work[800 + k] = v92
-            work[832 + k] = v93
-            work[864 + k] = v163
+            work[736 + k] = v78
+            work[768 + k] = v79
+            work[800 + k] = v90
+            work[832 + k] = v91
+            work[864 + k] = v161
             work[896 + k] = given1
             work[928 + k] = given1
         for k in range(896, 928):
@@ -1410,10 +1405,10 @@ def _in_tiles(T, q_free, q, status):
             w2x = work[640 + k]
             w2y = work[672 + k]
             w2z = work[704 + k]
-            v80 = work[736 + k]
-            v81 = work[768 + k]
-            v92 = work[800 + k]
-            v93 = work[832 + k]
+            v78 = work[736 + k]
+            v79 = work[768 + k]
+            v90 = work[800 + k]
+            v91 = work[832 + k]
             s7 = work[896 + k]
             c7 = work[928 + k]
             Z4 = (
@@ -1421,222 +1416,216 @@ def _in_tiles(T, q_free, q, status):
                 w2z - k4)))
             )
             D4 = k3 - Z4 * Z4
-            v4 = 2.0 * abs(Z4)
             w4 = math.sqrt(D4)
-            v5 = m2 * Z4
-            v6 = m1 * w4
-            c4_p = v5 + v6
-            c4_m = v5 - v6
-            v7 = m1 * Z4
-            v8 = m2 * w4
-            s4_p = v8 - v7
-            v9 = v7 + v8
-            v11 = a3 * c4_p + d3 * s4_p - a4
-            v12 = a3 * c4_m - d3 * v9 - a4
-            v13 = m4 + m5 * Z4
-            v14 = m3 * w4
-            v15 = v13 - v14
-            v16 = v13 + v14
-            N5_p = v15 * v15
-            N5_m = v16 * v16
-            free5_p = N5_p <= doubt_limit_squared2
-            free5_m = N5_m <= doubt_limit_squared2
+            v4 = m2 * Z4
+            v5 = m1 * w4
+            c4_p = v4 + v5
+            c4_m = v4 - v5
+            v6 = m1 * Z4
+            v7 = m2 * w4
+            s4_p = v7 - v6
+            v8 = v6 + v7
+            v10 = a3 * c4_p + d3 * s4_p - a4
+            v11 = a3 * c4_m - d3 * v8 - a4
+            v12 = m4 + m5 * Z4
+            v13 = m3 * w4
+            v14 = v12 - v13
+            v15 = v12 + v13
+            N5_p = v14 * v14
+            N5_m = v15 * v15
             Z5 = c7 * w2y + s7 * w2x
-            v17 = Z5 * Z5
-            D5_p = N5_p - v17
-            D5_m = N5_m - v17
-            v18 = 2.0 * abs(Z5)
-            v19 = merge_slack1 * (merge_slack1 + v18)
+            v16 = Z5 * Z5
+            D5_p = N5_p - v16
+            D5_m = N5_m - v16
+            v17 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
             w5_p = math.sqrt(D5_p)
             w5_m = math.sqrt(D5_m)
-            v20 = w5_p - w5_p
-            v21 = w5_m - w5_m
+            v18 = w5_p - w5_p
+            v19 = w5_m - w5_m
             inverse5_p = 1.0 / N5_p
             inverse5_m = 1.0 / N5_m
-            v22 = v15 * w5_p
-            v23 = v16 * w5_m
-            v24 = inverse5_p * v22
-            v25 = inverse5_m * v23
-            v26 = v15 * Z5
-            v27 = v16 * Z5
-            s5_p = inverse5_p * v26
-            s5_m = inverse5_m * v27
-            v28 = m7 + m3 * Z4
-            v29 = m5 * w4
-            Y1_6_p = v28 + v29
-            Y1_6_m = v28 - v29
+            v20 = v14 * w5_p
+            v21 = v15 * w5_m
+            v22 = inverse5_p * v20
+            v23 = inverse5_m * v21
+            v24 = v14 * Z5
+            v25 = v15 * Z5
+            s5_p = inverse5_p * v24
+            s5_m = inverse5_m * v25
+            v26 = m7 + m3 * Z4
+            v27 = m5 * w4
+            Y1_6_p = v26 + v27
+            Y1_6_m = v26 - v27
             Z2_6 = a6 + (c7 * w2x - s7 * w2y)
-            v30 = Y1_6_p * Z2_6
-            v31 = Y1_6_m * Z2_6
-            v32 = w5_p * (inverse5_p * (v11 * (w2z * v15)))
-            v33 = v30 - v32
-            v34 = v30 + v32
-            v35 = w5_m * (inverse5_m * (v12 * (w2z * v16)))
-            v36 = v31 - v35
-            v37 = v31 + v35
-            v38 = w2z * Y1_6_p
-            v39 = w2z * Y1_6_m
-            v40 = w5_p * (inverse5_p * (v11 * (v15 * Z2_6)))
-            C6_pp = v38 + v40
-            C6_pm = v38 - v40
-            v41 = w5_m * (inverse5_m * (v12 * (v16 * Z2_6)))
-            C6_mp = v39 + v41
-            C6_mm = v39 - v41
-            v42 = v33 * v33 + C6_pp * C6_pp
-            v43 = v34 * v34 + C6_pm * C6_pm
-            v44 = v36 * v36 + C6_mp * C6_mp
-            v45 = v37 * v37 + C6_mm * C6_mm
-            factor6_pp = math.sqrt(v42) * (1.0 / v42)
-            factor6_pm = math.sqrt(v43) * (1.0 / v43)
-            factor6_mp = math.sqrt(v44) * (1.0 / v44)
-            factor6_mm = math.sqrt(v45) * (1.0 / v45)
-            v46 = c7 * T11 - s7 * T12
-            v47 = T13 * c4_p
-            v48 = T13 * c4_m
-            v49 = c4_p * v46
-            v50 = c4_m * v46
-            v51 = c7 * T12 + s7 * T11
-            v52 = s5_p * (s4_p * v51)
-            v53 = s5_m * (v9 * v51)
-            v54 = v24 * (s4_p * v46)
-            v55 = v25 * (v9 * v46)
-            v56 = v24 * (T13 * s4_p)
-            v57 = v25 * (T13 * v9)
-            X1_pp = v52 + factor6_pp * (-v33 * (v49 - v56) - C6_pp * (v47 + v54))
-            X1_pm = v52 - factor6_pm * (v34 * (v49 + v56) + C6_pm * (v47 - v54))
-            X1_mp = factor6_mp * (-v36 * (v50 + v57) - C6_mp * (v48 - v55)) - v53
-            v58 = v53 + factor6_mm * (v37 * (v50 - v57) + C6_mm * (v48 + v55))
-            v59 = c7 * T21 - s7 * T22
-            v60 = T23 * c4_p
-            v61 = T23 * c4_m
-            v62 = c4_p * v59
-            v63 = c4_m * v59
-            v64 = c7 * T22 + s7 * T21
-            v65 = s5_p * (s4_p * v64)
-            v66 = s5_m * (v9 * v64)
-            v67 = v24 * (s4_p * v59)
-            v68 = v25 * (v9 * v59)
-            v69 = v24 * (T23 * s4_p)
-            v70 = v25 * (T23 * v9)
-            v71 = v65 + factor6_pp * (-v33 * (v62 - v69) - C6_pp * (v60 + v67))
-            v72 = v65 - factor6_pm * (v34 * (v62 + v69) + C6_pm * (v60 - v67))
-            v73 = factor6_mp * (-v36 * (v63 + v70) - C6_mp * (v61 - v68)) - v66
-            v74 = v66 + factor6_mm * (v37 * (v63 - v70) + C6_mm * (v61 + v68))
-            v75 = X1_pp * X1_pp + v71 * v71
-            v76 = X1_pm * X1_pm + v72 * v72
-            v77 = X1_mp * X1_mp + v73 * v73
-            v78 = v58 * v58 + v74 * v74
-            v79 = a4 * v59
-            v82 = d5 * v59
-            v83 = a4 * v64
-            v84 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
-            v85 = s5_p * v83 - v84
-            v86 = s5_m * v83 - v84
-            v87 = v24 * v79
-            v88 = v25 * v79
-            v89 = v24 * v81
-            v90 = v25 * v81
-            v91 = a4 * v46
-            v94 = d5 * v46
-            v95 = a4 * v51
-            v96 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
-            v97 = s5_p * v95 - v96
-            v98 = s5_m * v95 - v96
-            v99 = v24 * v91
-            v100 = v25 * v91
-            v101 = v24 * v93
-            v102 = v25 * v93
-            v103 = s5_p * v59
-            v104 = s5_m * v59
-            v105 = T23 * s5_p
-            v106 = T23 * s5_m
-            v107 = v24 * v64
-            v108 = v25 * v64
-            v109 = s5_p * v46
-            v110 = s5_m * v46
-            v111 = T13 * s5_p
-            v112 = T13 * s5_m
-            v113 = v24 * v51
-            v114 = v25 * v51
+            v28 = Y1_6_p * Z2_6
+            v29 = Y1_6_m * Z2_6
+            v30 = w5_p * (inverse5_p * (v10 * (w2z * v14)))
+            v31 = v28 - v30
+            v32 = v28 + v30
+            v33 = w5_m * (inverse5_m * (v11 * (w2z * v15)))
+            v34 = v29 - v33
+            v35 = v29 + v33
+            v36 = w2z * Y1_6_p
+            v37 = w2z * Y1_6_m
+            v38 = w5_p * (inverse5_p * (v10 * (v14 * Z2_6)))
+            C6_pp = v36 + v38
+            C6_pm = v36 - v38
+            v39 = w5_m * (inverse5_m * (v11 * (v15 * Z2_6)))
+            C6_mp = v37 + v39
+            C6_mm = v37 - v39
+            v40 = v31 * v31 + C6_pp * C6_pp
+            v41 = v32 * v32 + C6_pm * C6_pm
+            v42 = v34 * v34 + C6_mp * C6_mp
+            v43 = v35 * v35 + C6_mm * C6_mm
+            factor6_pp = math.sqrt(v40) * (1.0 / v40)
+            factor6_pm = math.sqrt(v41) * (1.0 / v41)
+            factor6_mp = math.sqrt(v42) * (1.0 / v42)
+            factor6_mm = math.sqrt(v43) * (1.0 / v43)
+            v44 = c7 * T11 - s7 * T12
+            v45 = T13 * c4_p
+            v46 = T13 * c4_m
+            v47 = c4_p * v44
+            v48 = c4_m * v44
+            v49 = c7 * T12 + s7 * T11
+            v50 = s5_p * (s4_p * v49)
+            v51 = s5_m * (v8 * v49)
+            v52 = v22 * (s4_p * v44)
+            v53 = v23 * (v8 * v44)
+            v54 = v22 * (T13 * s4_p)
+            v55 = v23 * (T13 * v8)
+            X1_pp = v50 + factor6_pp * (-v31 * (v47 - v54) - C6_pp * (v45 + v52))
+            X1_pm = v50 - factor6_pm * (v32 * (v47 + v54) + C6_pm * (v45 - v52))
+            X1_mp = factor6_mp * (-v34 * (v48 + v55) - C6_mp * (v46 - v53)) - v51
+            v56 = v51 + factor6_mm * (v35 * (v48 - v55) + C6_mm * (v46 + v53))
+            v57 = c7 * T21 - s7 * T22
+            v58 = T23 * c4_p
+            v59 = T23 * c4_m
+            v60 = c4_p * v57
+            v61 = c4_m * v57
+            v62 = c7 * T22 + s7 * T21
+            v63 = s5_p * (s4_p * v62)
+            v64 = s5_m * (v8 * v62)
+            v65 = v22 * (s4_p * v57)
+            v66 = v23 * (v8 * v57)
+            v67 = v22 * (T23 * s4_p)
+            v68 = v23 * (T23 * v8)
+            v69 = v63 + factor6_pp * (-v31 * (v60 - v67) - C6_pp * (v58 + v65))
+            v70 = v63 - factor6_pm * (v32 * (v60 + v67) + C6_pm * (v58 - v65))
+            v71 = factor6_mp * (-v34 * (v61 + v68) - C6_mp * (v59 - v66)) - v64
+            v72 = v64 + factor6_mm * (v35 * (v61 - v68) + C6_mm * (v59 + v66))
+            v73 = X1_pp * X1_pp + v69 * v69
+            v74 = X1_pm * X1_pm + v70 * v70
+            v75 = X1_mp * X1_mp + v71 * v71
+            v76 = v56 * v56 + v72 * v72
+            v77 = a4 * v57
+            v80 = d5 * v57
+            v81 = a4 * v62
+            v82 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
+            v83 = s5_p * v81 - v82
+            v84 = s5_m * v81 - v82
+            v85 = v22 * v77
+            v86 = v23 * v77
+            v87 = v22 * v79
+            v88 = v23 * v79
+            v89 = a4 * v44
+            v92 = d5 * v44
+            v93 = a4 * v49
+            v94 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
+            v95 = s5_p * v93 - v94
+            v96 = s5_m * v93 - v94
+            v97 = v22 * v89
+            v98 = v23 * v89
+            v99 = v22 * v91
+            v100 = v23 * v91
+            v101 = s5_p * v57
+            v102 = s5_m * v57
+            v103 = T23 * s5_p
+            v104 = T23 * s5_m
+            v105 = v22 * v62
+            v106 = v23 * v62
+            v107 = s5_p * v44
+            v108 = s5_m * v44
+            v109 = T13 * s5_p
+            v110 = T13 * s5_m
+            v111 = v22 * v49
+            v112 = v23 * v49
             s3_pp = (
-                (X1_pp * (v85 + factor6_pp * (C6_pp * (v80 - v87) - -v33 * (v82 + v89))) - v71 *
-                (v97 + factor6_pp * (C6_pp * (v92 - v99) - -v33 * (v94 + v101)))) / -a3
+                (X1_pp * (v83 + factor6_pp * (C6_pp * (v78 - v85) - -v31 * (v80 + v87))) - v69 *
+                (v95 + factor6_pp * (C6_pp * (v90 - v97) - -v31 * (v92 + v99)))) / -a3
             )
             s3_pm = (
-                (X1_pm * (v85 + factor6_pm * (C6_pm * (v80 + v87) + v34 * (v82 - v89))) - v72 * (v97
-                + factor6_pm * (C6_pm * (v92 + v99) + v34 * (v94 - v101)))) / -a3
+                (X1_pm * (v83 + factor6_pm * (C6_pm * (v78 + v85) + v32 * (v80 - v87))) - v70 * (v95
+                + factor6_pm * (C6_pm * (v90 + v97) + v32 * (v92 - v99)))) / -a3
             )
             s3_mp = (
-                (X1_mp * (v86 + factor6_mp * (C6_mp * (v80 - v88) - -v36 * (v82 + v90))) - v73 *
-                (v98 + factor6_mp * (C6_mp * (v92 - v100) - -v36 * (v94 + v102)))) / -a3
+                (X1_mp * (v84 + factor6_mp * (C6_mp * (v78 - v86) - -v34 * (v80 + v88))) - v71 *
+                (v96 + factor6_mp * (C6_mp * (v90 - v98) - -v34 * (v92 + v100)))) / -a3
             )
             s3_mm = (
-                (v74 * (v98 + factor6_mm * (C6_mm * (v92 + v100) + v37 * (v94 - v102))) - v58 * (v86
-                + factor6_mm * (C6_mm * (v80 + v88) + v37 * (v82 - v90)))) / -a3
+                (v72 * (v96 + factor6_mm * (C6_mm * (v90 + v98) + v35 * (v92 - v100))) - v56 * (v84
+                + factor6_mm * (C6_mm * (v78 + v86) + v35 * (v80 - v88)))) / -a3
+            )
+            v113 = (
+                a3 * (v69 * (v111 + factor6_pp * (C6_pp * v107 + -v31 * v109)) - X1_pp * (v105 +
+                factor6_pp * (C6_pp * v101 + -v31 * v103))) / -a3
+            )
+            v114 = (
+                a3 * (v70 * (factor6_pm * (C6_pm * v107 - v32 * v109) - v111) - X1_pm * (factor6_pm
+                * (C6_pm * v101 - v32 * v103) - v105)) / -a3
             )
             v115 = (
-                a3 * (v71 * (v113 + factor6_pp * (C6_pp * v109 + -v33 * v111)) - X1_pp * (v107 +
-                factor6_pp * (C6_pp * v103 + -v33 * v105))) / -a3
+                a3 * (v71 * (v112 + factor6_mp * (C6_mp * v108 + -v34 * v110)) - X1_mp * (v106 +
+                factor6_mp * (C6_mp * v102 + -v34 * v104))) / -a3
             )
             v116 = (
-                a3 * (v72 * (factor6_pm * (C6_pm * v109 - v34 * v111) - v113) - X1_pm * (factor6_pm
-                * (C6_pm * v103 - v34 * v105) - v107)) / -a3
+                a3 * (v56 * (factor6_mm * (C6_mm * v102 - v35 * v104) - v106) - v72 * (factor6_mm *
+                (C6_mm * v108 - v35 * v110) - v112)) / -a3
             )
-            v117 = (
-                a3 * (v73 * (v114 + factor6_mp * (C6_mp * v110 + -v36 * v112)) - X1_mp * (v108 +
-                factor6_mp * (C6_mp * v104 + -v36 * v106))) / -a3
-            )
-            v118 = (
-                a3 * (v58 * (factor6_mm * (C6_mm * v104 - v37 * v106) - v108) - v74 * (factor6_mm *
-                (C6_mm * v110 - v37 * v112) - v114)) / -a3
-            )
-            v119 = c7 * T31 - s7 * T32
-            v120 = s4_p * v119
-            v121 = v9 * v119
-            v122 = T33 * c4_p
-            v123 = T33 * c4_m
-            v124 = T33 * s4_p
-            v125 = T33 * v9
-            v126 = c4_p * v119
-            v127 = c4_m * v119
-            v128 = c7 * T32 + s7 * T31
-            v129 = s5_p * (s4_p * v128)
-            v130 = s5_m * (v9 * v128)
-            v131 = v24 * v120
-            v132 = v25 * v121
-            v133 = v24 * v124
-            v134 = v25 * v125
-            v135 = s5_p * (c4_p * v128)
-            v136 = s5_m * (c4_m * v128)
-            v137 = v24 * v126
-            v138 = v25 * v127
-            v139 = v24 * v122
-            v140 = v25 * v123
-            v141 = s5_p * v119
-            v142 = s5_m * v119
-            v143 = T33 * s5_p
-            v144 = T33 * s5_m
-            v145 = v24 * v128
-            v146 = v25 * v128
-            v164 = given1 + (w4 - w4)
-            q7_ppp = v20 + v164
-            q7_mpp = v21 + v164
+            v117 = c7 * T31 - s7 * T32
+            v118 = s4_p * v117
+            v119 = v8 * v117
+            v120 = T33 * c4_p
+            v121 = T33 * c4_m
+            v122 = T33 * s4_p
+            v123 = T33 * v8
+            v124 = c4_p * v117
+            v125 = c4_m * v117
+            v126 = c7 * T32 + s7 * T31
+            v127 = s5_p * (s4_p * v126)
+            v128 = s5_m * (v8 * v126)
+            v129 = v22 * v118
+            v130 = v23 * v119
+            v131 = v22 * v122
+            v132 = v23 * v123
+            v133 = s5_p * (c4_p * v126)
+            v134 = s5_m * (c4_m * v126)
+            v135 = v22 * v124
+            v136 = v23 * v125
+            v137 = v22 * v120
+            v138 = v23 * v121
+            v139 = s5_p * v117
+            v140 = s5_m * v117
+            v141 = T33 * s5_p
+            v142 = T33 * s5_m
+            v143 = v22 * v126
+            v144 = v23 * v126
+            v162 = given1 + (w4 - w4)
+            q7_ppp = v18 + v162
+            q7_mpp = v19 + v162
             doubt1 = (
-                v78 <= m9 or (v45 <= m8 or (v77 <= m9 or (v44 <= m8 or (v76 <= m9 or (v43 <= m8 or
-                (v75 <= m9 or (v42 <= m8 or ((-(reach_slack1 * (reach_slack1 + v18)) <= D5_m and
-                (free5_m or not (v19 < D5_m))) or (free5_m or ((-(reach_slack1 * (reach_slack1 +
-                v18)) <= D5_p and (free5_p or not (v19 < D5_p))) or ((-(reach_slack2 * (reach_slack2
-                + v4)) <= D4 and not (merge_slack2 * (merge_slack2 + v4) < D4)) or
-                free5_p)))))))))))
+                v76 <= m9 or (v43 <= m8 or (v75 <= m9 or (v42 <= m8 or (v74 <= m9 or (v41 <= m8 or
+                (v73 <= m9 or (v40 <= m8 or (abs(D5_m) <= v17 or (N5_m <= doubt_limit_squared2 or
+                (abs(D5_p) <= v17 or (abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or
+                N5_p <= doubt_limit_squared2)))))))))))
             )
-            work[960 + k] = v20
-            work[992 + k] = v21
-            work[1024 + k] = v26
-            work[1056 + k] = v27
-            work[1088 + k] = v71
-            work[1120 + k] = v72
-            work[1152 + k] = v73
-            work[1184 + k] = v74
+            work[960 + k] = v18
+            work[992 + k] = v19
+            work[1024 + k] = v24
+            work[1056 + k] = v25
+            work[1088 + k] = v69
+            work[1120 + k] = v70
+            work[1152 + k] = v71
+            work[1184 + k] = v72
             work[1216 + k] = s3_pp
             work[1248 + k] = s3_pm
             work[1280 + k] = s3_mp
@@ -1645,39 +1634,39 @@ def _in_tiles(T, q_free, q, status):
             work[1376 + k] = q7_mpp
             work[1408 + k] = doubt1
             work[1440 + k] = w4
-            work[1472 + k] = v26
-            work[1504 + k] = v27
-            work[1536 + k] = -v33
-            work[1568 + k] = -v34
-            work[1600 + k] = -v36
-            work[1632 + k] = -v37
-            work[1664 + k] = -v71
-            work[1696 + k] = -v72
-            work[1728 + k] = -v73
-            work[1760 + k] = v74
+            work[1472 + k] = v24
+            work[1504 + k] = v25
+            work[1536 + k] = -v31
+            work[1568 + k] = -v32
+            work[1600 + k] = -v34
+            work[1632 + k] = -v35
+            work[1664 + k] = -v69
+            work[1696 + k] = -v70
+            work[1728 + k] = -v71
+            work[1760 + k] = v72
             work[1792 + k] = s3_pp
             work[1824 + k] = s3_pm
             work[1856 + k] = s3_mp
             work[1888 + k] = s3_mm
             work[1920 + k] = (
-                math.sqrt(v75) * (1.0 / v75) * (v115 * (v135 + factor6_pp * (C6_pp * (v124 - v137) -
-                -v33 * (v120 + v139))) + s3_pp * (v145 + factor6_pp * (C6_pp * v141 + -v33 * v143)))
+                math.sqrt(v73) * (1.0 / v73) * (v113 * (v133 + factor6_pp * (C6_pp * (v122 - v135) -
+                -v31 * (v118 + v137))) + s3_pp * (v143 + factor6_pp * (C6_pp * v139 + -v31 * v141)))
             )
             work[1952 + k] = (
-                math.sqrt(v76) * (1.0 / v76) * (v116 * (v135 + factor6_pm * (C6_pm * (v124 + v137) +
-                v34 * (v120 - v139))) + s3_pm * (factor6_pm * (C6_pm * v141 - v34 * v143) - v145))
+                math.sqrt(v74) * (1.0 / v74) * (v114 * (v133 + factor6_pm * (C6_pm * (v122 + v135) +
+                v32 * (v118 - v137))) + s3_pm * (factor6_pm * (C6_pm * v139 - v32 * v141) - v143))
             )
             work[1984 + k] = (
-                math.sqrt(v77) * (1.0 / v77) * (v117 * (v136 - factor6_mp * (C6_mp * (v125 + v138) +
-                -v36 * (v140 - v121))) + s3_mp * (v146 + factor6_mp * (C6_mp * v142 + -v36 * v144)))
+                math.sqrt(v75) * (1.0 / v75) * (v115 * (v134 - factor6_mp * (C6_mp * (v123 + v136) +
+                -v34 * (v138 - v119))) + s3_mp * (v144 + factor6_mp * (C6_mp * v140 + -v34 * v142)))
             )
             work[2016 + k] = (
-                math.sqrt(v78) * (1.0 / v78) * (v118 * (v136 + factor6_mm * (C6_mm * (v138 - v125) -
-                v37 * (v121 + v140))) + s3_mm * (factor6_mm * (C6_mm * v142 - v37 * v144) - v146))
+                math.sqrt(v76) * (1.0 / v76) * (v116 * (v134 + factor6_mm * (C6_mm * (v136 - v123) -
+                v35 * (v119 + v138))) + s3_mm * (factor6_mm * (C6_mm * v140 - v35 * v142) - v144))
             )
             work[2048 + k] = Z4
-            work[2080 + k] = -v22
-            work[2112 + k] = -v23
+            work[2080 + k] = -v20
+            work[2112 + k] = -v21
             work[2144 + k] = C6_pp
             work[2176 + k] = C6_pm
             work[2208 + k] = C6_mp
@@ -1685,27 +1674,27 @@ def _in_tiles(T, q_free, q, status):
             work[2272 + k] = -X1_pp
             work[2304 + k] = -X1_pm
             work[2336 + k] = -X1_mp
-            work[2368 + k] = v58
-            work[2400 + k] = -v115
-            work[2432 + k] = -v116
-            work[2464 + k] = -v117
-            work[2496 + k] = -v118
-            work[2528 + k] = v129 + factor6_pp * (-v33 * (v126 - v133) - C6_pp * (v122 + v131))
-            work[2560 + k] = v129 - factor6_pm * (v34 * (v126 + v133) + C6_pm * (v122 - v131))
-            work[2592 + k] = factor6_mp * (-v36 * (v127 + v134) - C6_mp * (v123 - v132)) - v130
-            work[2624 + k] = -(v130 + factor6_mm * (v37 * (v127 - v134) + C6_mm * (v123 + v132)))
+            work[2368 + k] = v56
+            work[2400 + k] = -v113
+            work[2432 + k] = -v114
+            work[2464 + k] = -v115
+            work[2496 + k] = -v116
+            work[2528 + k] = v127 + factor6_pp * (-v31 * (v124 - v131) - C6_pp * (v120 + v129))
+            work[2560 + k] = v127 - factor6_pm * (v32 * (v124 + v131) + C6_pm * (v120 - v129))
+            work[2592 + k] = factor6_mp * (-v34 * (v125 + v132) - C6_mp * (v121 - v130)) - v128
+            work[2624 + k] = -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130)))
         for k in range(1440, 2048):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
-            v163 = work[864 + k] != 0.0
-            v20 = work[960 + k]
-            v21 = work[992 + k]
-            v26 = work[1024 + k]
-            v27 = work[1056 + k]
-            v71 = work[1088 + k]
-            v72 = work[1120 + k]
-            v73 = work[1152 + k]
-            v74 = work[1184 + k]
+            v161 = work[864 + k] != 0.0
+            v18 = work[960 + k]
+            v19 = work[992 + k]
+            v24 = work[1024 + k]
+            v25 = work[1056 + k]
+            v69 = work[1088 + k]
+            v70 = work[1120 + k]
+            v71 = work[1152 + k]
+            v72 = work[1184 + k]
             s3_pp = work[1216 + k]
             s3_pm = work[1248 + k]
             s3_mp = work[1280 + k]
@@ -1733,69 +1722,69 @@ def _in_tiles(T, q_free, q, status):
             angle18 = work[1984 + k]
             angle19 = work[2016 + k]
             q4__p = angle1 - turn1
-            v10 = turn1 + angle1
-            q5_pmp = math.copysign(half_turn, v26) * h1 - angle2
-            q5_mmp = math.copysign(half_turn, v27) * h1 - angle3
-            q1_ppm = angle8 - h1 * math.copysign(half_turn, -v71)
-            q1_pmm = angle9 - h1 * math.copysign(half_turn, -v72)
-            q1_mpm = angle10 - h1 * math.copysign(half_turn, -v73)
-            q1_mmm = angle11 - h1 * math.copysign(half_turn, v74)
+            v9 = turn1 + angle1
+            q5_pmp = math.copysign(half_turn, v24) * h1 - angle2
+            q5_mmp = math.copysign(half_turn, v25) * h1 - angle3
+            q1_ppm = angle8 - h1 * math.copysign(half_turn, -v69)
+            q1_pmm = angle9 - h1 * math.copysign(half_turn, -v70)
+            q1_mpm = angle10 - h1 * math.copysign(half_turn, -v71)
+            q1_mmm = angle11 - h1 * math.copysign(half_turn, v72)
             q3_ppm = angle12 - h1 * math.copysign(half_turn, s3_pp)
             q3_pmm = angle13 - h1 * math.copysign(half_turn, s3_pm)
             q3_mpm = angle14 - h1 * math.copysign(half_turn, s3_mp)
             q3_mmm = angle15 - h1 * math.copysign(half_turn, s3_mm)
-            v147 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
-            v148 = (m10 if -v10 <= -half_turn else 0.0) - v10
-            v149 = v147 < low4 or high4 < v147
-            v150 = v148 < low4 or high4 < v148
-            v151 = angle2 < low5 or high5 < angle2
-            v152 = q5_pmp < low5 or high5 < q5_pmp
-            v153 = angle3 < low5 or high5 < angle3
-            v154 = q5_mmp < low5 or high5 < q5_mmp
-            v155 = angle4 + (whole_turn if angle4 < low6 else 0.0)
-            v156 = angle5 + (whole_turn if angle5 < low6 else 0.0)
-            v157 = angle6 + (whole_turn if angle6 < low6 else 0.0)
-            v158 = angle7 + (whole_turn if angle7 < low6 else 0.0)
+            v145 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
+            v146 = (m10 if -v9 <= -half_turn else 0.0) - v9
+            v147 = v145 < low4 or high4 < v145
+            v148 = v146 < low4 or high4 < v146
+            v149 = angle2 < low5 or high5 < angle2
+            v150 = q5_pmp < low5 or high5 < q5_pmp
+            v151 = angle3 < low5 or high5 < angle3
+            v152 = q5_mmp < low5 or high5 < q5_mmp
+            v153 = angle4 + (whole_turn if angle4 < low6 else 0.0)
+            v154 = angle5 + (whole_turn if angle5 < low6 else 0.0)
+            v155 = angle6 + (whole_turn if angle6 < low6 else 0.0)
+            v156 = angle7 + (whole_turn if angle7 < low6 else 0.0)
+            v157 = v153 < low6 or high6 < v153
+            v158 = v154 < low6 or high6 < v154
             v159 = v155 < low6 or high6 < v155
             v160 = v156 < low6 or high6 < v156
-            v161 = v157 < low6 or high6 < v157
-            v162 = v158 < low6 or high6 < v158
-            q6_ppp = angle4 if v159 else v155
-            q6_pmp = angle5 if v160 else v156
-            q6_mpp = angle6 if v161 else v157
-            q6_mmp = angle7 if v162 else v158
-            q4_ppp = v20 + v147
-            q4_mpp = v21 + v148
+            q6_ppp = angle4 if v157 else v153
+            q6_pmp = angle5 if v158 else v154
+            q6_mpp = angle6 if v159 else v155
+            q6_mmp = angle7 if v160 else v156
+            q4_ppp = v18 + v145
+            q4_mpp = v19 + v146
             outside_ppp = (
-                v163 or (v159 or (v151 or (v149 or (angle12 < low3 or high3 < angle12 or (angle8 <
+                v161 or (v157 or (v149 or (v147 or (angle12 < low3 or high3 < angle12 or (angle8 <
                 low1 or high1 < angle8 or (angle16 < low2 or high2 < angle16))))))
             )
             outside_ppm = (
-                v163 or (v159 or (v151 or (v149 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm <
+                v161 or (v157 or (v149 or (v147 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm <
                 low1 or high1 < q1_ppm or (-angle16 < low2 or high2 < -angle16))))))
             )
             outside_pmp = (
-                v163 or (v160 or (v152 or (v149 or (angle13 < low3 or high3 < angle13 or (angle9 <
+                v161 or (v158 or (v150 or (v147 or (angle13 < low3 or high3 < angle13 or (angle9 <
                 low1 or high1 < angle9 or (angle17 < low2 or high2 < angle17))))))
             )
             outside_pmm = (
-                v163 or (v160 or (v152 or (v149 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm <
+                v161 or (v158 or (v150 or (v147 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm <
                 low1 or high1 < q1_pmm or (-angle17 < low2 or high2 < -angle17))))))
             )
             outside_mpp = (
-                v163 or (v161 or (v153 or (v150 or (angle14 < low3 or high3 < angle14 or (angle10 <
+                v161 or (v159 or (v151 or (v148 or (angle14 < low3 or high3 < angle14 or (angle10 <
                 low1 or high1 < angle10 or (angle18 < low2 or high2 < angle18))))))
             )
             outside_mpm = (
-                v163 or (v161 or (v153 or (v150 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm <
+                v161 or (v159 or (v151 or (v148 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm <
                 low1 or high1 < q1_mpm or (-angle18 < low2 or high2 < -angle18))))))
             )
             outside_mmp = (
-                v163 or (v162 or (v154 or (v150 or (angle15 < low3 or high3 < angle15 or (angle11 <
+                v161 or (v160 or (v152 or (v148 or (angle15 < low3 or high3 < angle15 or (angle11 <
                 low1 or high1 < angle11 or (angle19 < low2 or high2 < angle19))))))
             )
             outside_mmm = (
-                v163 or (v162 or (v154 or (v150 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm <
+                v161 or (v160 or (v152 or (v148 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm <
                 low1 or high1 < q1_mmm or (-angle19 < low2 or high2 < -angle19))))))
             )
             _2656 = angle8

@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -314,7 +317,10 @@ static const double m5 = 0.04415526315789473; /* a coefficient of S2 */
 static const double m6 = 2.1106015755686555e-13; /* doubt_limit_squared2^2 [m^4] */
 static const double m7 = 0.19; /* a coefficient of v13 */
 static const double m8 = 0.139; /* a coefficient of v13 */
-static const double m9 = 6.283185307179586; /* 2 * half_turn */
+static const double m9 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m10 = 4.5941284e-11; /* pose_slack1^2 [m^2] */
+static const double m11 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
+static const double m12 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const katana_400_branches[4] = {
@@ -445,7 +451,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -457,11 +463,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -530,55 +536,60 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v40 = v12 + w2_pp * (v33 * v39), v41 = m8 * (s3 * v17);
     const wide v42 = v12 + w2_pm * (v34 * (v23 * v38 + v41));
     const wide v43 = w2_mp * (v35 * (-v23 * v38 - v41)) - v12, v44 = w2_mm * (v36 * -v39) - v12;
-    const wide v45 = s1 * T33, v46 = d1 + v11;
-    const double v47 = sqrt(-1.0);
-    const wide v48 = pick_wide(maximum_wide(abs_wide(T12 - (s1 * v9 + factor234 * (v10 * v37))),
-        maximum_wide(abs_wide(T11 - (s1 * v10 - factor234 * (v9 * v37))), maximum_wide(abs_wide(T13
-        - factor234 * (c1 * Z2_234)), maximum_wide(abs_wide(T21 + (c1 * v10 + factor234 * (v9 *
-        v45))), maximum_wide(abs_wide(T22 - (factor234 * (v10 * v45) - c1 * v9)),
-        maximum_wide(abs_wide(T23 - factor234 * (s1 * Z2_234)), maximum_wide(abs_wide(T31 -
-        factor234 * (Z2_234 * v9)), maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32 +
-        factor234 * (Z2_234 * v10)))))))))) <= pose_slack, all_wide(0.0), all_wide(v47));
-    const wide v49 = s3 * v22 + c3 * v16;
-    const wide v50 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v40), maximum_wide(abs_wide(T34 -
-        (a3 * (w2_pp * (v33 * v49)) + (v46 + a2 * (S2_pp * (w2_pp * v33))))), abs_wide(T14 - c1 *
-        v40))) <= pose_slack1, all_wide(0.0), all_wide(v47)), v51 = c3 * v17;
-    const wide v52 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v42), maximum_wide(abs_wide(T34 -
-        (a3 * (w2_pm * (v34 * (v51 - s3 * v23))) + (v46 + a2 * (S2_pm * (w2_pm * v34))))),
-        abs_wide(T14 - c1 * v42))) <= pose_slack1, all_wide(0.0), all_wide(v47));
-    const wide v53 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v43), maximum_wide(abs_wide(T34 -
-        (a3 * (w2_mp * (v35 * (v51 + s3 * -v23))) + (v46 + a2 * (S2_pm * (w2_mp * v35))))),
-        abs_wide(T14 + c1 * v43))) <= pose_slack1, all_wide(0.0), all_wide(v47));
-    const wide v54 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v44), maximum_wide(abs_wide(T34 -
-        (a3 * (w2_mm * (v36 * v49)) + (v46 + a2 * (S2_pp * (w2_mm * v36))))), abs_wide(T14 + c1 *
-        v44))) <= pose_slack1, all_wide(0.0), all_wide(v47));
+    const wide v45 = s1 * T33, v46 = d1 + v11, v47 = T33 - T33 * factor234;
+    const wide v48 = T32 + factor234 * (Z2_234 * v10), v49 = T31 - factor234 * (Z2_234 * v9);
+    const wide v50 = T23 - factor234 * (s1 * Z2_234);
+    const wide v51 = T22 - (factor234 * (v10 * v45) - c1 * v9);
+    const wide v52 = T21 + (c1 * v10 + factor234 * (v9 * v45));
+    const wide v53 = T13 - factor234 * (c1 * Z2_234);
+    const wide v54 = T11 - (s1 * v10 - factor234 * (v9 * v37));
+    const wide v55 = T12 - (s1 * v9 + factor234 * (v10 * v37)), v56 = s3 * v22 + c3 * v16;
+    const wide v57 = T34 - (a3 * (w2_pp * (v33 * v56)) + (v46 + a2 * (S2_pp * (w2_pp * v33))));
+    const wide v58 = c3 * v17;
+    const wide v59 = T34 - (a3 * (w2_pm * (v34 * (v58 - s3 * v23))) + (v46 + a2 * (S2_pm * (w2_pm *
+        v34))));
+    const wide v60 = T34 - (a3 * (w2_mp * (v35 * (v58 + s3 * -v23))) + (v46 + a2 * (S2_pm * (w2_mp *
+        v35)))), v61 = T34 - (a3 * (w2_mm * (v36 * v56)) + (v46 + a2 * (S2_pp * (w2_mm * v36))));
+    const wide v62 = T14 - c1 * v40, v63 = T14 - c1 * v42, v64 = T14 + c1 * v43;
+    const wide v65 = T14 + c1 * v44, v66 = T24 - s1 * v40, v67 = T24 - s1 * v42;
+    const wide v68 = T24 + s1 * v43, v69 = T24 + s1 * v44;
+    const wide v70 = v66 * v66 + (v57 * v57 + v62 * v62), v71 = v67 * v67 + (v59 * v59 + v63 * v63);
+    const wide v72 = v68 * v68 + (v60 * v60 + v64 * v64), v73 = v69 * v69 + (v61 * v61 + v65 * v65);
+    const double v74 = NAN;
+    const wide v75 = pick_wide(v70 <= m10, all_wide(0.0), all_wide(v74));
+    const wide v76 = pick_wide(v71 <= m10, all_wide(0.0), all_wide(v74));
+    const wide v77 = pick_wide(v72 <= m10, all_wide(0.0), all_wide(v74));
+    const wide v78 = pick_wide(v73 <= m10, all_wide(0.0), all_wide(v74));
 
     /* joint values */
-    const wide v55 = angle2 - (angle4 + angle5) - offset4;
-    const wide v56 = angle2 - (angle6 - angle4) - offset4;
-    const wide v57 = offset4 + (angle2 + (angle4 + angle7));
-    const wide v58 = offset4 + (angle2 + (angle8 - angle4));
-    const wide v59 = v55 - only_wide(half_turn < v55, m9) + only_wide(v55 <= -half_turn, m9);
-    const wide v60 = v56 - only_wide(half_turn < v56, m9) + only_wide(v56 <= -half_turn, m9);
-    const wide v61 = only_wide(-v57 <= -half_turn, m9) - (v57 + only_wide(half_turn < -v57, m9));
-    const wide v62 = only_wide(-v58 <= -half_turn, m9) - (v58 + only_wide(half_turn < -v58, m9));
-    const wide v63 = v48 + (angle1 + v13);
-    const wide v64 = v48 + (v13 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1));
-    const wide q1_pp = v50 + v63, q1_pm = v52 + v63, q1_mp = v53 + v64, q1_mm = v54 + v64;
-    const wide q2_pp = v50 + (angle5 + v48), q2_pm = v52 + (angle6 + v48);
-    const wide q2_mp = v53 + (angle7 + v48), q2_mm = v54 + (angle8 + v48);
-    const wide v65 = angle4 + v48, v66 = v48 - angle4;
-    const wide q3_pp = v50 + v65, q3_pm = v52 + v66, q3_mp = v53 + v65, q3_mm = v54 + v66;
-    const wide q4_pp = v50 + (v48 + (v59 - only_wide(half_turn < v59, m9)));
-    const wide q4_pm = v52 + (v48 + (v60 - only_wide(half_turn < v60, m9)));
-    const wide q4_mp = v53 + (v48 + (v61 - only_wide(half_turn < v61, m9)));
-    const wide q4_mm = v54 + (v48 + (v62 - only_wide(half_turn < v62, m9)));
-    const wide v67 = v48 + (angle3 + v13);
-    const wide v68 = v48 + (v13 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -Z2_5)));
-    const wide q5_pp = v50 + v67, q5_pm = v52 + v67, q5_mp = v53 + v68, q5_mm = v54 + v68;
+    const wide v79 = angle2 - (angle4 + angle5) - offset4;
+    const wide v80 = angle2 - (angle6 - angle4) - offset4;
+    const wide v81 = offset4 + (angle2 + (angle4 + angle7));
+    const wide v82 = offset4 + (angle2 + (angle8 - angle4));
+    const wide v83 = v79 - only_wide(half_turn < v79, m12) + only_wide(v79 <= -half_turn, m12);
+    const wide v84 = v80 - only_wide(half_turn < v80, m12) + only_wide(v80 <= -half_turn, m12);
+    const wide v85 = only_wide(-v81 <= -half_turn, m12) - (v81 + only_wide(half_turn < -v81, m12));
+    const wide v86 = only_wide(-v82 <= -half_turn, m12) - (v82 + only_wide(half_turn < -v82, m12));
+    const wide v87 = angle1 + v13;
+    const wide v88 = v13 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1);
+    const wide q1_pp = v75 + v87, q1_pm = v76 + v87, q1_mp = v77 + v88, q1_mm = v78 + v88;
+    const wide q2_pp = angle5 + v75, q2_pm = angle6 + v76, q2_mp = angle7 + v77;
+    const wide q2_mm = angle8 + v78;
+    const wide q3_pp = angle4 + v75, q3_pm = v76 - angle4, q3_mp = angle4 + v77;
+    const wide q3_mm = v78 - angle4;
+    const wide q4_pp = v75 + (v83 - only_wide(half_turn < v83, m12));
+    const wide q4_pm = v76 + (v84 - only_wide(half_turn < v84, m12));
+    const wide q4_mp = v77 + (v85 - only_wide(half_turn < v85, m12));
+    const wide q4_mm = v78 + (v86 - only_wide(half_turn < v86, m12));
+    const wide v89 = angle3 + v13;
+    const wide v90 = v13 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -Z2_5));
+    const wide q5_pp = v75 + v89, q5_pm = v76 + v89, q5_mp = v77 + v90, q5_mm = v78 + v90;
     const wide_mask doubt1 = (v6 <= m3) | ((v4 <= m1) | ((v7 <= m3) | ((((shortest3_reach <= N3) &
-        (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v32
-        <= m6) | ((v31 <= m6) | ((v28 <= m6) | (v30 <= m6)))))));
+        (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (((m10
+        < v73) & (v73 <= m11)) | ((v32 <= m6) | (((m10 < v72) & (v72 <= m11)) | ((v31 <= m6) |
+        (((m10 < v71) & (v71 <= m11)) | ((v30 <= m6) | (((m10 < v70) & (v70 <= m11)) | ((m9 < v55 *
+        v55 + (v54 * v54 + (v53 * v53 + (v52 * v52 + (v51 * v51 + (v50 * v50 + (v49 * v49 + (v47 *
+        v47 + v48 * v48)))))))) | (v28 <= m6))))))))))));
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -596,6 +607,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[4][5], unsigned char status[4])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -651,7 +663,6 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four C2 = v28 + v29;
     const four v30 = S2 * S2 + C2 * C2;
     const four w2 = sqrt_four(v30);
-    const four_mask doubt2 = v30 <= m6;
     const four v31 = 1.0 / v30;
 
     /* is the pose one that the arm can take? */
@@ -659,22 +670,26 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four v33 = e2 * s3, v34 = e1 * v15;
     const double v35 = m7 + m8 * c3;
     const four v36 = v34 + w2 * (v31 * (v27 * v35 - m8 * (v20 * v33)));
-    const double v37 = s1 * T33, v38 = d1 + v14, v39 = sqrt(-1.0);
-    const double v40 = (maximum_double(fabs(T12 - (s1 * v11 + factor234 * (v12 * v32))),
-        maximum_double(fabs(T11 - (s1 * v12 - factor234 * (v11 * v32))), maximum_double(fabs(T13 -
-        factor234 * (c1 * Z2_234)), maximum_double(fabs(T21 + (c1 * v12 + factor234 * (v11 * v37))),
-        maximum_double(fabs(T22 - (factor234 * (v12 * v37) - c1 * v11)), maximum_double(fabs(T23 -
-        factor234 * (s1 * Z2_234)), maximum_double(fabs(T31 - factor234 * (Z2_234 * v11)),
-        maximum_double(fabs(T33 - T33 * factor234), fabs(T32 + factor234 * (Z2_234 * v12))))))))))
-        <= pose_slack) ? 0.0 : v39;
-    const four v41 = pick_four(maximum_four(abs_four(T24 - e1 * (s1 * v36)),
-        maximum_four(abs_four(T34 - (a3 * (w2 * (v31 * (v27 * v33 + c3 * v20))) + (v38 + a2 * (S2 *
-        (w2 * v31))))), abs_four(T14 - e1 * (c1 * v36)))) <= pose_slack1, all_four(0.0),
-        all_four(v39));
+    const double v37 = s1 * T33, v38 = d1 + v14, v39 = T33 - T33 * factor234;
+    const double v40 = T32 + factor234 * (Z2_234 * v12), v41 = T31 - factor234 * (Z2_234 * v11);
+    const double v42 = T23 - factor234 * (s1 * Z2_234);
+    const double v43 = T22 - (factor234 * (v12 * v37) - c1 * v11);
+    const double v44 = T21 + (c1 * v12 + factor234 * (v11 * v37));
+    const double v45 = T13 - factor234 * (c1 * Z2_234);
+    const double v46 = T11 - (s1 * v12 - factor234 * (v11 * v32));
+    const double v47 = T12 - (s1 * v11 + factor234 * (v12 * v32));
+    const four v48 = T34 - (a3 * (w2 * (v31 * (v27 * v33 + c3 * v20))) + (v38 + a2 * (S2 * (w2 *
+        v31)))), v49 = T14 - e1 * (c1 * v36), v50 = T24 - e1 * (s1 * v36);
+    const four v51 = v50 * v50 + (v48 * v48 + v49 * v49);
+    const double v52 = NAN;
+    const four v53 = pick_four(v51 <= m10, all_four(0.0), all_four(v52));
 
     /* joint values */
-    const int doubt1 = (v8 <= m3) | ((v4 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v9 <= m3)));
+    const four_mask doubt2 = (v30 <= m6) | ((m10 < v51) & (v51 <= m11));
+    const int doubt1 = (v8 <= m3) | ((v4 <= m1) | ((v9 <= m3) | ((m9 < v47 * v47 + (v46 * v46 + (v45
+        * v45 + (v44 * v44 + (v43 * v43 + (v42 * v42 + (v41 * v41 + (v39 * v39 + v40 * v40)))))))) |
+        (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)))));
 
     const four angle5 = atan2_four(S2, C2);
     const four packed2 = atan2_four((four){ v3, -Z2_234, -Z2_5, w3 }, (four){ v2, T33, -Z1_5, K3 });
@@ -682,16 +697,15 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
     const four angle4 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v42 = e2 * angle4, v43 = e1 * angle2, v44 = v43 - (angle5 + v42) - offset4;
-    const four v45 = v44 - only_four(half_turn < v44, m9) + only_four(v44 <= -half_turn, m9);
-    const four v46 = v40 + (v16 + (angle1 + v6 * v7));
-    const four q1 = v41 + v46;
-    const four q2 = v41 + (angle5 + v40);
-    const four v47 = v40 + v42;
-    const four q3 = v41 + v47;
-    const four q4 = v41 + (v40 + (v45 - only_four(half_turn < v45, m9)));
-    const four v48 = v40 + (v16 + (angle3 + v7 * v13));
-    const four q5 = v41 + v48;
+    const four v54 = e2 * angle4, v55 = e1 * angle2, v56 = v55 - (angle5 + v54) - offset4;
+    const four v57 = v56 - only_four(half_turn < v56, m12) + only_four(v56 <= -half_turn, m12);
+    const four v58 = v16 + (angle1 + v6 * v7);
+    const four q1 = v53 + v58;
+    const four q2 = angle5 + v53;
+    const four q3 = v53 + v54;
+    const four q4 = v53 + (v57 - only_four(half_turn < v57, m12));
+    const four v59 = v16 + (angle3 + v7 * v13);
+    const four q5 = v53 + v59;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -1008,22 +1022,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int katana_400_ik(
-    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5], unsigned char
+    status[4])
 {
     static const double zeros[5] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
@@ -1048,12 +1056,20 @@ int katana_400_ik(
             continue;
         for (int i = 0; i < 5; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = KATANA_400_OUT_OF_LIMITS;
         }
         count += status[row] != KATANA_400_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int katana_400_ik(
+    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int katana_400_ik_nearest(const double T[16], const double q_seed[5], double q[5])

@@ -111,7 +111,10 @@ m5 = 0.04415526315789473  # a coefficient of S2
 m6 = 2.1106015755686555e-13  # doubt_limit_squared2^2 [m^4]
 m7 = 0.19  # a coefficient of v13
 m8 = 0.139  # a coefficient of v13
-m9 = 6.283185307179586  # 2 * half_turn
+m9 = 1.0000000000000002e-10  # pose_slack^2
+m10 = 4.5941284e-11  # pose_slack1^2 [m^2]
+m11 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
+m12 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -729,38 +732,47 @@ def _regular(pose, q, status):
     v44 = w2_mm * (v36 * -v39) - v12
     v45 = s1 * T33
     v46 = d1 + v11
-    v47 = math.sqrt(-1.0)
-    v48 = (
-        0.0 if max(abs(T12 - (s1 * v9 + factor234 * (v10 * v37))), max(abs(T11 - (s1 * v10 -
-        factor234 * (v9 * v37))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 + (c1 * v10
-        + factor234 * (v9 * v45))), max(abs(T22 - (factor234 * (v10 * v45) - c1 * v9)), max(abs(T23
-        - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 * v9)), max(abs(T33 - T33 *
-        factor234), abs(T32 + factor234 * (Z2_234 * v10)))))))))) <= pose_slack else v47
-    )
-    v49 = s3 * v22 + c3 * v16
-    v50 = (
-        0.0 if max(abs(T24 - s1 * v40), max(abs(T34 - (a3 * (w2_pp * (v33 * v49)) + (v46 + a2 *
-        (S2_pp * (w2_pp * v33))))), abs(T14 - c1 * v40))) <= pose_slack1 else v47
-    )
-    v51 = c3 * v17
-    v52 = (
-        0.0 if max(abs(T24 - s1 * v42), max(abs(T34 - (a3 * (w2_pm * (v34 * (v51 - s3 * v23))) +
-        (v46 + a2 * (S2_pm * (w2_pm * v34))))), abs(T14 - c1 * v42))) <= pose_slack1 else v47
-    )
-    v53 = (
-        0.0 if max(abs(T24 + s1 * v43), max(abs(T34 - (a3 * (w2_mp * (v35 * (v51 + s3 * -v23))) +
-        (v46 + a2 * (S2_pm * (w2_mp * v35))))), abs(T14 + c1 * v43))) <= pose_slack1 else v47
-    )
-    v54 = (
-        0.0 if max(abs(T24 + s1 * v44), max(abs(T34 - (a3 * (w2_mm * (v36 * v49)) + (v46 + a2 *
-        (S2_pp * (w2_mm * v36))))), abs(T14 + c1 * v44))) <= pose_slack1 else v47
-    )
+    v47 = T33 - T33 * factor234
+    v48 = T32 + factor234 * (Z2_234 * v10)
+    v49 = T31 - factor234 * (Z2_234 * v9)
+    v50 = T23 - factor234 * (s1 * Z2_234)
+    v51 = T22 - (factor234 * (v10 * v45) - c1 * v9)
+    v52 = T21 + (c1 * v10 + factor234 * (v9 * v45))
+    v53 = T13 - factor234 * (c1 * Z2_234)
+    v54 = T11 - (s1 * v10 - factor234 * (v9 * v37))
+    v55 = T12 - (s1 * v9 + factor234 * (v10 * v37))
+    v56 = s3 * v22 + c3 * v16
+    v57 = T34 - (a3 * (w2_pp * (v33 * v56)) + (v46 + a2 * (S2_pp * (w2_pp * v33))))
+    v58 = c3 * v17
+    v59 = T34 - (a3 * (w2_pm * (v34 * (v58 - s3 * v23))) + (v46 + a2 * (S2_pm * (w2_pm * v34))))
+    v60 = T34 - (a3 * (w2_mp * (v35 * (v58 + s3 * -v23))) + (v46 + a2 * (S2_pm * (w2_mp * v35))))
+    v61 = T34 - (a3 * (w2_mm * (v36 * v56)) + (v46 + a2 * (S2_pp * (w2_mm * v36))))
+    v62 = T14 - c1 * v40
+    v63 = T14 - c1 * v42
+    v64 = T14 + c1 * v43
+    v65 = T14 + c1 * v44
+    v66 = T24 - s1 * v40
+    v67 = T24 - s1 * v42
+    v68 = T24 + s1 * v43
+    v69 = T24 + s1 * v44
+    v70 = v66 * v66 + (v57 * v57 + v62 * v62)
+    v71 = v67 * v67 + (v59 * v59 + v63 * v63)
+    v72 = v68 * v68 + (v60 * v60 + v64 * v64)
+    v73 = v69 * v69 + (v61 * v61 + v65 * v65)
+    v74 = math.sqrt(-1.0)
+    v75 = 0.0 if v70 <= m10 else v74
+    v76 = 0.0 if v71 <= m10 else v74
+    v77 = 0.0 if v72 <= m10 else v74
+    v78 = 0.0 if v73 <= m10 else v74
 
     # joint values
     doubt1 = (
         v6 <= m3 or (v4 <= m1 or (v7 <= m3 or ((shortest3_reach <= N3 and N3 <= longest3_reach and
-        not (shortest3_apart < N3 and N3 < longest3_apart)) or (v32 <= m6 or (v31 <= m6 or (v28 <=
-        m6 or v30 <= m6))))))
+        not (shortest3_apart < N3 and N3 < longest3_apart)) or ((m10 < v73 and v73 <= m11) or (v32
+        <= m6 or ((m10 < v72 and v72 <= m11) or (v31 <= m6 or ((m10 < v71 and v71 <= m11) or (v30 <=
+        m6 or ((m10 < v70 and v70 <= m11) or (m9 < v55 * v55 + (v54 * v54 + (v53 * v53 + (v52 * v52
+        + (v51 * v51 + (v50 * v50 + (v49 * v49 + (v47 * v47 + v48 * v48))))))) or v28 <=
+        m6)))))))))))
     )
 
     # angles, side by side
@@ -792,40 +804,38 @@ def _regular(pose, q, status):
     angle8 = room[7]
 
     # joint values
-    v55 = angle2 - (angle4 + angle5) - offset4
-    v56 = angle2 - (angle6 - angle4) - offset4
-    v57 = offset4 + (angle2 + (angle4 + angle7))
-    v58 = offset4 + (angle2 + (angle8 - angle4))
-    v59 = v55 - (m9 if half_turn < v55 else 0.0) + (m9 if v55 <= -half_turn else 0.0)
-    v60 = v56 - (m9 if half_turn < v56 else 0.0) + (m9 if v56 <= -half_turn else 0.0)
-    v61 = (m9 if -v57 <= -half_turn else 0.0) - (v57 + (m9 if half_turn < -v57 else 0.0))
-    v62 = (m9 if -v58 <= -half_turn else 0.0) - (v58 + (m9 if half_turn < -v58 else 0.0))
-    v63 = v48 + (angle1 + v13)
-    v64 = v48 + (v13 + (angle1 - math.copysign(half_turn, v3) * h1))
-    q1_pp = v50 + v63
-    q1_pm = v52 + v63
-    q1_mp = v53 + v64
-    q1_mm = v54 + v64
-    q2_pp = v50 + (angle5 + v48)
-    q2_pm = v52 + (angle6 + v48)
-    q2_mp = v53 + (angle7 + v48)
-    q2_mm = v54 + (angle8 + v48)
-    v65 = angle4 + v48
-    v66 = v48 - angle4
-    q3_pp = v50 + v65
-    q3_pm = v52 + v66
-    q3_mp = v53 + v65
-    q3_mm = v54 + v66
-    q4_pp = v50 + (v48 + (v59 - (m9 if half_turn < v59 else 0.0)))
-    q4_pm = v52 + (v48 + (v60 - (m9 if half_turn < v60 else 0.0)))
-    q4_mp = v53 + (v48 + (v61 - (m9 if half_turn < v61 else 0.0)))
-    q4_mm = v54 + (v48 + (v62 - (m9 if half_turn < v62 else 0.0)))
-    v67 = v48 + (angle3 + v13)
-    v68 = v48 + (v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5)))
-    q5_pp = v50 + v67
-    q5_pm = v52 + v67
-    q5_mp = v53 + v68
-    q5_mm = v54 + v68
+    v79 = angle2 - (angle4 + angle5) - offset4
+    v80 = angle2 - (angle6 - angle4) - offset4
+    v81 = offset4 + (angle2 + (angle4 + angle7))
+    v82 = offset4 + (angle2 + (angle8 - angle4))
+    v83 = v79 - (m12 if half_turn < v79 else 0.0) + (m12 if v79 <= -half_turn else 0.0)
+    v84 = v80 - (m12 if half_turn < v80 else 0.0) + (m12 if v80 <= -half_turn else 0.0)
+    v85 = (m12 if -v81 <= -half_turn else 0.0) - (v81 + (m12 if half_turn < -v81 else 0.0))
+    v86 = (m12 if -v82 <= -half_turn else 0.0) - (v82 + (m12 if half_turn < -v82 else 0.0))
+    v87 = angle1 + v13
+    v88 = v13 + (angle1 - math.copysign(half_turn, v3) * h1)
+    q1_pp = v75 + v87
+    q1_pm = v76 + v87
+    q1_mp = v77 + v88
+    q1_mm = v78 + v88
+    q2_pp = angle5 + v75
+    q2_pm = angle6 + v76
+    q2_mp = angle7 + v77
+    q2_mm = angle8 + v78
+    q3_pp = angle4 + v75
+    q3_pm = v76 - angle4
+    q3_mp = angle4 + v77
+    q3_mm = v78 - angle4
+    q4_pp = v75 + (v83 - (m12 if half_turn < v83 else 0.0))
+    q4_pm = v76 + (v84 - (m12 if half_turn < v84 else 0.0))
+    q4_mp = v77 + (v85 - (m12 if half_turn < v85 else 0.0))
+    q4_mm = v78 + (v86 - (m12 if half_turn < v86 else 0.0))
+    v89 = angle3 + v13
+    v90 = v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5))
+    q5_pp = v75 + v89
+    q5_pm = v76 + v89
+    q5_mp = v77 + v90
+    q5_mm = v78 + v90
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1015,12 +1025,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1344, 1376, 1408, 1440, 1472],
-    [1504, 1536, 1568, 1600, 1632],
-    [1664, 1696, 1728, 1760, 1792],
-    [1824, 1856, 1888, 1920, 1952],
+    [1312, 1344, 1376, 1408, 1440],
+    [1472, 1504, 1536, 1568, 1600],
+    [1632, 1664, 1696, 1728, 1760],
+    [1792, 1824, 1856, 1888, 1920],
 ])
-_KINDS = np.array([1984, 2016, 2048, 2080])
+_KINDS = np.array([1952, 1984, 2016, 2048])
 _LEFT_OVER = 255
 
 
@@ -1031,7 +1041,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2112)
+    work = np.empty(2080)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1140,163 +1150,171 @@ def _in_tiles(T, q, status):
             v44 = w2_mm * (v36 * -v39) - v12
             v45 = s1 * T33
             v46 = d1 + v11
-            v47 = math.sqrt(-1.0)
-            v48 = (
-                0.0 if max(abs(T12 - (s1 * v9 + factor234 * (v10 * v37))), max(abs(T11 - (s1 * v10 -
-                factor234 * (v9 * v37))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 +
-                (c1 * v10 + factor234 * (v9 * v45))), max(abs(T22 - (factor234 * (v10 * v45) - c1 *
-                v9)), max(abs(T23 - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 *
-                v9)), max(abs(T33 - T33 * factor234), abs(T32 + factor234 * (Z2_234 * v10))))))))))
-                <= pose_slack else v47
+            v47 = T33 - T33 * factor234
+            v48 = T32 + factor234 * (Z2_234 * v10)
+            v49 = T31 - factor234 * (Z2_234 * v9)
+            v50 = T23 - factor234 * (s1 * Z2_234)
+            v51 = T22 - (factor234 * (v10 * v45) - c1 * v9)
+            v52 = T21 + (c1 * v10 + factor234 * (v9 * v45))
+            v53 = T13 - factor234 * (c1 * Z2_234)
+            v54 = T11 - (s1 * v10 - factor234 * (v9 * v37))
+            v55 = T12 - (s1 * v9 + factor234 * (v10 * v37))
+            v56 = s3 * v22 + c3 * v16
+            v57 = T34 - (a3 * (w2_pp * (v33 * v56)) + (v46 + a2 * (S2_pp * (w2_pp * v33))))
+            v58 = c3 * v17
+            v59 = (
+                T34 - (a3 * (w2_pm * (v34 * (v58 - s3 * v23))) + (v46 + a2 * (S2_pm * (w2_pm *
+                v34))))
             )
-            v49 = s3 * v22 + c3 * v16
-            v50 = (
-                0.0 if max(abs(T24 - s1 * v40), max(abs(T34 - (a3 * (w2_pp * (v33 * v49)) + (v46 +
-                a2 * (S2_pp * (w2_pp * v33))))), abs(T14 - c1 * v40))) <= pose_slack1 else v47
+            v60 = (
+                T34 - (a3 * (w2_mp * (v35 * (v58 + s3 * -v23))) + (v46 + a2 * (S2_pm * (w2_mp *
+                v35))))
             )
-            v51 = c3 * v17
-            v52 = (
-                0.0 if max(abs(T24 - s1 * v42), max(abs(T34 - (a3 * (w2_pm * (v34 * (v51 - s3 *
-                v23))) + (v46 + a2 * (S2_pm * (w2_pm * v34))))), abs(T14 - c1 * v42))) <=
-                pose_slack1 else v47
-            )
-            v53 = (
-                0.0 if max(abs(T24 + s1 * v43), max(abs(T34 - (a3 * (w2_mp * (v35 * (v51 + s3 *
-                -v23))) + (v46 + a2 * (S2_pm * (w2_mp * v35))))), abs(T14 + c1 * v43))) <=
-                pose_slack1 else v47
-            )
-            v54 = (
-                0.0 if max(abs(T24 + s1 * v44), max(abs(T34 - (a3 * (w2_mm * (v36 * v49)) + (v46 +
-                a2 * (S2_pp * (w2_mm * v36))))), abs(T14 + c1 * v44))) <= pose_slack1 else v47
-            )
+            v61 = T34 - (a3 * (w2_mm * (v36 * v56)) + (v46 + a2 * (S2_pp * (w2_mm * v36))))
+            v62 = T14 - c1 * v40
+            v63 = T14 - c1 * v42
+            v64 = T14 + c1 * v43
+            v65 = T14 + c1 * v44
+            v66 = T24 - s1 * v40
+            v67 = T24 - s1 * v42
+            v68 = T24 + s1 * v43
+            v69 = T24 + s1 * v44
+            v70 = v66 * v66 + (v57 * v57 + v62 * v62)
+            v71 = v67 * v67 + (v59 * v59 + v63 * v63)
+            v72 = v68 * v68 + (v60 * v60 + v64 * v64)
+            v73 = v69 * v69 + (v61 * v61 + v65 * v65)
+            v74 = math.sqrt(-1.0)
+            v75 = 0.0 if v70 <= m10 else v74
+            v76 = 0.0 if v71 <= m10 else v74
+            v77 = 0.0 if v72 <= m10 else v74
+            v78 = 0.0 if v73 <= m10 else v74
             doubt1 = (
                 v6 <= m3 or (v4 <= m1 or (v7 <= m3 or ((shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or (v32 <= m6
-                or (v31 <= m6 or (v28 <= m6 or v30 <= m6))))))
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or ((m10 <
+                v73 and v73 <= m11) or (v32 <= m6 or ((m10 < v72 and v72 <= m11) or (v31 <= m6 or
+                ((m10 < v71 and v71 <= m11) or (v30 <= m6 or ((m10 < v70 and v70 <= m11) or (m9 <
+                v55 * v55 + (v54 * v54 + (v53 * v53 + (v52 * v52 + (v51 * v51 + (v50 * v50 + (v49 *
+                v49 + (v47 * v47 + v48 * v48))))))) or v28 <= m6)))))))))))
             )
             work[544 + k] = v3
             work[576 + k] = Z2_5
             work[608 + k] = v13
-            work[640 + k] = v48
-            work[672 + k] = v50
-            work[704 + k] = v52
-            work[736 + k] = v53
-            work[768 + k] = v54
-            work[800 + k] = doubt1
-            work[832 + k] = v3
-            work[864 + k] = -Z2_234
-            work[896 + k] = -Z2_5
-            work[928 + k] = w3
-            work[960 + k] = S2_pp
+            work[640 + k] = v75
+            work[672 + k] = v76
+            work[704 + k] = v77
+            work[736 + k] = v78
+            work[768 + k] = doubt1
+            work[800 + k] = v3
+            work[832 + k] = -Z2_234
+            work[864 + k] = -Z2_5
+            work[896 + k] = w3
+            work[928 + k] = S2_pp
+            work[960 + k] = S2_pm
             work[992 + k] = S2_pm
-            work[1024 + k] = S2_pm
-            work[1056 + k] = S2_pp
-            work[1088 + k] = v2
-            work[1120 + k] = T33
-            work[1152 + k] = -Z1_5
-            work[1184 + k] = K3
-            work[1216 + k] = C2_pp
-            work[1248 + k] = C2_pm
-            work[1280 + k] = C2_mp
-            work[1312 + k] = C2_mm
-        for k in range(832, 1088):
+            work[1024 + k] = S2_pp
+            work[1056 + k] = v2
+            work[1088 + k] = T33
+            work[1120 + k] = -Z1_5
+            work[1152 + k] = K3
+            work[1184 + k] = C2_pp
+            work[1216 + k] = C2_pm
+            work[1248 + k] = C2_mp
+            work[1280 + k] = C2_mm
+        for k in range(800, 1056):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
             v3 = work[544 + k]
             Z2_5 = work[576 + k]
             v13 = work[608 + k]
-            v48 = work[640 + k]
-            v50 = work[672 + k]
-            v52 = work[704 + k]
-            v53 = work[736 + k]
-            v54 = work[768 + k]
-            doubt1 = work[800 + k] != 0.0
-            angle1 = work[832 + k]
-            angle2 = work[864 + k]
-            angle3 = work[896 + k]
-            angle4 = work[928 + k]
-            angle5 = work[960 + k]
-            angle6 = work[992 + k]
-            angle7 = work[1024 + k]
-            angle8 = work[1056 + k]
-            v55 = angle2 - (angle4 + angle5) - offset4
-            v56 = angle2 - (angle6 - angle4) - offset4
-            v57 = offset4 + (angle2 + (angle4 + angle7))
-            v58 = offset4 + (angle2 + (angle8 - angle4))
-            v59 = v55 - (m9 if half_turn < v55 else 0.0) + (m9 if v55 <= -half_turn else 0.0)
-            v60 = v56 - (m9 if half_turn < v56 else 0.0) + (m9 if v56 <= -half_turn else 0.0)
-            v61 = (m9 if -v57 <= -half_turn else 0.0) - (v57 + (m9 if half_turn < -v57 else 0.0))
-            v62 = (m9 if -v58 <= -half_turn else 0.0) - (v58 + (m9 if half_turn < -v58 else 0.0))
-            v63 = v48 + (angle1 + v13)
-            v64 = v48 + (v13 + (angle1 - math.copysign(half_turn, v3) * h1))
-            q1_pp = v50 + v63
-            q1_pm = v52 + v63
-            q1_mp = v53 + v64
-            q1_mm = v54 + v64
-            q2_pp = v50 + (angle5 + v48)
-            q2_pm = v52 + (angle6 + v48)
-            q2_mp = v53 + (angle7 + v48)
-            q2_mm = v54 + (angle8 + v48)
-            v65 = angle4 + v48
-            v66 = v48 - angle4
-            q3_pp = v50 + v65
-            q3_pm = v52 + v66
-            q3_mp = v53 + v65
-            q3_mm = v54 + v66
-            q4_pp = v50 + (v48 + (v59 - (m9 if half_turn < v59 else 0.0)))
-            q4_pm = v52 + (v48 + (v60 - (m9 if half_turn < v60 else 0.0)))
-            q4_mp = v53 + (v48 + (v61 - (m9 if half_turn < v61 else 0.0)))
-            q4_mm = v54 + (v48 + (v62 - (m9 if half_turn < v62 else 0.0)))
-            v67 = v48 + (angle3 + v13)
-            v68 = v48 + (v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5)))
-            q5_pp = v50 + v67
-            q5_pm = v52 + v67
-            q5_mp = v53 + v68
-            q5_mm = v54 + v68
-            _1344 = q1_pp
+            v75 = work[640 + k]
+            v76 = work[672 + k]
+            v77 = work[704 + k]
+            v78 = work[736 + k]
+            doubt1 = work[768 + k] != 0.0
+            angle1 = work[800 + k]
+            angle2 = work[832 + k]
+            angle3 = work[864 + k]
+            angle4 = work[896 + k]
+            angle5 = work[928 + k]
+            angle6 = work[960 + k]
+            angle7 = work[992 + k]
+            angle8 = work[1024 + k]
+            v79 = angle2 - (angle4 + angle5) - offset4
+            v80 = angle2 - (angle6 - angle4) - offset4
+            v81 = offset4 + (angle2 + (angle4 + angle7))
+            v82 = offset4 + (angle2 + (angle8 - angle4))
+            v83 = v79 - (m12 if half_turn < v79 else 0.0) + (m12 if v79 <= -half_turn else 0.0)
+            v84 = v80 - (m12 if half_turn < v80 else 0.0) + (m12 if v80 <= -half_turn else 0.0)
+            v85 = (m12 if -v81 <= -half_turn else 0.0) - (v81 + (m12 if half_turn < -v81 else 0.0))
+            v86 = (m12 if -v82 <= -half_turn else 0.0) - (v82 + (m12 if half_turn < -v82 else 0.0))
+            v87 = angle1 + v13
+            v88 = v13 + (angle1 - math.copysign(half_turn, v3) * h1)
+            q1_pp = v75 + v87
+            q1_pm = v76 + v87
+            q1_mp = v77 + v88
+            q1_mm = v78 + v88
+            q2_pp = angle5 + v75
+            q2_pm = angle6 + v76
+            q2_mp = angle7 + v77
+            q2_mm = angle8 + v78
+            q3_pp = angle4 + v75
+            q3_pm = v76 - angle4
+            q3_mp = angle4 + v77
+            q3_mm = v78 - angle4
+            q4_pp = v75 + (v83 - (m12 if half_turn < v83 else 0.0))
+            q4_pm = v76 + (v84 - (m12 if half_turn < v84 else 0.0))
+            q4_mp = v77 + (v85 - (m12 if half_turn < v85 else 0.0))
+            q4_mm = v78 + (v86 - (m12 if half_turn < v86 else 0.0))
+            v89 = angle3 + v13
+            v90 = v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5))
+            q5_pp = v75 + v89
+            q5_pm = v76 + v89
+            q5_mp = v77 + v90
+            q5_mm = v78 + v90
+            _1312 = q1_pp
+            work[1312 + k] = _1312
+            _1344 = q2_pp
             work[1344 + k] = _1344
-            _1376 = q2_pp
+            _1376 = q3_pp
             work[1376 + k] = _1376
-            _1408 = q3_pp
+            _1408 = q4_pp
             work[1408 + k] = _1408
-            _1440 = q4_pp
+            _1440 = q5_pp
             work[1440 + k] = _1440
-            _1472 = q5_pp
+            _1472 = q1_pm
             work[1472 + k] = _1472
-            _1504 = q1_pm
+            _1504 = q2_pm
             work[1504 + k] = _1504
-            _1536 = q2_pm
+            _1536 = q3_pm
             work[1536 + k] = _1536
-            _1568 = q3_pm
+            _1568 = q4_pm
             work[1568 + k] = _1568
-            _1600 = q4_pm
+            _1600 = q5_pm
             work[1600 + k] = _1600
-            _1632 = q5_pm
+            _1632 = q1_mp
             work[1632 + k] = _1632
-            _1664 = q1_mp
+            _1664 = q2_mp
             work[1664 + k] = _1664
-            _1696 = q2_mp
+            _1696 = q3_mp
             work[1696 + k] = _1696
-            _1728 = q3_mp
+            _1728 = q4_mp
             work[1728 + k] = _1728
-            _1760 = q4_mp
+            _1760 = q5_mp
             work[1760 + k] = _1760
-            _1792 = q5_mp
+            _1792 = q1_mm
             work[1792 + k] = _1792
-            _1824 = q1_mm
+            _1824 = q2_mm
             work[1824 + k] = _1824
-            _1856 = q2_mm
+            _1856 = q3_mm
             work[1856 + k] = _1856
-            _1888 = q3_mm
+            _1888 = q4_mm
             work[1888 + k] = _1888
-            _1920 = q4_mm
+            _1920 = q5_mm
             work[1920 + k] = _1920
-            _1952 = q5_mm
-            work[1952 + k] = _1952
-            work[1984 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[2016 + k] = UNREACHABLE if _1504 != _1504 else OK
-            work[2048 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[2080 + k] = UNREACHABLE if _1824 != _1824 else OK
+            work[1952 + k] = UNREACHABLE if _1312 != _1312 else OK
+            work[1984 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[2016 + k] = UNREACHABLE if _1632 != _1632 else OK
+            work[2048 + k] = UNREACHABLE if _1792 != _1792 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

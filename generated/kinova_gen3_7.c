@@ -3241,7 +3241,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -3253,11 +3253,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
@@ -3309,11 +3309,6 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
 int kinova_gen3_7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16])
@@ -3322,7 +3317,7 @@ int kinova_gen3_7_ik(
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
+    const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
     for (int row = 0; row < 16; row++) {
         status[row] = valid ? KINOVA_GEN3_7_UNREACHABLE : KINOVA_GEN3_7_INVALID_POSE;
         for (int i = 0; i < 7; i++)
@@ -3336,7 +3331,8 @@ int kinova_gen3_7_ik(
             continue;
         for (int i = 0; i < 7; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = KINOVA_GEN3_7_OUT_OF_LIMITS;
         }
         count += status[row] != KINOVA_GEN3_7_OUT_OF_LIMITS;

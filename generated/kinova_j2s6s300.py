@@ -586,7 +586,6 @@ def _regular(pose, q, status):
     X1 = d6 * T13 - T14
     wy = d6 * T23 - T24
     N1 = X1 * X1 + wy * wy
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
@@ -686,9 +685,9 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        (-k3 <= D1 and (free1 or not (k4 < D1))) or (free1 or (v42 <= m4 or (v24 <= m3 or (v41 <= m4
-        or (v40 <= m4 or (v23 <= m3 or (v39 <= m4 or ((shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v22 <= m3))))))))
+        abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v42 <= m4 or (v24 <= m3 or (v41 <= m4 or
+        (v40 <= m4 or (v23 <= m3 or (v39 <= m4 or ((shortest3_reach <= N3 and N3 <= longest3_reach
+        and not (shortest3_apart < N3 and N3 < longest3_apart)) or v22 <= m3))))))))
     )
 
     # angles, side by side
@@ -1127,7 +1126,6 @@ def _in_tiles(T, q, status):
             X1 = d6 * T13 - T14
             wy = d6 * T23 - T24
             N1 = X1 * X1 + wy * wy
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
@@ -1215,10 +1213,10 @@ def _in_tiles(T, q, status):
             s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51
             s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
             doubt1 = (
-                (-k3 <= D1 and (free1 or not (k4 < D1))) or (free1 or (v42 <= m4 or (v24 <= m3 or
-                (v41 <= m4 or (v40 <= m4 or (v23 <= m3 or (v39 <= m4 or ((shortest3_reach <= N3 and
-                N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v22
-                <= m3))))))))
+                abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v42 <= m4 or (v24 <= m3 or (v41 <=
+                m4 or (v40 <= m4 or (v23 <= m3 or (v39 <= m4 or ((shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v22 <=
+                m3))))))))
             )
             work[544 + k] = v1
             work[576 + k] = v4

@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -548,7 +551,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -560,11 +563,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -589,195 +592,192 @@ HELPER wide_mask solve_wide(
 
     /* theta1 */
     const wide N1 = v1 + -wx * -wx;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide Z1 = d5 * (s3 * v5);
     const wide D1 = N1 - Z1 * Z1;
-    const wide v6 = abs_wide(Z1) * 2.0;
     const wide w1 = sqrt_wide(D1);
-    const wide v7 = w1 - w1;
+    const wide v6 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v8 = -wx * Z1, v9 = wy * Z1, v10 = w1 * (-wx * inverse1), v11 = w1 * (wx * inverse1);
-    const wide v12 = inverse1 * v9;
-    const wide c1_pp = v12 - v10, c1_pm = v12 - v11;
-    const wide v13 = v10 + v12, v14 = v11 + v12, v15 = w1 * (wy * inverse1);
-    const wide v16 = w1 * (inverse1 * -wy), v17 = inverse1 * v8;
-    const wide s1_pp = v15 + v17, s1_pm = v16 + v17, s1_mp = v15 - v17, s1_mm = v16 - v17;
+    const wide v7 = -wx * Z1, v8 = wy * Z1, v9 = w1 * (-wx * inverse1), v10 = w1 * (wx * inverse1);
+    const wide v11 = inverse1 * v8;
+    const wide c1_pp = v11 - v9, c1_pm = v11 - v10;
+    const wide v12 = v9 + v11, v13 = v10 + v11, v14 = w1 * (wy * inverse1);
+    const wide v15 = w1 * (inverse1 * -wy), v16 = inverse1 * v7;
+    const wide s1_pp = v14 + v16, s1_pm = v15 + v16, s1_mp = v14 - v16, s1_mm = v15 - v16;
 
     /* theta2 */
-    const wide v18 = d5 * (c3 * v5);
+    const wide v17 = d5 * (c3 * v5);
     const wide X2_2 = d3 + d5 * v3;
-    const wide v19 = Z1_2 * v18, v20 = w1 * X2_2;
-    const wide S2_pp = v20 - v19, S2_mp = v19 + v20;
-    const wide v21 = Z1_2 * X2_2, v22 = w1 * v18, v23 = v21 + v22, v24 = v21 - v22, v25 = v23 * v23;
-    const wide v26 = S2_pp * S2_pp + v25, v27 = S2_mp * S2_mp + v24 * v24;
-    const wide v28 = v25 + -S2_pp * -S2_pp;
-    const wide factor2_pp = sqrt_wide(v26) * (1.0 / v26), factor2_pm = sqrt_wide(v27) * (1.0 / v27);
-    const wide factor2_mm = sqrt_wide(v28) * (1.0 / v28);
+    const wide v18 = Z1_2 * v17, v19 = w1 * X2_2;
+    const wide S2_pp = v19 - v18, S2_mp = v18 + v19;
+    const wide v20 = Z1_2 * X2_2, v21 = w1 * v17, v22 = v20 + v21, v23 = v20 - v21, v24 = v22 * v22;
+    const wide v25 = S2_pp * S2_pp + v24, v26 = S2_mp * S2_mp + v23 * v23;
+    const wide v27 = v24 + -S2_pp * -S2_pp;
+    const wide factor2_pp = sqrt_wide(v25) * (1.0 / v25), factor2_pm = sqrt_wide(v26) * (1.0 / v26);
+    const wide factor2_mm = sqrt_wide(v27) * (1.0 / v27);
 
     /* theta5 */
-    const wide v29 = c3 * T13, v30 = v3 * v29, v31 = c3 * T23, v32 = v3 * v31, v33 = T33 * v5;
-    const wide v34 = T13 * v5, v35 = T23 * v5, v36 = c3 * T33, v37 = v3 * v36;
-    const wide v38 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx))), v39 = T13 * v8 - T23 * v9;
-    const wide v40 = inverse1 * (s3 * v39), v41 = inverse1 * (s3 * -v39), v42 = v38 + v40;
-    const wide v43 = v40 - v38, v44 = v38 + v41, v45 = v41 - v38;
-    const wide X5_pp = v3 * v42 + factor2_pp * (v23 * (v33 - (c1_pp * v30 + s1_pp * v32)) + S2_pp *
-        (v37 + (c1_pp * v34 + s1_pp * v35)));
-    const wide X5_pm = v3 * v43 + factor2_pm * (v24 * (v33 - (c1_pm * v30 + s1_pm * v32)) - S2_mp *
-        (v37 + (c1_pm * v34 + s1_pm * v35)));
-    const wide X5_mp = v3 * v44 + factor2_pm * (S2_mp * (v37 + (v13 * v34 - s1_mp * v35)) - v24 *
-        (v33 + (s1_mp * v32 - v13 * v30)));
-    const wide X5_mm = v3 * v45 + factor2_mm * (-S2_pp * (v37 + (v14 * v34 - s1_mm * v35)) - v23 *
-        (v33 + (s1_mm * v32 - v14 * v30)));
-    const wide v46 = s3 * T33;
-    const wide Y5_pp = factor2_pp * (S2_pp * v46 - v23 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 *
+    const wide v28 = c3 * T13, v29 = v3 * v28, v30 = c3 * T23, v31 = v3 * v30, v32 = T33 * v5;
+    const wide v33 = T13 * v5, v34 = T23 * v5, v35 = c3 * T33, v36 = v3 * v35;
+    const wide v37 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx))), v38 = T13 * v7 - T23 * v8;
+    const wide v39 = inverse1 * (s3 * v38), v40 = inverse1 * (s3 * -v38), v41 = v37 + v39;
+    const wide v42 = v39 - v37, v43 = v37 + v40, v44 = v40 - v37;
+    const wide X5_pp = v3 * v41 + factor2_pp * (v22 * (v32 - (c1_pp * v29 + s1_pp * v31)) + S2_pp *
+        (v36 + (c1_pp * v33 + s1_pp * v34)));
+    const wide X5_pm = v3 * v42 + factor2_pm * (v23 * (v32 - (c1_pm * v29 + s1_pm * v31)) - S2_mp *
+        (v36 + (c1_pm * v33 + s1_pm * v34)));
+    const wide X5_mp = v3 * v43 + factor2_pm * (S2_mp * (v36 + (v12 * v33 - s1_mp * v34)) - v23 *
+        (v32 + (s1_mp * v31 - v12 * v29)));
+    const wide X5_mm = v3 * v44 + factor2_mm * (-S2_pp * (v36 + (v13 * v33 - s1_mm * v34)) - v22 *
+        (v32 + (s1_mm * v31 - v13 * v29)));
+    const wide v45 = s3 * T33;
+    const wide Y5_pp = factor2_pp * (S2_pp * v45 - v22 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 *
         (T13 * s1_pp - T23 * c1_pp);
-    const wide v47 = S2_mp * v46;
-    const wide v48 = factor2_pm * (v47 + v24 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 *
+    const wide v46 = S2_mp * v45;
+    const wide v47 = factor2_pm * (v46 + v23 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 *
         s1_pm - T23 * c1_pm);
-    const wide Y5_mp = factor2_pm * (v47 - v24 * (s3 * (T23 * s1_mp - T13 * v13))) - c3 * (T13 *
-        s1_mp + T23 * v13);
-    const wide Y5_mm = factor2_mm * (-S2_pp * v46 - v23 * (s3 * (T23 * s1_mm - T13 * v14))) - c3 *
-        (T13 * s1_mm + T23 * v14);
-    const wide v49 = X5_pp * X5_pp + Y5_pp * Y5_pp, v50 = X5_pm * X5_pm + v48 * v48;
-    const wide v51 = X5_mp * X5_mp + Y5_mp * Y5_mp, v52 = X5_mm * X5_mm + Y5_mm * Y5_mm;
-    const wide angle1 = atan2_wide(Y5_pp, -X5_pp), angle2 = atan2_wide(-v48, -X5_pm);
+    const wide Y5_mp = factor2_pm * (v46 - v23 * (s3 * (T23 * s1_mp - T13 * v12))) - c3 * (T13 *
+        s1_mp + T23 * v12);
+    const wide Y5_mm = factor2_mm * (-S2_pp * v45 - v22 * (s3 * (T23 * s1_mm - T13 * v13))) - c3 *
+        (T13 * s1_mm + T23 * v13);
+    const wide v48 = X5_pp * X5_pp + Y5_pp * Y5_pp, v49 = X5_pm * X5_pm + v47 * v47;
+    const wide v50 = X5_mp * X5_mp + Y5_mp * Y5_mp, v51 = X5_mm * X5_mm + Y5_mm * Y5_mm;
+    const wide angle1 = atan2_wide(Y5_pp, -X5_pp), angle2 = atan2_wide(-v47, -X5_pm);
     const wide angle3 = atan2_wide(Y5_mp, -X5_mp), angle4 = atan2_wide(Y5_mm, -X5_mm);
     const wide q5_ppm = angle1 - copysign_wide(all_wide(half_turn), Y5_pp) * h1;
-    const wide q5_pmm = angle2 - copysign_wide(all_wide(half_turn), -v48) * h1;
+    const wide q5_pmm = angle2 - copysign_wide(all_wide(half_turn), -v47) * h1;
     const wide q5_mpm = angle3 - copysign_wide(all_wide(half_turn), Y5_mp) * h1;
     const wide q5_mmm = angle4 - copysign_wide(all_wide(half_turn), Y5_mm) * h1;
 
     /* theta6 */
-    const wide v53 = v5 * v29, v54 = v5 * v31, v55 = T33 * v3, v56 = T13 * v3, v57 = T23 * v3;
-    const wide v58 = v5 * v36;
+    const wide v52 = v5 * v28, v53 = v5 * v30, v54 = T33 * v3, v55 = T13 * v3, v56 = T23 * v3;
+    const wide v57 = v5 * v35;
 
     /* theta7 */
-    const wide v59 = s3 * T32, v60 = s1_pp * T12 - c1_pp * T22, v61 = s1_pm * T12 - c1_pm * T22;
-    const wide v62 = s1_mp * T12 + v13 * T22, v63 = s1_mm * T12 + v14 * T22, v64 = v3 * (c3 * T12);
-    const wide v65 = v3 * (c3 * T22), v66 = v5 * T32, v67 = v5 * T12, v68 = v5 * T22;
-    const wide v69 = v3 * (c3 * T32), v70 = s3 * T31, v71 = s1_pp * T11 - c1_pp * T21;
-    const wide v72 = s1_pm * T11 - c1_pm * T21, v73 = s1_mp * T11 + v13 * T21;
-    const wide v74 = s1_mm * T11 + v14 * T21, v75 = v3 * (c3 * T11), v76 = v3 * (c3 * T21);
-    const wide v77 = v5 * T31, v78 = v5 * T11, v79 = v5 * T21, v80 = v3 * (c3 * T31);
-    const wide angle5 = atan2_wide(-(X5_pp * (c3 * v71 - factor2_pp * (S2_pp * v70 - v23 * (s3 *
-        (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v71) + factor2_pp * (v23 * (v77 -
-        (c1_pp * v75 + s1_pp * v76)) + S2_pp * (v80 + (c1_pp * v78 + s1_pp * v79))))), -(X5_pp * (c3
-        * v60 - factor2_pp * (S2_pp * v59 - v23 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v3
-        * (s3 * v60) + factor2_pp * (v23 * (v66 - (c1_pp * v64 + s1_pp * v65)) + S2_pp * (v69 +
-        (c1_pp * v67 + s1_pp * v68))))));
-    const wide v81 = S2_mp * v70;
-    const wide v82 = v48 * (v3 * (s3 * v72) + factor2_pm * (v24 * (v77 - (c1_pm * v75 + s1_pm *
-        v76)) - S2_mp * (v80 + (c1_pm * v78 + s1_pm * v79)))) - X5_pm * (c3 * v72 + factor2_pm *
-        (v81 + v24 * (s3 * (c1_pm * T11 + s1_pm * T21)))), v83 = S2_mp * v59;
-    const wide angle6 = atan2_wide(v82, v48 * (v3 * (s3 * v61) + factor2_pm * (v24 * (v66 - (c1_pm *
-        v64 + s1_pm * v65)) - S2_mp * (v69 + (c1_pm * v67 + s1_pm * v68)))) - X5_pm * (c3 * v61 +
-        factor2_pm * (v83 + v24 * (s3 * (c1_pm * T12 + s1_pm * T22)))));
-    const wide angle7 = atan2_wide(-(X5_mp * (c3 * v73 - factor2_pm * (v81 - v24 * (s3 * (s1_mp *
-        T21 - v13 * T11)))) + Y5_mp * (v3 * (s3 * v73) + factor2_pm * (S2_mp * (v80 + (v13 * v78 -
-        s1_mp * v79)) - v24 * (v77 + (s1_mp * v76 - v13 * v75))))), -(X5_mp * (c3 * v62 - factor2_pm
-        * (v83 - v24 * (s3 * (s1_mp * T22 - v13 * T12)))) + Y5_mp * (v3 * (s3 * v62) + factor2_pm *
-        (S2_mp * (v69 + (v13 * v67 - s1_mp * v68)) - v24 * (v66 + (s1_mp * v65 - v13 * v64))))));
-    const wide angle8 = atan2_wide(-(X5_mm * (c3 * v74 - factor2_mm * (-S2_pp * v70 - v23 * (s3 *
-        (s1_mm * T21 - v14 * T11)))) + Y5_mm * (v3 * (s3 * v74) + factor2_mm * (-S2_pp * (v80 + (v14
-        * v78 - s1_mm * v79)) - v23 * (v77 + (s1_mm * v76 - v14 * v75))))), -(X5_mm * (c3 * v63 -
-        factor2_mm * (-S2_pp * v59 - v23 * (s3 * (s1_mm * T22 - v14 * T12)))) + Y5_mm * (v3 * (s3 *
-        v63) + factor2_mm * (-S2_pp * (v69 + (v14 * v67 - s1_mm * v68)) - v23 * (v66 + (s1_mm * v65
-        - v14 * v64))))));
-    const wide q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v71 -
-        factor2_pp * (S2_pp * v70 - v23 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 *
-        v71) + factor2_pp * (v23 * (v77 - (c1_pp * v75 + s1_pp * v76)) + S2_pp * (v80 + (c1_pp * v78
-        + s1_pp * v79)))))), q7_pmm = angle6 - h1 * copysign_wide(all_wide(half_turn), v82);
-    const wide q7_mpm = angle7 - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v73 -
-        factor2_pm * (v81 - v24 * (s3 * (s1_mp * T21 - v13 * T11)))) + Y5_mp * (v3 * (s3 * v73) +
-        factor2_pm * (S2_mp * (v80 + (v13 * v78 - s1_mp * v79)) - v24 * (v77 + (s1_mp * v76 - v13 *
-        v75))))));
-    const wide q7_mmm = angle8 - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v74 -
-        factor2_mm * (-S2_pp * v70 - v23 * (s3 * (s1_mm * T21 - v14 * T11)))) + Y5_mm * (v3 * (s3 *
-        v74) + factor2_mm * (-S2_pp * (v80 + (v14 * v78 - s1_mm * v79)) - v23 * (v77 + (s1_mm * v76
-        - v14 * v75))))));
+    const wide v58 = s3 * T32, v59 = s1_pp * T12 - c1_pp * T22, v60 = s1_pm * T12 - c1_pm * T22;
+    const wide v61 = s1_mp * T12 + v12 * T22, v62 = s1_mm * T12 + v13 * T22, v63 = v3 * (c3 * T12);
+    const wide v64 = v3 * (c3 * T22), v65 = v5 * T32, v66 = v5 * T12, v67 = v5 * T22;
+    const wide v68 = v3 * (c3 * T32), v69 = s3 * T31, v70 = s1_pp * T11 - c1_pp * T21;
+    const wide v71 = s1_pm * T11 - c1_pm * T21, v72 = s1_mp * T11 + v12 * T21;
+    const wide v73 = s1_mm * T11 + v13 * T21, v74 = v3 * (c3 * T11), v75 = v3 * (c3 * T21);
+    const wide v76 = v5 * T31, v77 = v5 * T11, v78 = v5 * T21, v79 = v3 * (c3 * T31);
+    const wide angle5 = atan2_wide(-(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 * (s3 *
+        (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 -
+        (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78))))), -(X5_pp * (c3
+        * v59 - factor2_pp * (S2_pp * v58 - v22 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v3
+        * (s3 * v59) + factor2_pp * (v22 * (v65 - (c1_pp * v63 + s1_pp * v64)) + S2_pp * (v68 +
+        (c1_pp * v66 + s1_pp * v67))))));
+    const wide v80 = S2_mp * v69;
+    const wide v81 = v47 * (v3 * (s3 * v71) + factor2_pm * (v23 * (v76 - (c1_pm * v74 + s1_pm *
+        v75)) - S2_mp * (v79 + (c1_pm * v77 + s1_pm * v78)))) - X5_pm * (c3 * v71 + factor2_pm *
+        (v80 + v23 * (s3 * (c1_pm * T11 + s1_pm * T21)))), v82 = S2_mp * v58;
+    const wide angle6 = atan2_wide(v81, v47 * (v3 * (s3 * v60) + factor2_pm * (v23 * (v65 - (c1_pm *
+        v63 + s1_pm * v64)) - S2_mp * (v68 + (c1_pm * v66 + s1_pm * v67)))) - X5_pm * (c3 * v60 +
+        factor2_pm * (v82 + v23 * (s3 * (c1_pm * T12 + s1_pm * T22)))));
+    const wide angle7 = atan2_wide(-(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 * (s1_mp *
+        T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12 * v77 -
+        s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 * v74))))), -(X5_mp * (c3 * v61 - factor2_pm
+        * (v82 - v23 * (s3 * (s1_mp * T22 - v12 * T12)))) + Y5_mp * (v3 * (s3 * v61) + factor2_pm *
+        (S2_mp * (v68 + (v12 * v66 - s1_mp * v67)) - v23 * (v65 + (s1_mp * v64 - v12 * v63))))));
+    const wide angle8 = atan2_wide(-(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 - v22 * (s3 *
+        (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp * (v79 + (v13
+        * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74))))), -(X5_mm * (c3 * v62 -
+        factor2_mm * (-S2_pp * v58 - v22 * (s3 * (s1_mm * T22 - v13 * T12)))) + Y5_mm * (v3 * (s3 *
+        v62) + factor2_mm * (-S2_pp * (v68 + (v13 * v66 - s1_mm * v67)) - v22 * (v65 + (s1_mm * v64
+        - v13 * v63))))));
+    const wide q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v70 -
+        factor2_pp * (S2_pp * v69 - v22 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 *
+        v70) + factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77
+        + s1_pp * v78)))))), q7_pmm = angle6 - h1 * copysign_wide(all_wide(half_turn), v81);
+    const wide q7_mpm = angle7 - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v72 -
+        factor2_pm * (v80 - v23 * (s3 * (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) +
+        factor2_pm * (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 *
+        v74))))));
+    const wide q7_mmm = angle8 - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v73 -
+        factor2_mm * (-S2_pp * v69 - v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 *
+        v73) + factor2_mm * (-S2_pp * (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75
+        - v13 * v74))))));
 
     /* joint values */
     const wide angle9 = atan2_wide(s1_pp, c1_pp);
-    const wide v84 = angle9 - offset1;
+    const wide v83 = angle9 - offset1;
     const wide angle10 = atan2_wide(s1_pm, c1_pm);
-    const wide v85 = angle10 - offset1;
-    const wide angle11 = atan2_wide(s1_mp, -v13);
-    const wide v86 = angle11 - offset1;
-    const wide angle12 = atan2_wide(s1_mm, -v14);
-    const wide v87 = angle12 - offset1;
-    const wide q1_ppp = v84 + only_wide(v84 <= -half_turn, m4);
-    const wide q1_pmp = v85 + only_wide(v85 <= -half_turn, m4);
-    const wide q1_mpp = v86 + only_wide(v86 <= -half_turn, m4);
-    const wide q1_mmp = v87 + only_wide(v87 <= -half_turn, m4);
-    const wide angle13 = atan2_wide(S2_pp, -v23);
-    const wide v88 = angle13 - offset2;
-    const wide angle14 = atan2_wide(-S2_mp, -v24);
-    const wide v89 = angle14 - offset2;
-    const wide angle15 = atan2_wide(S2_mp, -v24);
-    const wide v90 = angle15 - offset2;
-    const wide angle16 = atan2_wide(-S2_pp, -v23);
-    const wide v91 = angle16 - offset2;
-    const wide q2_ppp = v88 + only_wide(v88 <= -half_turn, m4);
-    const wide q2_pmp = v89 + only_wide(v89 <= -half_turn, m4);
-    const wide q2_mpp = v90 + only_wide(v90 <= -half_turn, m4);
-    const wide q2_mmp = v91 + only_wide(v91 <= -half_turn, m4);
+    const wide v84 = angle10 - offset1;
+    const wide angle11 = atan2_wide(s1_mp, -v12);
+    const wide v85 = angle11 - offset1;
+    const wide angle12 = atan2_wide(s1_mm, -v13);
+    const wide v86 = angle12 - offset1;
+    const wide q1_ppp = v83 + only_wide(v83 <= -half_turn, m4);
+    const wide q1_pmp = v84 + only_wide(v84 <= -half_turn, m4);
+    const wide q1_mpp = v85 + only_wide(v85 <= -half_turn, m4);
+    const wide q1_mmp = v86 + only_wide(v86 <= -half_turn, m4);
+    const wide angle13 = atan2_wide(S2_pp, -v22);
+    const wide v87 = angle13 - offset2;
+    const wide angle14 = atan2_wide(-S2_mp, -v23);
+    const wide v88 = angle14 - offset2;
+    const wide angle15 = atan2_wide(S2_mp, -v23);
+    const wide v89 = angle15 - offset2;
+    const wide angle16 = atan2_wide(-S2_pp, -v22);
+    const wide v90 = angle16 - offset2;
+    const wide q2_ppp = v87 + only_wide(v87 <= -half_turn, m4);
+    const wide q2_pmp = v88 + only_wide(v88 <= -half_turn, m4);
+    const wide q2_mpp = v89 + only_wide(v89 <= -half_turn, m4);
+    const wide q2_mmp = v90 + only_wide(v90 <= -half_turn, m4);
     const wide angle17 = atan2_wide(-v4, -v2);
-    const wide v92 = angle17 - offset4, v93 = offset4 + angle17;
-    const wide q4__p = v92 + only_wide(v92 <= -half_turn, m4);
-    const wide q4__m = only_wide(-v93 <= -half_turn, m4) - v93;
-    const wide angle18 = atan2_wide(sqrt_wide(v49), v5 * v42 - factor2_pp * (S2_pp * (c1_pp * v56 +
-        s1_pp * v57 - v58) + v23 * (v55 + (c1_pp * v53 + s1_pp * v54))));
-    const wide angle19 = atan2_wide(sqrt_wide(v50), v5 * v43 - factor2_pm * (v24 * (v55 + (c1_pm *
-        v53 + s1_pm * v54)) - S2_mp * (c1_pm * v56 + s1_pm * v57 - v58)));
-    const wide angle20 = atan2_wide(sqrt_wide(v51), -(v5 * v44 + factor2_pm * (S2_mp * (v58 + (s1_mp
-        * v57 - v13 * v56)) + v24 * (v55 + (v13 * v53 - s1_mp * v54)))));
-    const wide angle21 = atan2_wide(sqrt_wide(v52), -(v5 * v45 + factor2_mm * (-S2_pp * (v58 +
-        (s1_mm * v57 - v14 * v56)) + v23 * (v55 + (v14 * v53 - s1_mm * v54)))));
-    const wide v94 = angle18 - offset6, v95 = offset6 + angle18, v96 = angle19 - offset6;
-    const wide v97 = offset6 + angle19, v98 = angle20 - offset6, v99 = offset6 + angle20;
-    const wide v100 = angle21 - offset6, v101 = offset6 + angle21;
-    const wide q6_ppp = v94 + only_wide(v94 <= -half_turn, m4);
-    const wide q6_ppm = only_wide(-v95 <= -half_turn, m4) - v95;
-    const wide q6_pmp = v96 + only_wide(v96 <= -half_turn, m4);
-    const wide q6_pmm = only_wide(-v97 <= -half_turn, m4) - v97;
-    const wide q6_mpp = v98 + only_wide(v98 <= -half_turn, m4);
-    const wide q6_mpm = only_wide(-v99 <= -half_turn, m4) - v99;
-    const wide q6_mmp = v100 + only_wide(v100 <= -half_turn, m4);
-    const wide q6_mmm = only_wide(-v101 <= -half_turn, m4) - v101;
-    const wide_mask v102 = (free_joints[0] < low3) | (high3 < free_joints[0]);
-    const wide_mask v103 = (q4__p < low4) | (high4 < q4__p);
-    const wide_mask v104 = (q4__m < low4) | (high4 < q4__m);
-    const wide q3_ppp = v7 + (free_joints[0] + (w4 - w4));
-    const wide q4_ppp = v7 + q4__p, q4_mpp = v7 + q4__m;
-    const wide_mask v105 = v103 | (v102 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
+    const wide v91 = angle17 - offset4, v92 = offset4 + angle17;
+    const wide q4__p = v91 + only_wide(v91 <= -half_turn, m4);
+    const wide q4__m = only_wide(-v92 <= -half_turn, m4) - v92;
+    const wide angle18 = atan2_wide(sqrt_wide(v48), v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 +
+        s1_pp * v56 - v57) + v22 * (v54 + (c1_pp * v52 + s1_pp * v53))));
+    const wide angle19 = atan2_wide(sqrt_wide(v49), v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm *
+        v52 + s1_pm * v53)) - S2_mp * (c1_pm * v55 + s1_pm * v56 - v57)));
+    const wide angle20 = atan2_wide(sqrt_wide(v50), -(v5 * v43 + factor2_pm * (S2_mp * (v57 + (s1_mp
+        * v56 - v12 * v55)) + v23 * (v54 + (v12 * v52 - s1_mp * v53)))));
+    const wide angle21 = atan2_wide(sqrt_wide(v51), -(v5 * v44 + factor2_mm * (-S2_pp * (v57 +
+        (s1_mm * v56 - v13 * v55)) + v22 * (v54 + (v13 * v52 - s1_mm * v53)))));
+    const wide v93 = angle18 - offset6, v94 = offset6 + angle18, v95 = angle19 - offset6;
+    const wide v96 = offset6 + angle19, v97 = angle20 - offset6, v98 = offset6 + angle20;
+    const wide v99 = angle21 - offset6, v100 = offset6 + angle21;
+    const wide q6_ppp = v93 + only_wide(v93 <= -half_turn, m4);
+    const wide q6_ppm = only_wide(-v94 <= -half_turn, m4) - v94;
+    const wide q6_pmp = v95 + only_wide(v95 <= -half_turn, m4);
+    const wide q6_pmm = only_wide(-v96 <= -half_turn, m4) - v96;
+    const wide q6_mpp = v97 + only_wide(v97 <= -half_turn, m4);
+    const wide q6_mpm = only_wide(-v98 <= -half_turn, m4) - v98;
+    const wide q6_mmp = v99 + only_wide(v99 <= -half_turn, m4);
+    const wide q6_mmm = only_wide(-v100 <= -half_turn, m4) - v100;
+    const wide_mask v101 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const wide_mask v102 = (q4__p < low4) | (high4 < q4__p);
+    const wide_mask v103 = (q4__m < low4) | (high4 < q4__m);
+    const wide q3_ppp = v6 + (free_joints[0] + (w4 - w4));
+    const wide q4_ppp = v6 + q4__p, q4_mpp = v6 + q4__m;
+    const wide_mask v104 = v102 | (v101 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
         (high2 < q2_ppp))));
-    const wide_mask v106 = v103 | (v102 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
+    const wide_mask v105 = v102 | (v101 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
         (high2 < q2_pmp))));
-    const wide_mask v107 = v104 | (v102 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
+    const wide_mask v106 = v103 | (v101 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
         (high2 < q2_mpp))));
-    const wide_mask v108 = v104 | (v102 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
+    const wide_mask v107 = v103 | (v101 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
         (high2 < q2_mmp))));
     const wide_mask outside_ppp = ((angle5 < low7) | (high7 < angle5)) | (((q6_ppp < low6) | (high6
-        < q6_ppp)) | (v105 | ((angle1 < low5) | (high5 < angle1))));
+        < q6_ppp)) | (v104 | ((angle1 < low5) | (high5 < angle1))));
     const wide_mask outside_ppm = ((q7_ppm < low7) | (high7 < q7_ppm)) | (((q6_ppm < low6) | (high6
-        < q6_ppm)) | (v105 | ((q5_ppm < low5) | (high5 < q5_ppm))));
+        < q6_ppm)) | (v104 | ((q5_ppm < low5) | (high5 < q5_ppm))));
     const wide_mask outside_pmp = ((angle6 < low7) | (high7 < angle6)) | (((q6_pmp < low6) | (high6
-        < q6_pmp)) | (v106 | ((angle2 < low5) | (high5 < angle2))));
+        < q6_pmp)) | (v105 | ((angle2 < low5) | (high5 < angle2))));
     const wide_mask outside_pmm = ((q7_pmm < low7) | (high7 < q7_pmm)) | (((q6_pmm < low6) | (high6
-        < q6_pmm)) | (v106 | ((q5_pmm < low5) | (high5 < q5_pmm))));
+        < q6_pmm)) | (v105 | ((q5_pmm < low5) | (high5 < q5_pmm))));
     const wide_mask outside_mpp = ((angle7 < low7) | (high7 < angle7)) | (((q6_mpp < low6) | (high6
-        < q6_mpp)) | (v107 | ((angle3 < low5) | (high5 < angle3))));
+        < q6_mpp)) | (v106 | ((angle3 < low5) | (high5 < angle3))));
     const wide_mask outside_mpm = ((q7_mpm < low7) | (high7 < q7_mpm)) | (((q6_mpm < low6) | (high6
-        < q6_mpm)) | (v107 | ((q5_mpm < low5) | (high5 < q5_mpm))));
+        < q6_mpm)) | (v106 | ((q5_mpm < low5) | (high5 < q5_mpm))));
     const wide_mask outside_mmp = ((angle8 < low7) | (high7 < angle8)) | (((q6_mmp < low6) | (high6
-        < q6_mmp)) | (v108 | ((angle4 < low5) | (high5 < angle4))));
+        < q6_mmp)) | (v107 | ((angle4 < low5) | (high5 < angle4))));
     const wide_mask outside_mmm = ((q7_mmm < low7) | (high7 < q7_mmm)) | (((q6_mmm < low6) | (high6
-        < q6_mmm)) | (v108 | ((q5_mmm < low5) | (high5 < q5_mmm))));
-    const wide_mask doubt1 = (((shortest4_reach <= V4) & (V4 <= longest4_reach)) &
-        (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (free1 | ((v52 <= m2) | ((v28 <=
-        m1) | ((v51 <= m2) | ((v50 <= m2) | ((v27 <= m1) | ((v49 <= m2) | (((-(reach_slack1 *
-        (reach_slack1 + v6)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 + v6) < D1) == 0))) |
-        (v26 <= m1)))))))));
+        < q6_mmm)) | (v107 | ((q5_mmm < low5) | (high5 < q5_mmm))));
+    const wide_mask doubt1 = (N1 <= doubt_limit_squared2) | ((((shortest4_reach <= V4) & (V4 <=
+        longest4_reach)) & (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | ((v51 <= m2) |
+        ((v27 <= m1) | ((v50 <= m2) | ((v49 <= m2) | ((v26 <= m1) | ((v48 <= m2) | ((abs_wide(D1) <=
+        reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1))) | (v25 <= m1)))))))));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = angle1; q[5] = q6_ppp;
     q[6] = angle5;
@@ -810,6 +810,7 @@ HELPER wide_mask solve_wide(
 #if LANES > 1
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(
     const double T[16], const double free_joints[1], double q[8][7], unsigned char status[8])
 {
@@ -832,99 +833,97 @@ HELPER int solve_regular(
 
     /* theta1 */
     const double N1 = v1 + -wx * -wx;
-    const int free1 = N1 <= doubt_limit_squared2;
     const double Z1 = d5 * (s3 * v5);
     const double D1 = N1 - Z1 * Z1;
-    const double v6 = fabs(Z1) * 2.0;
     const double w1 = sqrt(D1);
-    const double v7 = w1 - w1;
+    const double v6 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v8 = -wx * Z1, v9 = wy * Z1;
-    const four v10 = e1 * v9, v11 = w1 * (inverse1 * (e2 * -wx)), v12 = inverse1 * v10;
-    const four c1 = v12 - v11;
-    const four v13 = e1 * v8, v14 = w1 * (inverse1 * (e2 * wy)), v15 = inverse1 * v13;
-    const four s1 = v14 + v15;
+    const double v7 = -wx * Z1, v8 = wy * Z1;
+    const four v9 = e1 * v8, v10 = w1 * (inverse1 * (e2 * -wx)), v11 = inverse1 * v9;
+    const four c1 = v11 - v10;
+    const four v12 = e1 * v7, v13 = w1 * (inverse1 * (e2 * wy)), v14 = inverse1 * v12;
+    const four s1 = v13 + v14;
 
     /* theta2 */
-    const double v16 = d5 * (c3 * v5);
+    const double v15 = d5 * (c3 * v5);
     const double X2_2 = d3 + d5 * v3;
-    const double v17 = Z1_2 * v16, v18 = w1 * X2_2;
-    const four v19 = e2 * v18, v20 = e1 * v17;
-    const four S2 = v19 - v20;
-    const double v21 = Z1_2 * X2_2, v22 = w1 * v16;
-    const four v23 = v21 + v22 * (e1 * e2), v24 = S2 * S2 + v23 * v23;
-    const four factor2 = sqrt_four(v24) * (1.0 / v24);
+    const double v16 = Z1_2 * v15, v17 = w1 * X2_2;
+    const four v18 = e2 * v17, v19 = e1 * v16;
+    const four S2 = v18 - v19;
+    const double v20 = Z1_2 * X2_2, v21 = w1 * v15;
+    const four v22 = v20 + v21 * (e1 * e2), v23 = S2 * S2 + v22 * v22;
+    const four factor2 = sqrt_four(v23) * (1.0 / v23);
 
     /* theta5 */
-    const double v25 = c3 * T13, v26 = v3 * v25, v27 = c3 * T23, v28 = v3 * v27, v29 = T33 * v5;
-    const double v30 = T13 * v5, v31 = T23 * v5, v32 = c3 * T33, v33 = v3 * v32;
-    const double v34 = T13 * wy + T23 * -wx;
-    const four v35 = w1 * (inverse1 * (s3 * (e2 * v34)));
-    const four v36 = inverse1 * (s3 * (T13 * v13 - T23 * v10)), v37 = v35 + v36, v38 = e1 * v29;
-    const four X5 = v3 * v37 + factor2 * (v23 * (v38 - (c1 * v26 + s1 * v28)) + S2 * (v33 + e1 * (c1
-        * v30 + s1 * v31)));
-    const double v39 = s3 * T33;
-    const four Y5 = factor2 * (S2 * v39 - v23 * (s3 * (T13 * c1 + T23 * s1))) - c3 * (T13 * s1 - T23
+    const double v24 = c3 * T13, v25 = v3 * v24, v26 = c3 * T23, v27 = v3 * v26, v28 = T33 * v5;
+    const double v29 = T13 * v5, v30 = T23 * v5, v31 = c3 * T33, v32 = v3 * v31;
+    const double v33 = T13 * wy + T23 * -wx;
+    const four v34 = w1 * (inverse1 * (s3 * (e2 * v33)));
+    const four v35 = inverse1 * (s3 * (T13 * v12 - T23 * v9)), v36 = v34 + v35, v37 = e1 * v28;
+    const four X5 = v3 * v36 + factor2 * (v22 * (v37 - (c1 * v25 + s1 * v27)) + S2 * (v32 + e1 * (c1
+        * v29 + s1 * v30)));
+    const double v38 = s3 * T33;
+    const four Y5 = factor2 * (S2 * v38 - v22 * (s3 * (T13 * c1 + T23 * s1))) - c3 * (T13 * s1 - T23
         * c1);
-    const four v40 = X5 * X5 + Y5 * Y5;
+    const four v39 = X5 * X5 + Y5 * Y5;
 
     /* theta6 */
-    const double v41 = v5 * v25, v42 = v5 * v27, v43 = T33 * v3, v44 = T13 * v3, v45 = T23 * v3;
-    const double v46 = v5 * v32;
-    const four v47 = e1 * v46;
+    const double v40 = v5 * v24, v41 = v5 * v26, v42 = T33 * v3, v43 = T13 * v3, v44 = T23 * v3;
+    const double v45 = v5 * v31;
+    const four v46 = e1 * v45;
 
     /* theta7 */
-    const double v48 = s3 * T32;
-    const four v49 = s1 * T12 - c1 * T22;
-    const double v50 = v3 * (c3 * T12), v51 = v3 * (c3 * T22), v52 = v5 * T32, v53 = v5 * T12;
-    const double v54 = v5 * T22, v55 = v3 * (c3 * T32);
-    const four v56 = e1 * v52;
-    const double v57 = s3 * T31;
-    const four v58 = s1 * T11 - c1 * T21;
-    const double v59 = v3 * (c3 * T11), v60 = v3 * (c3 * T21), v61 = v5 * T31, v62 = v5 * T11;
-    const double v63 = v5 * T21, v64 = v3 * (c3 * T31);
-    const four v65 = e1 * v61;
+    const double v47 = s3 * T32;
+    const four v48 = s1 * T12 - c1 * T22;
+    const double v49 = v3 * (c3 * T12), v50 = v3 * (c3 * T22), v51 = v5 * T32, v52 = v5 * T12;
+    const double v53 = v5 * T22, v54 = v3 * (c3 * T32);
+    const four v55 = e1 * v51;
+    const double v56 = s3 * T31;
+    const four v57 = s1 * T11 - c1 * T21;
+    const double v58 = v3 * (c3 * T11), v59 = v3 * (c3 * T21), v60 = v5 * T31, v61 = v5 * T11;
+    const double v62 = v5 * T21, v63 = v3 * (c3 * T31);
+    const four v64 = e1 * v60;
 
     /* joint values */
-    const int v71 = (free_joints[0] < low3) | (high3 < free_joints[0]);
-    const double q3_p = v7 + (free_joints[0] + (w4 - w4));
-    const four_mask doubt2 = (v24 <= m1) | (v40 <= m2);
-    const int doubt1 = (((shortest4_reach <= V4) & (V4 <= longest4_reach)) & (((shortest4_apart <
-        V4) & (V4 < longest4_apart)) == 0)) | (free1 | ((-(reach_slack1 * (reach_slack1 + v6)) <=
-        D1) & (free1 | ((merge_slack1 * (merge_slack1 + v6) < D1) == 0))));
+    const int v70 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const double q3_p = v6 + (free_joints[0] + (w4 - w4));
+    const four_mask doubt2 = (v23 <= m1) | (v39 <= m2);
+    const int doubt1 = (N1 <= doubt_limit_squared2) | ((fabs(D1) <= reach_slack1 * (reach_slack1 +
+        2.0 * fabs(Z1))) | (((shortest4_reach <= V4) & (V4 <= longest4_reach)) & (((shortest4_apart
+        < V4) & (V4 < longest4_apart)) == 0)));
 
     const four angle1 = atan2_four(Y5, -X5);
-    const four angle2 = atan2_four(-(X5 * (c3 * v58 - factor2 * (S2 * v57 - v23 * (s3 * (c1 * T11 +
-        s1 * T21)))) + Y5 * (v3 * (s3 * v58) + factor2 * (v23 * (v65 - (c1 * v59 + s1 * v60)) + S2 *
-        (v64 + e1 * (c1 * v62 + s1 * v63))))), -(X5 * (c3 * v49 - factor2 * (S2 * v48 - v23 * (s3 *
-        (c1 * T12 + s1 * T22)))) + Y5 * (v3 * (s3 * v49) + factor2 * (v23 * (v56 - (c1 * v50 + s1 *
-        v51)) + S2 * (v55 + e1 * (c1 * v53 + s1 * v54)))))), angle3 = atan2_four(s1, c1);
-    const four angle4 = atan2_four(S2, -v23);
-    const four angle6 = atan2_four(sqrt_four(v40), e1 * (v5 * v37) - factor2 * (S2 * (c1 * v44 + s1
-        * v45 - v47) + v23 * (v43 + e1 * (c1 * v41 + s1 * v42))));
+    const four angle2 = atan2_four(-(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 * (c1 * T11 +
+        s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 - (c1 * v58 + s1 * v59)) + S2 *
+        (v63 + e1 * (c1 * v61 + s1 * v62))))), -(X5 * (c3 * v48 - factor2 * (S2 * v47 - v22 * (s3 *
+        (c1 * T12 + s1 * T22)))) + Y5 * (v3 * (s3 * v48) + factor2 * (v22 * (v55 - (c1 * v49 + s1 *
+        v50)) + S2 * (v54 + e1 * (c1 * v52 + s1 * v53)))))), angle3 = atan2_four(s1, c1);
+    const four angle4 = atan2_four(S2, -v22);
+    const four angle6 = atan2_four(sqrt_four(v39), e1 * (v5 * v36) - factor2 * (S2 * (c1 * v43 + s1
+        * v44 - v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41))));
     const four packed6 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 });
     const four angle5 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
     const four q5_m = angle1 - copysign_four(all_four(half_turn), Y5) * h1;
-    const four q7_m = angle2 - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v58 - factor2 *
-        (S2 * v57 - v23 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v58) + factor2 * (v23 *
-        (v65 - (c1 * v59 + s1 * v60)) + S2 * (v64 + e1 * (c1 * v62 + s1 * v63))))));
-    const four v66 = angle3 - offset1;
-    const four q1_p = v66 + only_four(v66 <= -half_turn, m4);
-    const four v67 = angle4 - offset2;
-    const four q2_p = v67 + only_four(v67 <= -half_turn, m4);
-    const four v68 = e1 * angle5 - offset4;
-    const four q4_ = v68 + only_four(v68 <= -half_turn, m4);
-    const four v69 = angle6 - offset6, v70 = offset6 + angle6;
-    const four q6_p = v69 + only_four(v69 <= -half_turn, m4);
-    const four q6_m = only_four(-v70 <= -half_turn, m4) - v70;
-    const four_mask v72 = (q4_ < low4) | (high4 < q4_);
-    const four q4_p = v7 + q4_;
-    const four_mask v73 = v72 | (where_four(v71) | (((q1_p < low1) | (high1 < q1_p)) | ((q2_p <
+    const four q7_m = angle2 - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v57 - factor2 *
+        (S2 * v56 - v22 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 *
+        (v64 - (c1 * v58 + s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62))))));
+    const four v65 = angle3 - offset1;
+    const four q1_p = v65 + only_four(v65 <= -half_turn, m4);
+    const four v66 = angle4 - offset2;
+    const four q2_p = v66 + only_four(v66 <= -half_turn, m4);
+    const four v67 = e1 * angle5 - offset4;
+    const four q4_ = v67 + only_four(v67 <= -half_turn, m4);
+    const four v68 = angle6 - offset6, v69 = offset6 + angle6;
+    const four q6_p = v68 + only_four(v68 <= -half_turn, m4);
+    const four q6_m = only_four(-v69 <= -half_turn, m4) - v69;
+    const four_mask v71 = (q4_ < low4) | (high4 < q4_);
+    const four q4_p = v6 + q4_;
+    const four_mask v72 = v71 | (where_four(v70) | (((q1_p < low1) | (high1 < q1_p)) | ((q2_p <
         low2) | (high2 < q2_p))));
     const four_mask outside_p = ((angle2 < low7) | (high7 < angle2)) | (((q6_p < low6) | (high6 <
-        q6_p)) | (v73 | ((angle1 < low5) | (high5 < angle1))));
+        q6_p)) | (v72 | ((angle1 < low5) | (high5 < angle1))));
     const four_mask outside_m = ((q7_m < low7) | (high7 < q7_m)) | (((q6_m < low6) | (high6 < q6_m))
-        | (v73 | ((q5_m < low5) | (high5 < q5_m))));
+        | (v72 | ((q5_m < low5) | (high5 < q5_m))));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -1198,12 +1197,8 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int kuka_iiwa14_ik(
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
@@ -1211,10 +1206,8 @@ int kuka_iiwa14_ik(
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, free_joints, q, status)) >= 0)
-        return count;
-    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
-    if (valid && (count = solve_regular(pose, free_joints, q, status)) >= 0)
+    const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    if (valid == 2 && (count = solve_regular(pose, free_joints, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
@@ -1230,12 +1223,21 @@ int kuka_iiwa14_ik(
             continue;
         for (int i = 0; i < 7; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = KUKA_IIWA14_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_IIWA14_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int kuka_iiwa14_ik(
+    const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
+    unsigned char status[8])
+{
+    const int count = solve_regular(T, free_joints, q, status);
+    return count < 0 ? ik_carefully(T, free_joints, q_seed, q, status) : count;
 }
 
 int kuka_iiwa14_ik_nearest(

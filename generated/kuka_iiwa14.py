@@ -678,33 +678,32 @@ def _regular(pose, q_free, q, status):
 
     # theta1, type 2: U1 A7^-1 [3, 4]
     N1 = v1 + -wx * -wx
-    free1 = N1 <= doubt_limit_squared2
     inverse1 = 1.0 / N1
 
     # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
     X2_2 = d3 + d5 * v3
-    v21 = Z1_2 * X2_2
+    v20 = Z1_2 * X2_2
 
     # theta5, type 2: U5[3, 3]
-    v33 = T33 * v5
-    v34 = T13 * v5
-    v35 = T23 * v5
+    v32 = T33 * v5
+    v33 = T13 * v5
+    v34 = T23 * v5
 
     # theta6, type 3: U5[2, 3] and U5[1, 3]
-    v55 = T33 * v3
-    v56 = T13 * v3
-    v57 = T23 * v3
+    v54 = T33 * v3
+    v55 = T13 * v3
+    v56 = T23 * v3
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v66 = v5 * T32
-    v67 = v5 * T12
-    v68 = v5 * T22
-    v77 = v5 * T31
-    v78 = v5 * T11
-    v79 = v5 * T21
+    v65 = v5 * T32
+    v66 = v5 * T12
+    v67 = v5 * T22
+    v76 = v5 * T31
+    v77 = v5 * T11
+    v78 = v5 * T21
 
     # joint values
-    v102 = q_free[0] < low3 or high3 < q_free[0]
+    v101 = q_free[0] < low3 or high3 < q_free[0]
     s3 = math.sin(q_free[0])
     c3 = math.cos(q_free[0])
     angle17 = _atan2(-v4, -v2)
@@ -712,163 +711,162 @@ def _regular(pose, q_free, q, status):
     # theta1, type 2: U1 A7^-1 [3, 4]
     Z1 = d5 * (s3 * v5)
     D1 = N1 - Z1 * Z1
-    v6 = abs(Z1) * 2.0
     w1 = math.sqrt(D1)
-    v7 = w1 - w1
-    v8 = -wx * Z1
-    v9 = wy * Z1
-    v10 = w1 * (-wx * inverse1)
-    v11 = w1 * (wx * inverse1)
-    v12 = inverse1 * v9
-    c1_pp = v12 - v10
-    c1_pm = v12 - v11
-    v13 = v10 + v12
-    v14 = v11 + v12
-    v15 = w1 * (wy * inverse1)
-    v16 = w1 * (inverse1 * -wy)
-    v17 = inverse1 * v8
-    s1_pp = v15 + v17
-    s1_pm = v16 + v17
-    s1_mp = v15 - v17
-    s1_mm = v16 - v17
+    v6 = w1 - w1
+    v7 = -wx * Z1
+    v8 = wy * Z1
+    v9 = w1 * (-wx * inverse1)
+    v10 = w1 * (wx * inverse1)
+    v11 = inverse1 * v8
+    c1_pp = v11 - v9
+    c1_pm = v11 - v10
+    v12 = v9 + v11
+    v13 = v10 + v11
+    v14 = w1 * (wy * inverse1)
+    v15 = w1 * (inverse1 * -wy)
+    v16 = inverse1 * v7
+    s1_pp = v14 + v16
+    s1_pm = v15 + v16
+    s1_mp = v14 - v16
+    s1_mm = v15 - v16
 
     # theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4]
-    v18 = d5 * (c3 * v5)
-    v19 = Z1_2 * v18
-    v20 = w1 * X2_2
-    S2_pp = v20 - v19
-    S2_mp = v19 + v20
-    v22 = w1 * v18
-    v23 = v21 + v22
-    v24 = v21 - v22
-    v25 = v23 * v23
-    v26 = S2_pp * S2_pp + v25
-    v27 = S2_mp * S2_mp + v24 * v24
-    v28 = v25 + -S2_pp * -S2_pp
-    factor2_pp = math.sqrt(v26) * (1.0 / v26)
-    factor2_pm = math.sqrt(v27) * (1.0 / v27)
-    factor2_mm = math.sqrt(v28) * (1.0 / v28)
+    v17 = d5 * (c3 * v5)
+    v18 = Z1_2 * v17
+    v19 = w1 * X2_2
+    S2_pp = v19 - v18
+    S2_mp = v18 + v19
+    v21 = w1 * v17
+    v22 = v20 + v21
+    v23 = v20 - v21
+    v24 = v22 * v22
+    v25 = S2_pp * S2_pp + v24
+    v26 = S2_mp * S2_mp + v23 * v23
+    v27 = v24 + -S2_pp * -S2_pp
+    factor2_pp = math.sqrt(v25) * (1.0 / v25)
+    factor2_pm = math.sqrt(v26) * (1.0 / v26)
+    factor2_mm = math.sqrt(v27) * (1.0 / v27)
 
     # theta5, type 2: U5[3, 3]
-    v29 = c3 * T13
-    v30 = v3 * v29
-    v31 = c3 * T23
-    v32 = v3 * v31
-    v36 = c3 * T33
-    v37 = v3 * v36
-    v38 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
-    v39 = T13 * v8 - T23 * v9
-    v40 = inverse1 * (s3 * v39)
-    v41 = inverse1 * (s3 * -v39)
-    v42 = v38 + v40
-    v43 = v40 - v38
-    v44 = v38 + v41
-    v45 = v41 - v38
+    v28 = c3 * T13
+    v29 = v3 * v28
+    v30 = c3 * T23
+    v31 = v3 * v30
+    v35 = c3 * T33
+    v36 = v3 * v35
+    v37 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
+    v38 = T13 * v7 - T23 * v8
+    v39 = inverse1 * (s3 * v38)
+    v40 = inverse1 * (s3 * -v38)
+    v41 = v37 + v39
+    v42 = v39 - v37
+    v43 = v37 + v40
+    v44 = v40 - v37
     X5_pp = (
-        v3 * v42 + factor2_pp * (v23 * (v33 - (c1_pp * v30 + s1_pp * v32)) + S2_pp * (v37 + (c1_pp *
-        v34 + s1_pp * v35)))
+        v3 * v41 + factor2_pp * (v22 * (v32 - (c1_pp * v29 + s1_pp * v31)) + S2_pp * (v36 + (c1_pp *
+        v33 + s1_pp * v34)))
     )
     X5_pm = (
-        v3 * v43 + factor2_pm * (v24 * (v33 - (c1_pm * v30 + s1_pm * v32)) - S2_mp * (v37 + (c1_pm *
-        v34 + s1_pm * v35)))
+        v3 * v42 + factor2_pm * (v23 * (v32 - (c1_pm * v29 + s1_pm * v31)) - S2_mp * (v36 + (c1_pm *
+        v33 + s1_pm * v34)))
     )
     X5_mp = (
-        v3 * v44 + factor2_pm * (S2_mp * (v37 + (v13 * v34 - s1_mp * v35)) - v24 * (v33 + (s1_mp *
-        v32 - v13 * v30)))
+        v3 * v43 + factor2_pm * (S2_mp * (v36 + (v12 * v33 - s1_mp * v34)) - v23 * (v32 + (s1_mp *
+        v31 - v12 * v29)))
     )
     X5_mm = (
-        v3 * v45 + factor2_mm * (-S2_pp * (v37 + (v14 * v34 - s1_mm * v35)) - v23 * (v33 + (s1_mm *
-        v32 - v14 * v30)))
+        v3 * v44 + factor2_mm * (-S2_pp * (v36 + (v13 * v33 - s1_mm * v34)) - v22 * (v32 + (s1_mm *
+        v31 - v13 * v29)))
     )
-    v46 = s3 * T33
+    v45 = s3 * T33
     Y5_pp = (
-        factor2_pp * (S2_pp * v46 - v23 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 * s1_pp -
+        factor2_pp * (S2_pp * v45 - v22 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 * s1_pp -
         T23 * c1_pp)
     )
-    v47 = S2_mp * v46
-    v48 = (
-        factor2_pm * (v47 + v24 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm - T23 *
+    v46 = S2_mp * v45
+    v47 = (
+        factor2_pm * (v46 + v23 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm - T23 *
         c1_pm)
     )
     Y5_mp = (
-        factor2_pm * (v47 - v24 * (s3 * (T23 * s1_mp - T13 * v13))) - c3 * (T13 * s1_mp + T23 * v13)
+        factor2_pm * (v46 - v23 * (s3 * (T23 * s1_mp - T13 * v12))) - c3 * (T13 * s1_mp + T23 * v12)
     )
     Y5_mm = (
-        factor2_mm * (-S2_pp * v46 - v23 * (s3 * (T23 * s1_mm - T13 * v14))) - c3 * (T13 * s1_mm +
-        T23 * v14)
+        factor2_mm * (-S2_pp * v45 - v22 * (s3 * (T23 * s1_mm - T13 * v13))) - c3 * (T13 * s1_mm +
+        T23 * v13)
     )
-    v49 = X5_pp * X5_pp + Y5_pp * Y5_pp
-    v50 = X5_pm * X5_pm + v48 * v48
-    v51 = X5_mp * X5_mp + Y5_mp * Y5_mp
-    v52 = X5_mm * X5_mm + Y5_mm * Y5_mm
+    v48 = X5_pp * X5_pp + Y5_pp * Y5_pp
+    v49 = X5_pm * X5_pm + v47 * v47
+    v50 = X5_mp * X5_mp + Y5_mp * Y5_mp
+    v51 = X5_mm * X5_mm + Y5_mm * Y5_mm
 
     # theta6, type 3: U5[2, 3] and U5[1, 3]
-    v53 = v5 * v29
-    v54 = v5 * v31
-    v58 = v5 * v36
+    v52 = v5 * v28
+    v53 = v5 * v30
+    v57 = v5 * v35
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    v59 = s3 * T32
-    v60 = s1_pp * T12 - c1_pp * T22
-    v61 = s1_pm * T12 - c1_pm * T22
-    v62 = s1_mp * T12 + v13 * T22
-    v63 = s1_mm * T12 + v14 * T22
-    v64 = v3 * (c3 * T12)
-    v65 = v3 * (c3 * T22)
-    v69 = v3 * (c3 * T32)
-    v70 = s3 * T31
-    v71 = s1_pp * T11 - c1_pp * T21
-    v72 = s1_pm * T11 - c1_pm * T21
-    v73 = s1_mp * T11 + v13 * T21
-    v74 = s1_mm * T11 + v14 * T21
-    v75 = v3 * (c3 * T11)
-    v76 = v3 * (c3 * T21)
-    v80 = v3 * (c3 * T31)
-    v81 = S2_mp * v70
-    v82 = (
-        v48 * (v3 * (s3 * v72) + factor2_pm * (v24 * (v77 - (c1_pm * v75 + s1_pm * v76)) - S2_mp *
-        (v80 + (c1_pm * v78 + s1_pm * v79)))) - X5_pm * (c3 * v72 + factor2_pm * (v81 + v24 * (s3 *
+    v58 = s3 * T32
+    v59 = s1_pp * T12 - c1_pp * T22
+    v60 = s1_pm * T12 - c1_pm * T22
+    v61 = s1_mp * T12 + v12 * T22
+    v62 = s1_mm * T12 + v13 * T22
+    v63 = v3 * (c3 * T12)
+    v64 = v3 * (c3 * T22)
+    v68 = v3 * (c3 * T32)
+    v69 = s3 * T31
+    v70 = s1_pp * T11 - c1_pp * T21
+    v71 = s1_pm * T11 - c1_pm * T21
+    v72 = s1_mp * T11 + v12 * T21
+    v73 = s1_mm * T11 + v13 * T21
+    v74 = v3 * (c3 * T11)
+    v75 = v3 * (c3 * T21)
+    v79 = v3 * (c3 * T31)
+    v80 = S2_mp * v69
+    v81 = (
+        v47 * (v3 * (s3 * v71) + factor2_pm * (v23 * (v76 - (c1_pm * v74 + s1_pm * v75)) - S2_mp *
+        (v79 + (c1_pm * v77 + s1_pm * v78)))) - X5_pm * (c3 * v71 + factor2_pm * (v80 + v23 * (s3 *
         (c1_pm * T11 + s1_pm * T21))))
     )
-    v83 = S2_mp * v59
+    v82 = S2_mp * v58
 
     # joint values
-    v92 = angle17 - offset4
-    v93 = offset4 + angle17
-    q4__p = v92 + (m4 if v92 <= -half_turn else 0.0)
-    q4__m = (m4 if -v93 <= -half_turn else 0.0) - v93
-    v103 = q4__p < low4 or high4 < q4__p
-    v104 = q4__m < low4 or high4 < q4__m
-    q3_ppp = v7 + (q_free[0] + (w4 - w4))
-    q4_ppp = v7 + q4__p
-    q4_mpp = v7 + q4__m
+    v91 = angle17 - offset4
+    v92 = offset4 + angle17
+    q4__p = v91 + (m4 if v91 <= -half_turn else 0.0)
+    q4__m = (m4 if -v92 <= -half_turn else 0.0) - v92
+    v102 = q4__p < low4 or high4 < q4__p
+    v103 = q4__m < low4 or high4 < q4__m
+    q3_ppp = v6 + (q_free[0] + (w4 - w4))
+    q4_ppp = v6 + q4__p
+    q4_mpp = v6 + q4__m
     doubt1 = (
-        (shortest4_reach <= V4 and V4 <= longest4_reach and not (shortest4_apart < V4 and V4 <
-        longest4_apart)) or (free1 or (v52 <= m2 or (v28 <= m1 or (v51 <= m2 or (v50 <= m2 or (v27
-        <= m1 or (v49 <= m2 or ((-(reach_slack1 * (reach_slack1 + v6)) <= D1 and (free1 or not
-        (merge_slack1 * (merge_slack1 + v6) < D1))) or v26 <= m1))))))))
+        N1 <= doubt_limit_squared2 or ((shortest4_reach <= V4 and V4 <= longest4_reach and not
+        (shortest4_apart < V4 and V4 < longest4_apart)) or (v51 <= m2 or (v27 <= m1 or (v50 <= m2 or
+        (v49 <= m2 or (v26 <= m1 or (v48 <= m2 or (abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 *
+        abs(Z1)) or v25 <= m1))))))))
     )
 
     # angles, side by side
     room[0] = Y5_pp
-    room[1] = -v48
+    room[1] = -v47
     room[2] = Y5_mp
     room[3] = Y5_mm
     room[4] = (
-        -(X5_pp * (c3 * v71 - factor2_pp * (S2_pp * v70 - v23 * (s3 * (c1_pp * T11 + s1_pp * T21))))
-        + Y5_pp * (v3 * (s3 * v71) + factor2_pp * (v23 * (v77 - (c1_pp * v75 + s1_pp * v76)) + S2_pp
-        * (v80 + (c1_pp * v78 + s1_pp * v79)))))
+        -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 * (s3 * (c1_pp * T11 + s1_pp * T21))))
+        + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp * v75)) + S2_pp
+        * (v79 + (c1_pp * v77 + s1_pp * v78)))))
     )
-    room[5] = v82
+    room[5] = v81
     room[6] = (
-        -(X5_mp * (c3 * v73 - factor2_pm * (v81 - v24 * (s3 * (s1_mp * T21 - v13 * T11)))) + Y5_mp *
-        (v3 * (s3 * v73) + factor2_pm * (S2_mp * (v80 + (v13 * v78 - s1_mp * v79)) - v24 * (v77 +
-        (s1_mp * v76 - v13 * v75)))))
+        -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 * (s1_mp * T21 - v12 * T11)))) + Y5_mp *
+        (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) - v23 * (v76 +
+        (s1_mp * v75 - v12 * v74)))))
     )
     room[7] = (
-        -(X5_mm * (c3 * v74 - factor2_mm * (-S2_pp * v70 - v23 * (s3 * (s1_mm * T21 - v14 * T11))))
-        + Y5_mm * (v3 * (s3 * v74) + factor2_mm * (-S2_pp * (v80 + (v14 * v78 - s1_mm * v79)) - v23
-        * (v77 + (s1_mm * v76 - v14 * v75)))))
+        -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 - v22 * (s3 * (s1_mm * T21 - v13 * T11))))
+        + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp * (v79 + (v13 * v77 - s1_mm * v78)) - v22
+        * (v76 + (s1_mm * v75 - v13 * v74)))))
     )
     room[8] = s1_pp
     room[9] = s1_pm
@@ -878,57 +876,57 @@ def _regular(pose, q_free, q, status):
     room[13] = -S2_mp
     room[14] = S2_mp
     room[15] = -S2_pp
-    room[16] = math.sqrt(v49)
-    room[17] = math.sqrt(v50)
-    room[18] = math.sqrt(v51)
-    room[19] = math.sqrt(v52)
+    room[16] = math.sqrt(v48)
+    room[17] = math.sqrt(v49)
+    room[18] = math.sqrt(v50)
+    room[19] = math.sqrt(v51)
     room[24] = -X5_pp
     room[25] = -X5_pm
     room[26] = -X5_mp
     room[27] = -X5_mm
     room[28] = (
-        -(X5_pp * (c3 * v60 - factor2_pp * (S2_pp * v59 - v23 * (s3 * (c1_pp * T12 + s1_pp * T22))))
-        + Y5_pp * (v3 * (s3 * v60) + factor2_pp * (v23 * (v66 - (c1_pp * v64 + s1_pp * v65)) + S2_pp
-        * (v69 + (c1_pp * v67 + s1_pp * v68)))))
+        -(X5_pp * (c3 * v59 - factor2_pp * (S2_pp * v58 - v22 * (s3 * (c1_pp * T12 + s1_pp * T22))))
+        + Y5_pp * (v3 * (s3 * v59) + factor2_pp * (v22 * (v65 - (c1_pp * v63 + s1_pp * v64)) + S2_pp
+        * (v68 + (c1_pp * v66 + s1_pp * v67)))))
     )
     room[29] = (
-        v48 * (v3 * (s3 * v61) + factor2_pm * (v24 * (v66 - (c1_pm * v64 + s1_pm * v65)) - S2_mp *
-        (v69 + (c1_pm * v67 + s1_pm * v68)))) - X5_pm * (c3 * v61 + factor2_pm * (v83 + v24 * (s3 *
+        v47 * (v3 * (s3 * v60) + factor2_pm * (v23 * (v65 - (c1_pm * v63 + s1_pm * v64)) - S2_mp *
+        (v68 + (c1_pm * v66 + s1_pm * v67)))) - X5_pm * (c3 * v60 + factor2_pm * (v82 + v23 * (s3 *
         (c1_pm * T12 + s1_pm * T22))))
     )
     room[30] = (
-        -(X5_mp * (c3 * v62 - factor2_pm * (v83 - v24 * (s3 * (s1_mp * T22 - v13 * T12)))) + Y5_mp *
-        (v3 * (s3 * v62) + factor2_pm * (S2_mp * (v69 + (v13 * v67 - s1_mp * v68)) - v24 * (v66 +
-        (s1_mp * v65 - v13 * v64)))))
+        -(X5_mp * (c3 * v61 - factor2_pm * (v82 - v23 * (s3 * (s1_mp * T22 - v12 * T12)))) + Y5_mp *
+        (v3 * (s3 * v61) + factor2_pm * (S2_mp * (v68 + (v12 * v66 - s1_mp * v67)) - v23 * (v65 +
+        (s1_mp * v64 - v12 * v63)))))
     )
     room[31] = (
-        -(X5_mm * (c3 * v63 - factor2_mm * (-S2_pp * v59 - v23 * (s3 * (s1_mm * T22 - v14 * T12))))
-        + Y5_mm * (v3 * (s3 * v63) + factor2_mm * (-S2_pp * (v69 + (v14 * v67 - s1_mm * v68)) - v23
-        * (v66 + (s1_mm * v65 - v14 * v64)))))
+        -(X5_mm * (c3 * v62 - factor2_mm * (-S2_pp * v58 - v22 * (s3 * (s1_mm * T22 - v13 * T12))))
+        + Y5_mm * (v3 * (s3 * v62) + factor2_mm * (-S2_pp * (v68 + (v13 * v66 - s1_mm * v67)) - v22
+        * (v65 + (s1_mm * v64 - v13 * v63)))))
     )
     room[32] = c1_pp
     room[33] = c1_pm
-    room[34] = -v13
-    room[35] = -v14
-    room[36] = -v23
-    room[37] = -v24
-    room[38] = -v24
-    room[39] = -v23
+    room[34] = -v12
+    room[35] = -v13
+    room[36] = -v22
+    room[37] = -v23
+    room[38] = -v23
+    room[39] = -v22
     room[40] = (
-        v5 * v42 - factor2_pp * (S2_pp * (c1_pp * v56 + s1_pp * v57 - v58) + v23 * (v55 + (c1_pp *
-        v53 + s1_pp * v54)))
+        v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 + s1_pp * v56 - v57) + v22 * (v54 + (c1_pp *
+        v52 + s1_pp * v53)))
     )
     room[41] = (
-        v5 * v43 - factor2_pm * (v24 * (v55 + (c1_pm * v53 + s1_pm * v54)) - S2_mp * (c1_pm * v56 +
-        s1_pm * v57 - v58))
+        v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm * v52 + s1_pm * v53)) - S2_mp * (c1_pm * v55 +
+        s1_pm * v56 - v57))
     )
     room[42] = (
-        -(v5 * v44 + factor2_pm * (S2_mp * (v58 + (s1_mp * v57 - v13 * v56)) + v24 * (v55 + (v13 *
-        v53 - s1_mp * v54))))
+        -(v5 * v43 + factor2_pm * (S2_mp * (v57 + (s1_mp * v56 - v12 * v55)) + v23 * (v54 + (v12 *
+        v52 - s1_mp * v53))))
     )
     room[43] = (
-        -(v5 * v45 + factor2_mm * (-S2_pp * (v58 + (s1_mm * v57 - v14 * v56)) + v23 * (v55 + (v14 *
-        v53 - s1_mm * v54))))
+        -(v5 * v44 + factor2_mm * (-S2_pp * (v57 + (s1_mm * v56 - v13 * v55)) + v22 * (v54 + (v13 *
+        v52 - s1_mm * v53))))
     )
     for k in range(20, 24):
         room[k] = room[k + 24] = 1.0
@@ -957,95 +955,95 @@ def _regular(pose, q_free, q, status):
 
     # theta5, type 2: U5[3, 3]
     q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-    q5_pmm = angle2 - math.copysign(half_turn, -v48) * h1
+    q5_pmm = angle2 - math.copysign(half_turn, -v47) * h1
     q5_mpm = angle3 - math.copysign(half_turn, Y5_mp) * h1
     q5_mmm = angle4 - math.copysign(half_turn, Y5_mm) * h1
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
     q7_ppm = (
-        angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v71 - factor2_pp * (S2_pp * v70 - v23
-        * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v71) + factor2_pp * (v23 * (v77
-        - (c1_pp * v75 + s1_pp * v76)) + S2_pp * (v80 + (c1_pp * v78 + s1_pp * v79))))))
+        angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22
+        * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76
+        - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78))))))
     )
-    q7_pmm = angle6 - h1 * math.copysign(half_turn, v82)
+    q7_pmm = angle6 - h1 * math.copysign(half_turn, v81)
     q7_mpm = (
-        angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v73 - factor2_pm * (v81 - v24 * (s3 *
-        (s1_mp * T21 - v13 * T11)))) + Y5_mp * (v3 * (s3 * v73) + factor2_pm * (S2_mp * (v80 + (v13
-        * v78 - s1_mp * v79)) - v24 * (v77 + (s1_mp * v76 - v13 * v75))))))
+        angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 *
+        (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12
+        * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 * v74))))))
     )
     q7_mmm = (
-        angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v74 - factor2_mm * (-S2_pp * v70 -
-        v23 * (s3 * (s1_mm * T21 - v14 * T11)))) + Y5_mm * (v3 * (s3 * v74) + factor2_mm * (-S2_pp *
-        (v80 + (v14 * v78 - s1_mm * v79)) - v23 * (v77 + (s1_mm * v76 - v14 * v75))))))
+        angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 -
+        v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp *
+        (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74))))))
     )
 
     # joint values
-    v84 = angle9 - offset1
-    v85 = angle10 - offset1
-    v86 = angle11 - offset1
-    v87 = angle12 - offset1
-    q1_ppp = v84 + (m4 if v84 <= -half_turn else 0.0)
-    q1_pmp = v85 + (m4 if v85 <= -half_turn else 0.0)
-    q1_mpp = v86 + (m4 if v86 <= -half_turn else 0.0)
-    q1_mmp = v87 + (m4 if v87 <= -half_turn else 0.0)
-    v88 = angle13 - offset2
-    v89 = angle14 - offset2
-    v90 = angle15 - offset2
-    v91 = angle16 - offset2
-    q2_ppp = v88 + (m4 if v88 <= -half_turn else 0.0)
-    q2_pmp = v89 + (m4 if v89 <= -half_turn else 0.0)
-    q2_mpp = v90 + (m4 if v90 <= -half_turn else 0.0)
-    q2_mmp = v91 + (m4 if v91 <= -half_turn else 0.0)
-    v94 = angle18 - offset6
-    v95 = offset6 + angle18
-    v96 = angle19 - offset6
-    v97 = offset6 + angle19
-    v98 = angle20 - offset6
-    v99 = offset6 + angle20
-    v100 = angle21 - offset6
-    v101 = offset6 + angle21
-    q6_ppp = v94 + (m4 if v94 <= -half_turn else 0.0)
-    q6_ppm = (m4 if -v95 <= -half_turn else 0.0) - v95
-    q6_pmp = v96 + (m4 if v96 <= -half_turn else 0.0)
-    q6_pmm = (m4 if -v97 <= -half_turn else 0.0) - v97
-    q6_mpp = v98 + (m4 if v98 <= -half_turn else 0.0)
-    q6_mpm = (m4 if -v99 <= -half_turn else 0.0) - v99
-    q6_mmp = v100 + (m4 if v100 <= -half_turn else 0.0)
-    q6_mmm = (m4 if -v101 <= -half_turn else 0.0) - v101
-    v105 = v103 or (v102 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
-    v106 = v103 or (v102 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
-    v107 = v104 or (v102 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
-    v108 = v104 or (v102 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
+    v83 = angle9 - offset1
+    v84 = angle10 - offset1
+    v85 = angle11 - offset1
+    v86 = angle12 - offset1
+    q1_ppp = v83 + (m4 if v83 <= -half_turn else 0.0)
+    q1_pmp = v84 + (m4 if v84 <= -half_turn else 0.0)
+    q1_mpp = v85 + (m4 if v85 <= -half_turn else 0.0)
+    q1_mmp = v86 + (m4 if v86 <= -half_turn else 0.0)
+    v87 = angle13 - offset2
+    v88 = angle14 - offset2
+    v89 = angle15 - offset2
+    v90 = angle16 - offset2
+    q2_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
+    q2_pmp = v88 + (m4 if v88 <= -half_turn else 0.0)
+    q2_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
+    q2_mmp = v90 + (m4 if v90 <= -half_turn else 0.0)
+    v93 = angle18 - offset6
+    v94 = offset6 + angle18
+    v95 = angle19 - offset6
+    v96 = offset6 + angle19
+    v97 = angle20 - offset6
+    v98 = offset6 + angle20
+    v99 = angle21 - offset6
+    v100 = offset6 + angle21
+    q6_ppp = v93 + (m4 if v93 <= -half_turn else 0.0)
+    q6_ppm = (m4 if -v94 <= -half_turn else 0.0) - v94
+    q6_pmp = v95 + (m4 if v95 <= -half_turn else 0.0)
+    q6_pmm = (m4 if -v96 <= -half_turn else 0.0) - v96
+    q6_mpp = v97 + (m4 if v97 <= -half_turn else 0.0)
+    q6_mpm = (m4 if -v98 <= -half_turn else 0.0) - v98
+    q6_mmp = v99 + (m4 if v99 <= -half_turn else 0.0)
+    q6_mmm = (m4 if -v100 <= -half_turn else 0.0) - v100
+    v104 = v102 or (v101 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
+    v105 = v102 or (v101 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
+    v106 = v103 or (v101 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
+    v107 = v103 or (v101 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
     outside_ppp = (
-        angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v105 or (angle1 <
+        angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v104 or (angle1 <
         low5 or high5 < angle1)))
     )
     outside_ppm = (
-        q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v105 or (q5_ppm <
+        q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v104 or (q5_ppm <
         low5 or high5 < q5_ppm)))
     )
     outside_pmp = (
-        angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v106 or (angle2 <
+        angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v105 or (angle2 <
         low5 or high5 < angle2)))
     )
     outside_pmm = (
-        q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v106 or (q5_pmm <
+        q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v105 or (q5_pmm <
         low5 or high5 < q5_pmm)))
     )
     outside_mpp = (
-        angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v107 or (angle3 <
+        angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v106 or (angle3 <
         low5 or high5 < angle3)))
     )
     outside_mpm = (
-        q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v107 or (q5_mpm <
+        q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v106 or (q5_mpm <
         low5 or high5 < q5_mpm)))
     )
     outside_mmp = (
-        angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v108 or (angle4 <
+        angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v107 or (angle4 <
         low5 or high5 < angle4)))
     )
     outside_mmm = (
-        q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v108 or (q5_mmm <
+        q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v107 or (q5_mmm <
         low5 or high5 < q5_mmm)))
     )
 
@@ -1284,16 +1282,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [3904, 3936, 3968, 4000, 4032, 4064, 4096],
-    [3904, 3936, 3968, 4000, 4128, 4160, 4192],
-    [4224, 4256, 3968, 4000, 4288, 4320, 4352],
-    [4224, 4256, 3968, 4000, 4384, 4416, 4448],
-    [4480, 4512, 3968, 4544, 4576, 4608, 4640],
-    [4480, 4512, 3968, 4544, 4672, 4704, 4736],
-    [4768, 4800, 3968, 4544, 4832, 4864, 4896],
-    [4768, 4800, 3968, 4544, 4928, 4960, 4992],
+    [3872, 3904, 3936, 3968, 4000, 4032, 4064],
+    [3872, 3904, 3936, 3968, 4096, 4128, 4160],
+    [4192, 4224, 3936, 3968, 4256, 4288, 4320],
+    [4192, 4224, 3936, 3968, 4352, 4384, 4416],
+    [4448, 4480, 3936, 4512, 4544, 4576, 4608],
+    [4448, 4480, 3936, 4512, 4640, 4672, 4704],
+    [4736, 4768, 3936, 4512, 4800, 4832, 4864],
+    [4736, 4768, 3936, 4512, 4896, 4928, 4960],
 ])
-_KINDS = np.array([5024, 5056, 5088, 5120, 5152, 5184, 5216, 5248])
+_KINDS = np.array([4992, 5024, 5056, 5088, 5120, 5152, 5184, 5216])
 _LEFT_OVER = 255
 
 
@@ -1304,7 +1302,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(5280)
+    work = np.empty(5248)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1354,23 +1352,22 @@ def _in_tiles(T, q_free, q, status):
             v4 = k1 * w4
             v5 = k3 * v4
             N1 = v1 + -wx * -wx
-            free1 = N1 <= doubt_limit_squared2
             inverse1 = 1.0 / N1
             X2_2 = d3 + d5 * v3
-            v21 = Z1_2 * X2_2
-            v33 = T33 * v5
-            v34 = T13 * v5
-            v35 = T23 * v5
-            v55 = T33 * v3
-            v56 = T13 * v3
-            v57 = T23 * v3
-            v66 = v5 * T32
-            v67 = v5 * T12
-            v68 = v5 * T22
-            v77 = v5 * T31
-            v78 = v5 * T11
-            v79 = v5 * T21
-            v102 = given1 < low3 or high3 < given1
+            v20 = Z1_2 * X2_2
+            v32 = T33 * v5
+            v33 = T13 * v5
+            v34 = T23 * v5
+            v54 = T33 * v3
+            v55 = T13 * v3
+            v56 = T23 * v3
+            v65 = v5 * T32
+            v66 = v5 * T12
+            v67 = v5 * T22
+            v76 = v5 * T31
+            v77 = v5 * T11
+            v78 = v5 * T21
+            v101 = given1 < low3 or high3 < given1
             work[576 + k] = wx
             work[608 + k] = wy
             work[640 + k] = Z1_2
@@ -1379,32 +1376,31 @@ def _in_tiles(T, q_free, q, status):
             work[736 + k] = v3
             work[768 + k] = v5
             work[800 + k] = N1
-            work[832 + k] = free1
-            work[864 + k] = inverse1
-            work[896 + k] = X2_2
-            work[928 + k] = v21
+            work[832 + k] = inverse1
+            work[864 + k] = X2_2
+            work[896 + k] = v20
+            work[928 + k] = v32
             work[960 + k] = v33
             work[992 + k] = v34
-            work[1024 + k] = v35
+            work[1024 + k] = v54
             work[1056 + k] = v55
             work[1088 + k] = v56
-            work[1120 + k] = v57
+            work[1120 + k] = v65
             work[1152 + k] = v66
             work[1184 + k] = v67
-            work[1216 + k] = v68
+            work[1216 + k] = v76
             work[1248 + k] = v77
             work[1280 + k] = v78
-            work[1312 + k] = v79
-            work[1344 + k] = v102
+            work[1312 + k] = v101
+            work[1344 + k] = given1
             work[1376 + k] = given1
-            work[1408 + k] = given1
-            work[1440 + k] = -v4
-            work[1472 + k] = -v2
-        for k in range(1376, 1408):
+            work[1408 + k] = -v4
+            work[1440 + k] = -v2
+        for k in range(1344, 1376):
             work[k] = math.sin(work[k])
-        for k in range(1408, 1440):
+        for k in range(1376, 1408):
             work[k] = math.cos(work[k])
-        for k in range(1440, 1472):
+        for k in range(1408, 1440):
             work[k] = _atan2(work[k], work[k + 32])
         for k in range(0, 32):
             T11 = work[0 + k]
@@ -1425,532 +1421,530 @@ def _in_tiles(T, q_free, q, status):
             v3 = work[736 + k]
             v5 = work[768 + k]
             N1 = work[800 + k]
-            free1 = work[832 + k] != 0.0
-            inverse1 = work[864 + k]
-            X2_2 = work[896 + k]
-            v21 = work[928 + k]
+            inverse1 = work[832 + k]
+            X2_2 = work[864 + k]
+            v20 = work[896 + k]
+            v32 = work[928 + k]
             v33 = work[960 + k]
             v34 = work[992 + k]
-            v35 = work[1024 + k]
+            v54 = work[1024 + k]
             v55 = work[1056 + k]
             v56 = work[1088 + k]
-            v57 = work[1120 + k]
+            v65 = work[1120 + k]
             v66 = work[1152 + k]
             v67 = work[1184 + k]
-            v68 = work[1216 + k]
+            v76 = work[1216 + k]
             v77 = work[1248 + k]
             v78 = work[1280 + k]
-            v79 = work[1312 + k]
-            s3 = work[1376 + k]
-            c3 = work[1408 + k]
-            angle17 = work[1440 + k]
+            s3 = work[1344 + k]
+            c3 = work[1376 + k]
+            angle17 = work[1408 + k]
             Z1 = d5 * (s3 * v5)
             D1 = N1 - Z1 * Z1
-            v6 = abs(Z1) * 2.0
             w1 = math.sqrt(D1)
-            v7 = w1 - w1
-            v8 = -wx * Z1
-            v9 = wy * Z1
-            v10 = w1 * (-wx * inverse1)
-            v11 = w1 * (wx * inverse1)
-            v12 = inverse1 * v9
-            c1_pp = v12 - v10
-            c1_pm = v12 - v11
-            v13 = v10 + v12
-            v14 = v11 + v12
-            v15 = w1 * (wy * inverse1)
-            v16 = w1 * (inverse1 * -wy)
-            v17 = inverse1 * v8
-            s1_pp = v15 + v17
-            s1_pm = v16 + v17
-            s1_mp = v15 - v17
-            s1_mm = v16 - v17
-            v18 = d5 * (c3 * v5)
-            v19 = Z1_2 * v18
-            v20 = w1 * X2_2
-            S2_pp = v20 - v19
-            S2_mp = v19 + v20
-            v22 = w1 * v18
-            v23 = v21 + v22
-            v24 = v21 - v22
-            v25 = v23 * v23
-            v26 = S2_pp * S2_pp + v25
-            v27 = S2_mp * S2_mp + v24 * v24
-            v28 = v25 + -S2_pp * -S2_pp
-            factor2_pp = math.sqrt(v26) * (1.0 / v26)
-            factor2_pm = math.sqrt(v27) * (1.0 / v27)
-            factor2_mm = math.sqrt(v28) * (1.0 / v28)
-            v29 = c3 * T13
-            v30 = v3 * v29
-            v31 = c3 * T23
-            v32 = v3 * v31
-            v36 = c3 * T33
-            v37 = v3 * v36
-            v38 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
-            v39 = T13 * v8 - T23 * v9
-            v40 = inverse1 * (s3 * v39)
-            v41 = inverse1 * (s3 * -v39)
-            v42 = v38 + v40
-            v43 = v40 - v38
-            v44 = v38 + v41
-            v45 = v41 - v38
+            v6 = w1 - w1
+            v7 = -wx * Z1
+            v8 = wy * Z1
+            v9 = w1 * (-wx * inverse1)
+            v10 = w1 * (wx * inverse1)
+            v11 = inverse1 * v8
+            c1_pp = v11 - v9
+            c1_pm = v11 - v10
+            v12 = v9 + v11
+            v13 = v10 + v11
+            v14 = w1 * (wy * inverse1)
+            v15 = w1 * (inverse1 * -wy)
+            v16 = inverse1 * v7
+            s1_pp = v14 + v16
+            s1_pm = v15 + v16
+            s1_mp = v14 - v16
+            s1_mm = v15 - v16
+            v17 = d5 * (c3 * v5)
+            v18 = Z1_2 * v17
+            v19 = w1 * X2_2
+            S2_pp = v19 - v18
+            S2_mp = v18 + v19
+            v21 = w1 * v17
+            v22 = v20 + v21
+            v23 = v20 - v21
+            v24 = v22 * v22
+            v25 = S2_pp * S2_pp + v24
+            v26 = S2_mp * S2_mp + v23 * v23
+            v27 = v24 + -S2_pp * -S2_pp
+            factor2_pp = math.sqrt(v25) * (1.0 / v25)
+            factor2_pm = math.sqrt(v26) * (1.0 / v26)
+            factor2_mm = math.sqrt(v27) * (1.0 / v27)
+            v28 = c3 * T13
+            v29 = v3 * v28
+            v30 = c3 * T23
+            v31 = v3 * v30
+            v35 = c3 * T33
+            v36 = v3 * v35
+            v37 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx)))
+            v38 = T13 * v7 - T23 * v8
+            v39 = inverse1 * (s3 * v38)
+            v40 = inverse1 * (s3 * -v38)
+            v41 = v37 + v39
+            v42 = v39 - v37
+            v43 = v37 + v40
+            v44 = v40 - v37
             X5_pp = (
-                v3 * v42 + factor2_pp * (v23 * (v33 - (c1_pp * v30 + s1_pp * v32)) + S2_pp * (v37 +
-                (c1_pp * v34 + s1_pp * v35)))
+                v3 * v41 + factor2_pp * (v22 * (v32 - (c1_pp * v29 + s1_pp * v31)) + S2_pp * (v36 +
+                (c1_pp * v33 + s1_pp * v34)))
             )
             X5_pm = (
-                v3 * v43 + factor2_pm * (v24 * (v33 - (c1_pm * v30 + s1_pm * v32)) - S2_mp * (v37 +
-                (c1_pm * v34 + s1_pm * v35)))
+                v3 * v42 + factor2_pm * (v23 * (v32 - (c1_pm * v29 + s1_pm * v31)) - S2_mp * (v36 +
+                (c1_pm * v33 + s1_pm * v34)))
             )
             X5_mp = (
-                v3 * v44 + factor2_pm * (S2_mp * (v37 + (v13 * v34 - s1_mp * v35)) - v24 * (v33 +
-                (s1_mp * v32 - v13 * v30)))
+                v3 * v43 + factor2_pm * (S2_mp * (v36 + (v12 * v33 - s1_mp * v34)) - v23 * (v32 +
+                (s1_mp * v31 - v12 * v29)))
             )
             X5_mm = (
-                v3 * v45 + factor2_mm * (-S2_pp * (v37 + (v14 * v34 - s1_mm * v35)) - v23 * (v33 +
-                (s1_mm * v32 - v14 * v30)))
+                v3 * v44 + factor2_mm * (-S2_pp * (v36 + (v13 * v33 - s1_mm * v34)) - v22 * (v32 +
+                (s1_mm * v31 - v13 * v29)))
             )
-            v46 = s3 * T33
+            v45 = s3 * T33
             Y5_pp = (
-                factor2_pp * (S2_pp * v46 - v23 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 *
+                factor2_pp * (S2_pp * v45 - v22 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 *
                 s1_pp - T23 * c1_pp)
             )
-            v47 = S2_mp * v46
-            v48 = (
-                factor2_pm * (v47 + v24 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm -
+            v46 = S2_mp * v45
+            v47 = (
+                factor2_pm * (v46 + v23 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm -
                 T23 * c1_pm)
             )
             Y5_mp = (
-                factor2_pm * (v47 - v24 * (s3 * (T23 * s1_mp - T13 * v13))) - c3 * (T13 * s1_mp +
-                T23 * v13)
+                factor2_pm * (v46 - v23 * (s3 * (T23 * s1_mp - T13 * v12))) - c3 * (T13 * s1_mp +
+                T23 * v12)
             )
             Y5_mm = (
-                factor2_mm * (-S2_pp * v46 - v23 * (s3 * (T23 * s1_mm - T13 * v14))) - c3 * (T13 *
-                s1_mm + T23 * v14)
+                factor2_mm * (-S2_pp * v45 - v22 * (s3 * (T23 * s1_mm - T13 * v13))) - c3 * (T13 *
+                s1_mm + T23 * v13)
             )
-            v49 = X5_pp * X5_pp + Y5_pp * Y5_pp
-            v50 = X5_pm * X5_pm + v48 * v48
-            v51 = X5_mp * X5_mp + Y5_mp * Y5_mp
-            v52 = X5_mm * X5_mm + Y5_mm * Y5_mm
-            v53 = v5 * v29
-            v54 = v5 * v31
-            v58 = v5 * v36
-            v59 = s3 * T32
-            v60 = s1_pp * T12 - c1_pp * T22
-            v61 = s1_pm * T12 - c1_pm * T22
-            v62 = s1_mp * T12 + v13 * T22
-            v63 = s1_mm * T12 + v14 * T22
-            v64 = v3 * (c3 * T12)
-            v65 = v3 * (c3 * T22)
-            v69 = v3 * (c3 * T32)
-            v70 = s3 * T31
-            v71 = s1_pp * T11 - c1_pp * T21
-            v72 = s1_pm * T11 - c1_pm * T21
-            v73 = s1_mp * T11 + v13 * T21
-            v74 = s1_mm * T11 + v14 * T21
-            v75 = v3 * (c3 * T11)
-            v76 = v3 * (c3 * T21)
-            v80 = v3 * (c3 * T31)
-            v81 = S2_mp * v70
-            v82 = (
-                v48 * (v3 * (s3 * v72) + factor2_pm * (v24 * (v77 - (c1_pm * v75 + s1_pm * v76)) -
-                S2_mp * (v80 + (c1_pm * v78 + s1_pm * v79)))) - X5_pm * (c3 * v72 + factor2_pm *
-                (v81 + v24 * (s3 * (c1_pm * T11 + s1_pm * T21))))
+            v48 = X5_pp * X5_pp + Y5_pp * Y5_pp
+            v49 = X5_pm * X5_pm + v47 * v47
+            v50 = X5_mp * X5_mp + Y5_mp * Y5_mp
+            v51 = X5_mm * X5_mm + Y5_mm * Y5_mm
+            v52 = v5 * v28
+            v53 = v5 * v30
+            v57 = v5 * v35
+            v58 = s3 * T32
+            v59 = s1_pp * T12 - c1_pp * T22
+            v60 = s1_pm * T12 - c1_pm * T22
+            v61 = s1_mp * T12 + v12 * T22
+            v62 = s1_mm * T12 + v13 * T22
+            v63 = v3 * (c3 * T12)
+            v64 = v3 * (c3 * T22)
+            v68 = v3 * (c3 * T32)
+            v69 = s3 * T31
+            v70 = s1_pp * T11 - c1_pp * T21
+            v71 = s1_pm * T11 - c1_pm * T21
+            v72 = s1_mp * T11 + v12 * T21
+            v73 = s1_mm * T11 + v13 * T21
+            v74 = v3 * (c3 * T11)
+            v75 = v3 * (c3 * T21)
+            v79 = v3 * (c3 * T31)
+            v80 = S2_mp * v69
+            v81 = (
+                v47 * (v3 * (s3 * v71) + factor2_pm * (v23 * (v76 - (c1_pm * v74 + s1_pm * v75)) -
+                S2_mp * (v79 + (c1_pm * v77 + s1_pm * v78)))) - X5_pm * (c3 * v71 + factor2_pm *
+                (v80 + v23 * (s3 * (c1_pm * T11 + s1_pm * T21))))
             )
-            v83 = S2_mp * v59
-            v92 = angle17 - offset4
-            v93 = offset4 + angle17
-            q4__p = v92 + (m4 if v92 <= -half_turn else 0.0)
-            q4__m = (m4 if -v93 <= -half_turn else 0.0) - v93
-            v103 = q4__p < low4 or high4 < q4__p
-            v104 = q4__m < low4 or high4 < q4__m
-            q3_ppp = v7 + (given1 + (w4 - w4))
-            q4_ppp = v7 + q4__p
-            q4_mpp = v7 + q4__m
+            v82 = S2_mp * v58
+            v91 = angle17 - offset4
+            v92 = offset4 + angle17
+            q4__p = v91 + (m4 if v91 <= -half_turn else 0.0)
+            q4__m = (m4 if -v92 <= -half_turn else 0.0) - v92
+            v102 = q4__p < low4 or high4 < q4__p
+            v103 = q4__m < low4 or high4 < q4__m
+            q3_ppp = v6 + (given1 + (w4 - w4))
+            q4_ppp = v6 + q4__p
+            q4_mpp = v6 + q4__m
             doubt1 = (
-                (shortest4_reach <= V4 and V4 <= longest4_reach and not (shortest4_apart < V4 and V4
-                < longest4_apart)) or (free1 or (v52 <= m2 or (v28 <= m1 or (v51 <= m2 or (v50 <= m2
-                or (v27 <= m1 or (v49 <= m2 or ((-(reach_slack1 * (reach_slack1 + v6)) <= D1 and
-                (free1 or not (merge_slack1 * (merge_slack1 + v6) < D1))) or v26 <= m1))))))))
+                N1 <= doubt_limit_squared2 or ((shortest4_reach <= V4 and V4 <= longest4_reach and
+                not (shortest4_apart < V4 and V4 < longest4_apart)) or (v51 <= m2 or (v27 <= m1 or
+                (v50 <= m2 or (v49 <= m2 or (v26 <= m1 or (v48 <= m2 or (abs(D1) <= reach_slack1 *
+                (reach_slack1 + 2.0 * abs(Z1)) or v25 <= m1))))))))
             )
-            work[1504 + k] = c1_pp
+            work[1472 + k] = c1_pp
+            work[1504 + k] = v12
             work[1536 + k] = v13
-            work[1568 + k] = v14
-            work[1600 + k] = s1_pp
-            work[1632 + k] = s1_mp
-            work[1664 + k] = s1_mm
-            work[1696 + k] = S2_pp
-            work[1728 + k] = S2_mp
+            work[1568 + k] = s1_pp
+            work[1600 + k] = s1_mp
+            work[1632 + k] = s1_mm
+            work[1664 + k] = S2_pp
+            work[1696 + k] = S2_mp
+            work[1728 + k] = v22
             work[1760 + k] = v23
-            work[1792 + k] = v24
-            work[1824 + k] = factor2_pp
-            work[1856 + k] = factor2_pm
-            work[1888 + k] = factor2_mm
-            work[1920 + k] = X5_pp
-            work[1952 + k] = X5_mp
-            work[1984 + k] = X5_mm
-            work[2016 + k] = Y5_pp
-            work[2048 + k] = v48
-            work[2080 + k] = Y5_mp
-            work[2112 + k] = Y5_mm
+            work[1792 + k] = factor2_pp
+            work[1824 + k] = factor2_pm
+            work[1856 + k] = factor2_mm
+            work[1888 + k] = X5_pp
+            work[1920 + k] = X5_mp
+            work[1952 + k] = X5_mm
+            work[1984 + k] = Y5_pp
+            work[2016 + k] = v47
+            work[2048 + k] = Y5_mp
+            work[2080 + k] = Y5_mm
+            work[2112 + k] = v69
             work[2144 + k] = v70
-            work[2176 + k] = v71
+            work[2176 + k] = v72
             work[2208 + k] = v73
             work[2240 + k] = v74
             work[2272 + k] = v75
-            work[2304 + k] = v76
+            work[2304 + k] = v79
             work[2336 + k] = v80
             work[2368 + k] = v81
-            work[2400 + k] = v82
+            work[2400 + k] = v102
             work[2432 + k] = v103
-            work[2464 + k] = v104
-            work[2496 + k] = q3_ppp
-            work[2528 + k] = q4_ppp
-            work[2560 + k] = q4_mpp
-            work[2592 + k] = doubt1
-            work[2624 + k] = Y5_pp
-            work[2656 + k] = -v48
-            work[2688 + k] = Y5_mp
-            work[2720 + k] = Y5_mm
-            work[2752 + k] = (
-                -(X5_pp * (c3 * v71 - factor2_pp * (S2_pp * v70 - v23 * (s3 * (c1_pp * T11 + s1_pp *
-                T21)))) + Y5_pp * (v3 * (s3 * v71) + factor2_pp * (v23 * (v77 - (c1_pp * v75 + s1_pp
-                * v76)) + S2_pp * (v80 + (c1_pp * v78 + s1_pp * v79)))))
+            work[2464 + k] = q3_ppp
+            work[2496 + k] = q4_ppp
+            work[2528 + k] = q4_mpp
+            work[2560 + k] = doubt1
+            work[2592 + k] = Y5_pp
+            work[2624 + k] = -v47
+            work[2656 + k] = Y5_mp
+            work[2688 + k] = Y5_mm
+            work[2720 + k] = (
+                -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 * (s3 * (c1_pp * T11 + s1_pp *
+                T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp
+                * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78)))))
             )
-            work[2784 + k] = v82
+            work[2752 + k] = v81
+            work[2784 + k] = (
+                -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 * (s1_mp * T21 - v12 * T11)))) +
+                Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) -
+                v23 * (v76 + (s1_mp * v75 - v12 * v74)))))
+            )
             work[2816 + k] = (
-                -(X5_mp * (c3 * v73 - factor2_pm * (v81 - v24 * (s3 * (s1_mp * T21 - v13 * T11)))) +
-                Y5_mp * (v3 * (s3 * v73) + factor2_pm * (S2_mp * (v80 + (v13 * v78 - s1_mp * v79)) -
-                v24 * (v77 + (s1_mp * v76 - v13 * v75)))))
+                -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 - v22 * (s3 * (s1_mm * T21 - v13 *
+                T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp * (v79 + (v13 * v77 -
+                s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74)))))
             )
-            work[2848 + k] = (
-                -(X5_mm * (c3 * v74 - factor2_mm * (-S2_pp * v70 - v23 * (s3 * (s1_mm * T21 - v14 *
-                T11)))) + Y5_mm * (v3 * (s3 * v74) + factor2_mm * (-S2_pp * (v80 + (v14 * v78 -
-                s1_mm * v79)) - v23 * (v77 + (s1_mm * v76 - v14 * v75)))))
-            )
-            work[2880 + k] = s1_pp
-            work[2912 + k] = s1_pm
-            work[2944 + k] = s1_mp
-            work[2976 + k] = s1_mm
-            work[3008 + k] = S2_pp
-            work[3040 + k] = -S2_mp
-            work[3072 + k] = S2_mp
-            work[3104 + k] = -S2_pp
+            work[2848 + k] = s1_pp
+            work[2880 + k] = s1_pm
+            work[2912 + k] = s1_mp
+            work[2944 + k] = s1_mm
+            work[2976 + k] = S2_pp
+            work[3008 + k] = -S2_mp
+            work[3040 + k] = S2_mp
+            work[3072 + k] = -S2_pp
+            work[3104 + k] = math.sqrt(v48)
             work[3136 + k] = math.sqrt(v49)
             work[3168 + k] = math.sqrt(v50)
             work[3200 + k] = math.sqrt(v51)
-            work[3232 + k] = math.sqrt(v52)
-            work[3264 + k] = -X5_pp
-            work[3296 + k] = -X5_pm
-            work[3328 + k] = -X5_mp
-            work[3360 + k] = -X5_mm
+            work[3232 + k] = -X5_pp
+            work[3264 + k] = -X5_pm
+            work[3296 + k] = -X5_mp
+            work[3328 + k] = -X5_mm
+            work[3360 + k] = (
+                -(X5_pp * (c3 * v59 - factor2_pp * (S2_pp * v58 - v22 * (s3 * (c1_pp * T12 + s1_pp *
+                T22)))) + Y5_pp * (v3 * (s3 * v59) + factor2_pp * (v22 * (v65 - (c1_pp * v63 + s1_pp
+                * v64)) + S2_pp * (v68 + (c1_pp * v66 + s1_pp * v67)))))
+            )
             work[3392 + k] = (
-                -(X5_pp * (c3 * v60 - factor2_pp * (S2_pp * v59 - v23 * (s3 * (c1_pp * T12 + s1_pp *
-                T22)))) + Y5_pp * (v3 * (s3 * v60) + factor2_pp * (v23 * (v66 - (c1_pp * v64 + s1_pp
-                * v65)) + S2_pp * (v69 + (c1_pp * v67 + s1_pp * v68)))))
+                v47 * (v3 * (s3 * v60) + factor2_pm * (v23 * (v65 - (c1_pm * v63 + s1_pm * v64)) -
+                S2_mp * (v68 + (c1_pm * v66 + s1_pm * v67)))) - X5_pm * (c3 * v60 + factor2_pm *
+                (v82 + v23 * (s3 * (c1_pm * T12 + s1_pm * T22))))
             )
             work[3424 + k] = (
-                v48 * (v3 * (s3 * v61) + factor2_pm * (v24 * (v66 - (c1_pm * v64 + s1_pm * v65)) -
-                S2_mp * (v69 + (c1_pm * v67 + s1_pm * v68)))) - X5_pm * (c3 * v61 + factor2_pm *
-                (v83 + v24 * (s3 * (c1_pm * T12 + s1_pm * T22))))
+                -(X5_mp * (c3 * v61 - factor2_pm * (v82 - v23 * (s3 * (s1_mp * T22 - v12 * T12)))) +
+                Y5_mp * (v3 * (s3 * v61) + factor2_pm * (S2_mp * (v68 + (v12 * v66 - s1_mp * v67)) -
+                v23 * (v65 + (s1_mp * v64 - v12 * v63)))))
             )
             work[3456 + k] = (
-                -(X5_mp * (c3 * v62 - factor2_pm * (v83 - v24 * (s3 * (s1_mp * T22 - v13 * T12)))) +
-                Y5_mp * (v3 * (s3 * v62) + factor2_pm * (S2_mp * (v69 + (v13 * v67 - s1_mp * v68)) -
-                v24 * (v66 + (s1_mp * v65 - v13 * v64)))))
+                -(X5_mm * (c3 * v62 - factor2_mm * (-S2_pp * v58 - v22 * (s3 * (s1_mm * T22 - v13 *
+                T12)))) + Y5_mm * (v3 * (s3 * v62) + factor2_mm * (-S2_pp * (v68 + (v13 * v66 -
+                s1_mm * v67)) - v22 * (v65 + (s1_mm * v64 - v13 * v63)))))
             )
-            work[3488 + k] = (
-                -(X5_mm * (c3 * v63 - factor2_mm * (-S2_pp * v59 - v23 * (s3 * (s1_mm * T22 - v14 *
-                T12)))) + Y5_mm * (v3 * (s3 * v63) + factor2_mm * (-S2_pp * (v69 + (v14 * v67 -
-                s1_mm * v68)) - v23 * (v66 + (s1_mm * v65 - v14 * v64)))))
-            )
-            work[3520 + k] = c1_pp
-            work[3552 + k] = c1_pm
+            work[3488 + k] = c1_pp
+            work[3520 + k] = c1_pm
+            work[3552 + k] = -v12
             work[3584 + k] = -v13
-            work[3616 + k] = -v14
+            work[3616 + k] = -v22
             work[3648 + k] = -v23
-            work[3680 + k] = -v24
-            work[3712 + k] = -v24
-            work[3744 + k] = -v23
+            work[3680 + k] = -v23
+            work[3712 + k] = -v22
+            work[3744 + k] = (
+                v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 + s1_pp * v56 - v57) + v22 * (v54 +
+                (c1_pp * v52 + s1_pp * v53)))
+            )
             work[3776 + k] = (
-                v5 * v42 - factor2_pp * (S2_pp * (c1_pp * v56 + s1_pp * v57 - v58) + v23 * (v55 +
-                (c1_pp * v53 + s1_pp * v54)))
+                v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm * v52 + s1_pm * v53)) - S2_mp * (c1_pm
+                * v55 + s1_pm * v56 - v57))
             )
             work[3808 + k] = (
-                v5 * v43 - factor2_pm * (v24 * (v55 + (c1_pm * v53 + s1_pm * v54)) - S2_mp * (c1_pm
-                * v56 + s1_pm * v57 - v58))
+                -(v5 * v43 + factor2_pm * (S2_mp * (v57 + (s1_mp * v56 - v12 * v55)) + v23 * (v54 +
+                (v12 * v52 - s1_mp * v53))))
             )
             work[3840 + k] = (
-                -(v5 * v44 + factor2_pm * (S2_mp * (v58 + (s1_mp * v57 - v13 * v56)) + v24 * (v55 +
-                (v13 * v53 - s1_mp * v54))))
+                -(v5 * v44 + factor2_mm * (-S2_pp * (v57 + (s1_mm * v56 - v13 * v55)) + v22 * (v54 +
+                (v13 * v52 - s1_mm * v53))))
             )
-            work[3872 + k] = (
-                -(v5 * v45 + factor2_mm * (-S2_pp * (v58 + (s1_mm * v57 - v14 * v56)) + v23 * (v55 +
-                (v14 * v53 - s1_mm * v54))))
-            )
-        for k in range(2624, 3264):
+        for k in range(2592, 3232):
             work[k] = _atan2(work[k], work[k + 640])
         for k in range(0, 32):
             T11 = work[0 + k]
             T21 = work[128 + k]
             v3 = work[736 + k]
+            v76 = work[1216 + k]
             v77 = work[1248 + k]
             v78 = work[1280 + k]
-            v79 = work[1312 + k]
-            v102 = work[1344 + k] != 0.0
-            s3 = work[1376 + k]
-            c3 = work[1408 + k]
-            c1_pp = work[1504 + k]
+            v101 = work[1312 + k] != 0.0
+            s3 = work[1344 + k]
+            c3 = work[1376 + k]
+            c1_pp = work[1472 + k]
+            v12 = work[1504 + k]
             v13 = work[1536 + k]
-            v14 = work[1568 + k]
-            s1_pp = work[1600 + k]
-            s1_mp = work[1632 + k]
-            s1_mm = work[1664 + k]
-            S2_pp = work[1696 + k]
-            S2_mp = work[1728 + k]
+            s1_pp = work[1568 + k]
+            s1_mp = work[1600 + k]
+            s1_mm = work[1632 + k]
+            S2_pp = work[1664 + k]
+            S2_mp = work[1696 + k]
+            v22 = work[1728 + k]
             v23 = work[1760 + k]
-            v24 = work[1792 + k]
-            factor2_pp = work[1824 + k]
-            factor2_pm = work[1856 + k]
-            factor2_mm = work[1888 + k]
-            X5_pp = work[1920 + k]
-            X5_mp = work[1952 + k]
-            X5_mm = work[1984 + k]
-            Y5_pp = work[2016 + k]
-            v48 = work[2048 + k]
-            Y5_mp = work[2080 + k]
-            Y5_mm = work[2112 + k]
+            factor2_pp = work[1792 + k]
+            factor2_pm = work[1824 + k]
+            factor2_mm = work[1856 + k]
+            X5_pp = work[1888 + k]
+            X5_mp = work[1920 + k]
+            X5_mm = work[1952 + k]
+            Y5_pp = work[1984 + k]
+            v47 = work[2016 + k]
+            Y5_mp = work[2048 + k]
+            Y5_mm = work[2080 + k]
+            v69 = work[2112 + k]
             v70 = work[2144 + k]
-            v71 = work[2176 + k]
+            v72 = work[2176 + k]
             v73 = work[2208 + k]
             v74 = work[2240 + k]
             v75 = work[2272 + k]
-            v76 = work[2304 + k]
+            v79 = work[2304 + k]
             v80 = work[2336 + k]
             v81 = work[2368 + k]
-            v82 = work[2400 + k]
+            v102 = work[2400 + k] != 0.0
             v103 = work[2432 + k] != 0.0
-            v104 = work[2464 + k] != 0.0
-            q3_ppp = work[2496 + k]
-            q4_ppp = work[2528 + k]
-            q4_mpp = work[2560 + k]
-            doubt1 = work[2592 + k] != 0.0
-            angle1 = work[2624 + k]
-            angle2 = work[2656 + k]
-            angle3 = work[2688 + k]
-            angle4 = work[2720 + k]
-            angle5 = work[2752 + k]
-            angle6 = work[2784 + k]
-            angle7 = work[2816 + k]
-            angle8 = work[2848 + k]
-            angle9 = work[2880 + k]
-            angle10 = work[2912 + k]
-            angle11 = work[2944 + k]
-            angle12 = work[2976 + k]
-            angle13 = work[3008 + k]
-            angle14 = work[3040 + k]
-            angle15 = work[3072 + k]
-            angle16 = work[3104 + k]
-            angle18 = work[3136 + k]
-            angle19 = work[3168 + k]
-            angle20 = work[3200 + k]
-            angle21 = work[3232 + k]
+            q3_ppp = work[2464 + k]
+            q4_ppp = work[2496 + k]
+            q4_mpp = work[2528 + k]
+            doubt1 = work[2560 + k] != 0.0
+            angle1 = work[2592 + k]
+            angle2 = work[2624 + k]
+            angle3 = work[2656 + k]
+            angle4 = work[2688 + k]
+            angle5 = work[2720 + k]
+            angle6 = work[2752 + k]
+            angle7 = work[2784 + k]
+            angle8 = work[2816 + k]
+            angle9 = work[2848 + k]
+            angle10 = work[2880 + k]
+            angle11 = work[2912 + k]
+            angle12 = work[2944 + k]
+            angle13 = work[2976 + k]
+            angle14 = work[3008 + k]
+            angle15 = work[3040 + k]
+            angle16 = work[3072 + k]
+            angle18 = work[3104 + k]
+            angle19 = work[3136 + k]
+            angle20 = work[3168 + k]
+            angle21 = work[3200 + k]
             q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-            q5_pmm = angle2 - math.copysign(half_turn, -v48) * h1
+            q5_pmm = angle2 - math.copysign(half_turn, -v47) * h1
             q5_mpm = angle3 - math.copysign(half_turn, Y5_mp) * h1
             q5_mmm = angle4 - math.copysign(half_turn, Y5_mm) * h1
             q7_ppm = (
-                angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v71 - factor2_pp * (S2_pp *
-                v70 - v23 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v71) +
-                factor2_pp * (v23 * (v77 - (c1_pp * v75 + s1_pp * v76)) + S2_pp * (v80 + (c1_pp *
-                v78 + s1_pp * v79))))))
+                angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp *
+                v69 - v22 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) +
+                factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp *
+                v77 + s1_pp * v78))))))
             )
-            q7_pmm = angle6 - h1 * math.copysign(half_turn, v82)
+            q7_pmm = angle6 - h1 * math.copysign(half_turn, v81)
             q7_mpm = (
-                angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v73 - factor2_pm * (v81 - v24
-                * (s3 * (s1_mp * T21 - v13 * T11)))) + Y5_mp * (v3 * (s3 * v73) + factor2_pm *
-                (S2_mp * (v80 + (v13 * v78 - s1_mp * v79)) - v24 * (v77 + (s1_mp * v76 - v13 *
-                v75))))))
+                angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23
+                * (s3 * (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm *
+                (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 *
+                v74))))))
             )
             q7_mmm = (
-                angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v74 - factor2_mm * (-S2_pp *
-                v70 - v23 * (s3 * (s1_mm * T21 - v14 * T11)))) + Y5_mm * (v3 * (s3 * v74) +
-                factor2_mm * (-S2_pp * (v80 + (v14 * v78 - s1_mm * v79)) - v23 * (v77 + (s1_mm * v76
-                - v14 * v75))))))
+                angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp *
+                v69 - v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) +
+                factor2_mm * (-S2_pp * (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75
+                - v13 * v74))))))
             )
-            v84 = angle9 - offset1
-            v85 = angle10 - offset1
-            v86 = angle11 - offset1
-            v87 = angle12 - offset1
-            q1_ppp = v84 + (m4 if v84 <= -half_turn else 0.0)
-            q1_pmp = v85 + (m4 if v85 <= -half_turn else 0.0)
-            q1_mpp = v86 + (m4 if v86 <= -half_turn else 0.0)
-            q1_mmp = v87 + (m4 if v87 <= -half_turn else 0.0)
-            v88 = angle13 - offset2
-            v89 = angle14 - offset2
-            v90 = angle15 - offset2
-            v91 = angle16 - offset2
-            q2_ppp = v88 + (m4 if v88 <= -half_turn else 0.0)
-            q2_pmp = v89 + (m4 if v89 <= -half_turn else 0.0)
-            q2_mpp = v90 + (m4 if v90 <= -half_turn else 0.0)
-            q2_mmp = v91 + (m4 if v91 <= -half_turn else 0.0)
-            v94 = angle18 - offset6
-            v95 = offset6 + angle18
-            v96 = angle19 - offset6
-            v97 = offset6 + angle19
-            v98 = angle20 - offset6
-            v99 = offset6 + angle20
-            v100 = angle21 - offset6
-            v101 = offset6 + angle21
-            q6_ppp = v94 + (m4 if v94 <= -half_turn else 0.0)
-            q6_ppm = (m4 if -v95 <= -half_turn else 0.0) - v95
-            q6_pmp = v96 + (m4 if v96 <= -half_turn else 0.0)
-            q6_pmm = (m4 if -v97 <= -half_turn else 0.0) - v97
-            q6_mpp = v98 + (m4 if v98 <= -half_turn else 0.0)
-            q6_mpm = (m4 if -v99 <= -half_turn else 0.0) - v99
-            q6_mmp = v100 + (m4 if v100 <= -half_turn else 0.0)
-            q6_mmm = (m4 if -v101 <= -half_turn else 0.0) - v101
-            v105 = (
-                v103 or (v102 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 <
+            v83 = angle9 - offset1
+            v84 = angle10 - offset1
+            v85 = angle11 - offset1
+            v86 = angle12 - offset1
+            q1_ppp = v83 + (m4 if v83 <= -half_turn else 0.0)
+            q1_pmp = v84 + (m4 if v84 <= -half_turn else 0.0)
+            q1_mpp = v85 + (m4 if v85 <= -half_turn else 0.0)
+            q1_mmp = v86 + (m4 if v86 <= -half_turn else 0.0)
+            v87 = angle13 - offset2
+            v88 = angle14 - offset2
+            v89 = angle15 - offset2
+            v90 = angle16 - offset2
+            q2_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
+            q2_pmp = v88 + (m4 if v88 <= -half_turn else 0.0)
+            q2_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
+            q2_mmp = v90 + (m4 if v90 <= -half_turn else 0.0)
+            v93 = angle18 - offset6
+            v94 = offset6 + angle18
+            v95 = angle19 - offset6
+            v96 = offset6 + angle19
+            v97 = angle20 - offset6
+            v98 = offset6 + angle20
+            v99 = angle21 - offset6
+            v100 = offset6 + angle21
+            q6_ppp = v93 + (m4 if v93 <= -half_turn else 0.0)
+            q6_ppm = (m4 if -v94 <= -half_turn else 0.0) - v94
+            q6_pmp = v95 + (m4 if v95 <= -half_turn else 0.0)
+            q6_pmm = (m4 if -v96 <= -half_turn else 0.0) - v96
+            q6_mpp = v97 + (m4 if v97 <= -half_turn else 0.0)
+            q6_mpm = (m4 if -v98 <= -half_turn else 0.0) - v98
+            q6_mmp = v99 + (m4 if v99 <= -half_turn else 0.0)
+            q6_mmm = (m4 if -v100 <= -half_turn else 0.0) - v100
+            v104 = (
+                v102 or (v101 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 <
                 q2_ppp)))
             )
-            v106 = (
-                v103 or (v102 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 <
+            v105 = (
+                v102 or (v101 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 <
                 q2_pmp)))
             )
-            v107 = (
-                v104 or (v102 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 <
+            v106 = (
+                v103 or (v101 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 <
                 q2_mpp)))
             )
-            v108 = (
-                v104 or (v102 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 <
+            v107 = (
+                v103 or (v101 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 <
                 q2_mmp)))
             )
             outside_ppp = (
-                angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v105 or
+                angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v104 or
                 (angle1 < low5 or high5 < angle1)))
             )
             outside_ppm = (
-                q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v105 or
+                q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v104 or
                 (q5_ppm < low5 or high5 < q5_ppm)))
             )
             outside_pmp = (
-                angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v106 or
+                angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v105 or
                 (angle2 < low5 or high5 < angle2)))
             )
             outside_pmm = (
-                q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v106 or
+                q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v105 or
                 (q5_pmm < low5 or high5 < q5_pmm)))
             )
             outside_mpp = (
-                angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v107 or
+                angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v106 or
                 (angle3 < low5 or high5 < angle3)))
             )
             outside_mpm = (
-                q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v107 or
+                q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v106 or
                 (q5_mpm < low5 or high5 < q5_mpm)))
             )
             outside_mmp = (
-                angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v108 or
+                angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v107 or
                 (angle4 < low5 or high5 < angle4)))
             )
             outside_mmm = (
-                q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v108 or
+                q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v107 or
                 (q5_mmm < low5 or high5 < q5_mmm)))
             )
-            _3904 = q1_ppp
+            _3872 = q1_ppp
+            work[3872 + k] = _3872
+            _3904 = q2_ppp
             work[3904 + k] = _3904
-            _3936 = q2_ppp
+            _3936 = q3_ppp
             work[3936 + k] = _3936
-            _3968 = q3_ppp
+            _3968 = q4_ppp
             work[3968 + k] = _3968
-            _4000 = q4_ppp
+            _4000 = angle1
             work[4000 + k] = _4000
-            _4032 = angle1
+            _4032 = q6_ppp
             work[4032 + k] = _4032
-            _4064 = q6_ppp
+            _4064 = angle5
             work[4064 + k] = _4064
-            _4096 = angle5
+            _4096 = q5_ppm
             work[4096 + k] = _4096
-            _4128 = q5_ppm
+            _4128 = q6_ppm
             work[4128 + k] = _4128
-            _4160 = q6_ppm
+            _4160 = q7_ppm
             work[4160 + k] = _4160
-            _4192 = q7_ppm
+            _4192 = q1_pmp
             work[4192 + k] = _4192
-            _4224 = q1_pmp
+            _4224 = q2_pmp
             work[4224 + k] = _4224
-            _4256 = q2_pmp
+            _4256 = angle2
             work[4256 + k] = _4256
-            _4288 = angle2
+            _4288 = q6_pmp
             work[4288 + k] = _4288
-            _4320 = q6_pmp
+            _4320 = angle6
             work[4320 + k] = _4320
-            _4352 = angle6
+            _4352 = q5_pmm
             work[4352 + k] = _4352
-            _4384 = q5_pmm
+            _4384 = q6_pmm
             work[4384 + k] = _4384
-            _4416 = q6_pmm
+            _4416 = q7_pmm
             work[4416 + k] = _4416
-            _4448 = q7_pmm
+            _4448 = q1_mpp
             work[4448 + k] = _4448
-            _4480 = q1_mpp
+            _4480 = q2_mpp
             work[4480 + k] = _4480
-            _4512 = q2_mpp
+            _4512 = q4_mpp
             work[4512 + k] = _4512
-            _4544 = q4_mpp
+            _4544 = angle3
             work[4544 + k] = _4544
-            _4576 = angle3
+            _4576 = q6_mpp
             work[4576 + k] = _4576
-            _4608 = q6_mpp
+            _4608 = angle7
             work[4608 + k] = _4608
-            _4640 = angle7
+            _4640 = q5_mpm
             work[4640 + k] = _4640
-            _4672 = q5_mpm
+            _4672 = q6_mpm
             work[4672 + k] = _4672
-            _4704 = q6_mpm
+            _4704 = q7_mpm
             work[4704 + k] = _4704
-            _4736 = q7_mpm
+            _4736 = q1_mmp
             work[4736 + k] = _4736
-            _4768 = q1_mmp
+            _4768 = q2_mmp
             work[4768 + k] = _4768
-            _4800 = q2_mmp
+            _4800 = angle4
             work[4800 + k] = _4800
-            _4832 = angle4
+            _4832 = q6_mmp
             work[4832 + k] = _4832
-            _4864 = q6_mmp
+            _4864 = angle8
             work[4864 + k] = _4864
-            _4896 = angle8
+            _4896 = q5_mmm
             work[4896 + k] = _4896
-            _4928 = q5_mmm
+            _4928 = q6_mmm
             work[4928 + k] = _4928
-            _4960 = q6_mmm
+            _4960 = q7_mmm
             work[4960 + k] = _4960
-            _4992 = q7_mmm
-            work[4992 + k] = _4992
+            work[4992 + k] = (
+                UNREACHABLE if _3872 != _3872 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
             work[5024 + k] = (
-                UNREACHABLE if _3904 != _3904 else (OUT_OF_LIMITS if outside_ppp else OK)
+                UNREACHABLE if _3872 != _3872 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
             work[5056 + k] = (
-                UNREACHABLE if _3904 != _3904 else (OUT_OF_LIMITS if outside_ppm else OK)
+                UNREACHABLE if _4192 != _4192 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[5088 + k] = (
-                UNREACHABLE if _4224 != _4224 else (OUT_OF_LIMITS if outside_pmp else OK)
+                UNREACHABLE if _4192 != _4192 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
             work[5120 + k] = (
-                UNREACHABLE if _4224 != _4224 else (OUT_OF_LIMITS if outside_pmm else OK)
+                UNREACHABLE if _4448 != _4448 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[5152 + k] = (
-                UNREACHABLE if _4480 != _4480 else (OUT_OF_LIMITS if outside_mpp else OK)
+                UNREACHABLE if _4448 != _4448 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
             work[5184 + k] = (
-                UNREACHABLE if _4480 != _4480 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _4736 != _4736 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
             work[5216 + k] = (
-                UNREACHABLE if _4768 != _4768 else (OUT_OF_LIMITS if outside_mmp else OK)
-            )
-            work[5248 + k] = (
-                UNREACHABLE if _4768 != _4768 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _4736 != _4736 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[544 + k] = 1.0 if doubt1 else work[544 + k]
         for k in range(count):

@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -307,7 +310,10 @@ static const double doubt_limit_squared2 = 4.8399999999999986e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 0.625; /* a coefficient of Y1_2 */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
+static const double m3 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m4 = 4.84e-10; /* pose_slack1^2 [m^2] */
+static const double m5 = 1.452e-09; /* 3 * pose_slack1^2 [m^2] */
+static const double m6 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const kuka_kr40pa_branches[2] = {
     "down", "up",
@@ -427,7 +433,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -439,11 +445,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -482,36 +488,34 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle4 = atan2_wide(-v11, v12 - w3 * (m2 * -Z1_3));
 
     /* is the pose one that the arm can take? */
-    const wide v14 = v6 + Z2_3, v15 = d1 + v5;
-    const double v16 = sqrt(-1.0);
-    const wide v17 = pick_wide(maximum_wide(abs_wide(T12 - v4), maximum_wide(abs_wide(T11 -
-        factor234 * (T33 * c1)), maximum_wide(abs_wide(T13 + factor234 * (T31 * c1)),
-        maximum_wide(abs_wide(T21 + factor234 * (T33 * v4)), maximum_wide(abs_wide(T22 - c1),
-        maximum_wide(abs_wide(T23 - factor234 * (T31 * v4)), maximum_wide(abs_wide(T31 - T31 *
-        factor234), maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32))))))))) <=
-        pose_slack, all_wide(0.0), all_wide(v16)), v18 = abs_wide(T14 - c1 * v14);
-    const wide v19 = abs_wide(T24 + v4 * v14);
-    const wide v20 = pick_wide(maximum_wide(v19, maximum_wide(v18, abs_wide(T34 + (factor2 * (a3 *
-        (v7 + v13)) - (v15 + factor2 * (a2 * v10)))))) <= pose_slack1, all_wide(0.0),
-        all_wide(v16));
-    const wide v21 = pick_wide(maximum_wide(v19, maximum_wide(v18, abs_wide(T34 + (factor2 * (a3 *
-        (v8 + v13)) - (v15 + factor2 * (a2 * v11)))))) <= pose_slack1, all_wide(0.0),
-        all_wide(v16));
+    const wide v14 = v6 + Z2_3, v15 = d1 + v5, v16 = T33 - T33 * factor234;
+    const wide v17 = T31 - T31 * factor234, v18 = T23 - factor234 * (T31 * v4), v19 = T22 - c1;
+    const wide v20 = T21 + factor234 * (T33 * v4), v21 = T13 + factor234 * (T31 * c1);
+    const wide v22 = T11 - factor234 * (T33 * c1), v23 = T12 - v4;
+    const wide v24 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)));
+    const wide v25 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)));
+    const wide v26 = T14 - c1 * v14, v27 = v26 * v26, v28 = T24 + v4 * v14, v29 = v28 * v28;
+    const wide v30 = v29 + (v27 + v24 * v24), v31 = v29 + (v27 + v25 * v25);
+    const double v32 = NAN;
+    const wide v33 = pick_wide(v30 <= m4, all_wide(0.0), all_wide(v32));
+    const wide v34 = pick_wide(v31 <= m4, all_wide(0.0), all_wide(v32));
 
     /* joint values */
-    const wide v22 = angle1 - (angle2 + angle3), v23 = angle1 - (angle4 - angle2);
+    const wide v35 = angle1 - (angle2 + angle3), v36 = angle1 - (angle4 - angle2);
     const wide angle5 = atan2_wide(-T12, T22);
-    const wide v24 = v17 + (angle5 + (w3 - w3));
-    const wide q1_p = v20 + v24, q1_m = v21 + v24;
-    const wide q2_p = v20 + (angle3 + v17), q2_m = v21 + (angle4 + v17);
-    const wide q3_p = v20 + (angle2 + v17), q3_m = v21 + (v17 - angle2);
-    const wide q4_p = v20 + (v17 + (v22 - only_wide(half_turn < v22, m3) + only_wide(v22 <=
-        -half_turn, m3)));
-    const wide q4_m = v21 + (v17 + (v23 - only_wide(half_turn < v23, m3) + only_wide(v23 <=
-        -half_turn, m3)));
-    const wide_mask doubt1 = (v2 <= m1) | ((v1 <= m1) | ((N3 <= doubt_limit_squared2) |
-        (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0))));
+    const wide v37 = angle5 + (w3 - w3);
+    const wide q1_p = v33 + v37, q1_m = v34 + v37;
+    const wide q2_p = angle3 + v33, q2_m = angle4 + v34;
+    const wide q3_p = angle2 + v33, q3_m = v34 - angle2;
+    const wide q4_p = v33 + (v35 - only_wide(half_turn < v35, m6) + only_wide(v35 <= -half_turn,
+        m6));
+    const wide q4_m = v34 + (v36 - only_wide(half_turn < v36, m6) + only_wide(v36 <= -half_turn,
+        m6));
+    const wide_mask doubt1 = (v2 <= m1) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((N3 <=
+        doubt_limit_squared2) | ((m3 < v23 * v23 + (v22 * v22 + (v21 * v21 + (v20 * v20 + (v19 * v19
+        + (v18 * v18 + (v17 * v17 + (v16 * v16 + T32 * T32)))))))) | (((m4 < v30) & (v30 <= m5)) |
+        ((m4 < v31) & (v31 <= m5)))))));
 
     q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -524,6 +528,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 #if LANES > 1
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -557,21 +562,22 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v11 = m2 * (N3 * -Z1_3);
 
     /* is the pose one that the arm can take? */
-    const double v12 = v6 + Z2_3, v13 = d1 + v5, v14 = sqrt(-1.0);
-    const double v15 = (maximum_double(fabs(T12 - v4), maximum_double(fabs(T11 - factor234 * (T33 *
-        c1)), maximum_double(fabs(T13 + factor234 * (T31 * c1)), maximum_double(fabs(T21 + factor234
-        * (T33 * v4)), maximum_double(fabs(T22 - c1), maximum_double(fabs(T23 - factor234 * (T31 *
-        v4)), maximum_double(fabs(T31 - T31 * factor234), maximum_double(fabs(T33 - T33 *
-        factor234), fabs(T32))))))))) <= pose_slack) ? 0.0 : v14, v16 = fabs(T14 - c1 * v12);
-    const double v17 = fabs(T24 + v4 * v12);
-    const four v18 = pick_four(maximum_four(all_four(v17), maximum_four(all_four(v16), abs_four(T34
-        + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)))))) <= pose_slack1,
-        all_four(0.0), all_four(v14));
+    const double v12 = v6 + Z2_3, v13 = d1 + v5, v14 = T33 - T33 * factor234;
+    const double v15 = T31 - T31 * factor234, v16 = T23 - factor234 * (T31 * v4), v17 = T22 - c1;
+    const double v18 = T21 + factor234 * (T33 * v4), v19 = T13 + factor234 * (T31 * c1);
+    const double v20 = T11 - factor234 * (T33 * c1), v21 = T12 - v4;
+    const four v22 = T34 + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)));
+    const double v23 = T14 - c1 * v12, v24 = v23 * v23, v25 = T24 + v4 * v12, v26 = v25 * v25;
+    const four v27 = v26 + (v24 + v22 * v22);
+    const double v28 = NAN;
+    const four v29 = pick_four(v27 <= m4, all_four(0.0), all_four(v28));
+    const four_mask doubt2 = (m4 < v27) & (v27 <= m5);
 
     /* joint values */
-    const int doubt1 = (v2 <= m1) | ((v1 <= m1) | ((N3 <= doubt_limit_squared2) | (((shortest3_reach
-        <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) ==
-        0))));
+    const int doubt1 = (v2 <= m1) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((m3 < v21 *
+        v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v17 * v17 + (v16 * v16 + (v15 * v15 + (v14 *
+        v14 + T32 * T32)))))))) | (N3 <= doubt_limit_squared2))));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(-v9,
         all_four(-T31), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),
@@ -582,14 +588,13 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
     const four packed2 = atan2_four((four){ -T12, -T12, -T12, -T12 }, (four){ T22, T22, T22, T22 });
     const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four v19 = e1 * angle2, v20 = angle1 - (angle3 + v19), v21 = v15 + (angle4 + (w3 - w3));
-    const four q1 = v18 + v21;
-    const four q2 = v18 + (angle3 + v15);
-    const four q3 = v18 + (v15 + v19);
-    const four q4 = v18 + (v15 + (v20 - only_four(half_turn < v20, m3) + only_four(v20 <=
-        -half_turn, m3)));
+    const four v30 = e1 * angle2, v31 = angle1 - (angle3 + v30), v32 = angle4 + (w3 - w3);
+    const four q1 = v29 + v32;
+    const four q2 = angle3 + v29;
+    const four q3 = v29 + v30;
+    const four q4 = v29 + (v31 - only_four(half_turn < v31, m6) + only_four(v31 <= -half_turn, m6));
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
@@ -872,22 +877,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int kuka_kr40pa_ik(
-    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
+    status[2])
 {
     static const double zeros[4] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -912,12 +911,20 @@ int kuka_kr40pa_ik(
             continue;
         for (int i = 0; i < 4; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = KUKA_KR40PA_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_KR40PA_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int kuka_kr40pa_ik(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int kuka_kr40pa_ik_nearest(const double T[16], const double q_seed[4], double q[4])

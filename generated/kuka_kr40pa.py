@@ -103,7 +103,10 @@ doubt_limit_squared2 = 4.8399999999999986e-06  # square of a length that fixes n
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 0.625  # a coefficient of Y1_2
-m3 = 6.283185307179586  # 2 * half_turn
+m3 = 1.0000000000000002e-10  # pose_slack^2
+m4 = 4.84e-10  # pose_slack1^2 [m^2]
+m5 = 1.452e-09  # 3 * pose_slack1^2 [m^2]
+m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -618,28 +621,32 @@ def _regular(pose, q, status):
     # is the pose one that the arm can take?
     v14 = v6 + Z2_3
     v15 = d1 + v5
-    v16 = math.sqrt(-1.0)
-    v17 = (
-        0.0 if max(abs(T12 - v4), max(abs(T11 - factor234 * (T33 * c1)), max(abs(T13 + factor234 *
-        (T31 * c1)), max(abs(T21 + factor234 * (T33 * v4)), max(abs(T22 - c1), max(abs(T23 -
-        factor234 * (T31 * v4)), max(abs(T31 - T31 * factor234), max(abs(T33 - T33 * factor234),
-        abs(T32))))))))) <= pose_slack else v16
-    )
-    v18 = abs(T14 - c1 * v14)
-    v19 = abs(T24 + v4 * v14)
-    v20 = (
-        0.0 if max(v19, max(v18, abs(T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 *
-        v10)))))) <= pose_slack1 else v16
-    )
-    v21 = (
-        0.0 if max(v19, max(v18, abs(T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 *
-        v11)))))) <= pose_slack1 else v16
-    )
+    v16 = T33 - T33 * factor234
+    v17 = T31 - T31 * factor234
+    v18 = T23 - factor234 * (T31 * v4)
+    v19 = T22 - c1
+    v20 = T21 + factor234 * (T33 * v4)
+    v21 = T13 + factor234 * (T31 * c1)
+    v22 = T11 - factor234 * (T33 * c1)
+    v23 = T12 - v4
+    v24 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
+    v25 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
+    v26 = T14 - c1 * v14
+    v27 = v26 * v26
+    v28 = T24 + v4 * v14
+    v29 = v28 * v28
+    v30 = v29 + (v27 + v24 * v24)
+    v31 = v29 + (v27 + v25 * v25)
+    v32 = math.sqrt(-1.0)
+    v33 = 0.0 if v30 <= m4 else v32
+    v34 = 0.0 if v31 <= m4 else v32
 
     # joint values
     doubt1 = (
-        v2 <= m1 or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart))))
+        v2 <= m1 or (v1 <= m1 or ((shortest3_reach <= N3 and N3 <= longest3_reach and not
+        (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <= doubt_limit_squared2 or (m3 < v23
+        * v23 + (v22 * v22 + (v21 * v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v17 * v17 + (v16 *
+        v16 + T32 * T32))))))) or ((m4 < v30 and v30 <= m5) or (m4 < v31 and v31 <= m5))))))
     )
 
     # angles, side by side
@@ -664,21 +671,17 @@ def _regular(pose, q, status):
     angle5 = room[4]
 
     # joint values
-    v22 = angle1 - (angle2 + angle3)
-    v23 = angle1 - (angle4 - angle2)
-    v24 = v17 + (angle5 + (w3 - w3))
-    q1_p = v20 + v24
-    q1_m = v21 + v24
-    q2_p = v20 + (angle3 + v17)
-    q2_m = v21 + (angle4 + v17)
-    q3_p = v20 + (angle2 + v17)
-    q3_m = v21 + (v17 - angle2)
-    q4_p = (
-        v20 + (v17 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else 0.0)))
-    )
-    q4_m = (
-        v21 + (v17 + (v23 - (m3 if half_turn < v23 else 0.0) + (m3 if v23 <= -half_turn else 0.0)))
-    )
+    v35 = angle1 - (angle2 + angle3)
+    v36 = angle1 - (angle4 - angle2)
+    v37 = angle5 + (w3 - w3)
+    q1_p = v33 + v37
+    q1_m = v34 + v37
+    q2_p = angle3 + v33
+    q2_m = angle4 + v34
+    q3_p = angle2 + v33
+    q3_m = v34 - angle2
+    q4_p = v33 + (v35 - (m6 if half_turn < v35 else 0.0) + (m6 if v35 <= -half_turn else 0.0))
+    q4_m = v34 + (v36 - (m6 if half_turn < v36 else 0.0) + (m6 if v36 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -854,10 +857,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1024, 1056, 1088, 1120],
-    [1152, 1184, 1216, 1248],
+    [992, 1024, 1056, 1088],
+    [1120, 1152, 1184, 1216],
 ])
-_KINDS = np.array([1280, 1312])
+_KINDS = np.array([1248, 1280])
 _LEFT_OVER = 255
 
 
@@ -868,7 +871,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1344)
+    work = np.empty(1312)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -926,90 +929,91 @@ def _in_tiles(T, q, status):
             v13 = m2 * (N3 * -Z1_3)
             v14 = v6 + Z2_3
             v15 = d1 + v5
-            v16 = math.sqrt(-1.0)
-            v17 = (
-                0.0 if max(abs(T12 - v4), max(abs(T11 - factor234 * (T33 * c1)), max(abs(T13 +
-                factor234 * (T31 * c1)), max(abs(T21 + factor234 * (T33 * v4)), max(abs(T22 - c1),
-                max(abs(T23 - factor234 * (T31 * v4)), max(abs(T31 - T31 * factor234), max(abs(T33 -
-                T33 * factor234), abs(T32))))))))) <= pose_slack else v16
-            )
-            v18 = abs(T14 - c1 * v14)
-            v19 = abs(T24 + v4 * v14)
-            v20 = (
-                0.0 if max(v19, max(v18, abs(T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 *
-                (a2 * v10)))))) <= pose_slack1 else v16
-            )
-            v21 = (
-                0.0 if max(v19, max(v18, abs(T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 *
-                (a2 * v11)))))) <= pose_slack1 else v16
-            )
+            v16 = T33 - T33 * factor234
+            v17 = T31 - T31 * factor234
+            v18 = T23 - factor234 * (T31 * v4)
+            v19 = T22 - c1
+            v20 = T21 + factor234 * (T33 * v4)
+            v21 = T13 + factor234 * (T31 * c1)
+            v22 = T11 - factor234 * (T33 * c1)
+            v23 = T12 - v4
+            v24 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
+            v25 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
+            v26 = T14 - c1 * v14
+            v27 = v26 * v26
+            v28 = T24 + v4 * v14
+            v29 = v28 * v28
+            v30 = v29 + (v27 + v24 * v24)
+            v31 = v29 + (v27 + v25 * v25)
+            v32 = math.sqrt(-1.0)
+            v33 = 0.0 if v30 <= m4 else v32
+            v34 = 0.0 if v31 <= m4 else v32
             doubt1 = (
-                v2 <= m1 or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (shortest3_reach <= N3 and
-                N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart))))
+                v2 <= m1 or (v1 <= m1 or ((shortest3_reach <= N3 and N3 <= longest3_reach and not
+                (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <= doubt_limit_squared2 or
+                (m3 < v23 * v23 + (v22 * v22 + (v21 * v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 +
+                (v17 * v17 + (v16 * v16 + T32 * T32))))))) or ((m4 < v30 and v30 <= m5) or (m4 < v31
+                and v31 <= m5))))))
             )
             work[544 + k] = w3
-            work[576 + k] = v17
-            work[608 + k] = v20
-            work[640 + k] = v21
-            work[672 + k] = doubt1
-            work[704 + k] = -T31
-            work[736 + k] = w3
-            work[768 + k] = -v10
-            work[800 + k] = -v11
-            work[832 + k] = -T12
-            work[864 + k] = T33
-            work[896 + k] = N3 - k1
-            work[928 + k] = v12 - w3 * (m2 * Z1_3)
-            work[960 + k] = v12 - w3 * (m2 * -Z1_3)
-            work[992 + k] = T22
-        for k in range(704, 864):
+            work[576 + k] = v33
+            work[608 + k] = v34
+            work[640 + k] = doubt1
+            work[672 + k] = -T31
+            work[704 + k] = w3
+            work[736 + k] = -v10
+            work[768 + k] = -v11
+            work[800 + k] = -T12
+            work[832 + k] = T33
+            work[864 + k] = N3 - k1
+            work[896 + k] = v12 - w3 * (m2 * Z1_3)
+            work[928 + k] = v12 - w3 * (m2 * -Z1_3)
+            work[960 + k] = T22
+        for k in range(672, 832):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
             w3 = work[544 + k]
-            v17 = work[576 + k]
-            v20 = work[608 + k]
-            v21 = work[640 + k]
-            doubt1 = work[672 + k] != 0.0
-            angle1 = work[704 + k]
-            angle2 = work[736 + k]
-            angle3 = work[768 + k]
-            angle4 = work[800 + k]
-            angle5 = work[832 + k]
-            v22 = angle1 - (angle2 + angle3)
-            v23 = angle1 - (angle4 - angle2)
-            v24 = v17 + (angle5 + (w3 - w3))
-            q1_p = v20 + v24
-            q1_m = v21 + v24
-            q2_p = v20 + (angle3 + v17)
-            q2_m = v21 + (angle4 + v17)
-            q3_p = v20 + (angle2 + v17)
-            q3_m = v21 + (v17 - angle2)
+            v33 = work[576 + k]
+            v34 = work[608 + k]
+            doubt1 = work[640 + k] != 0.0
+            angle1 = work[672 + k]
+            angle2 = work[704 + k]
+            angle3 = work[736 + k]
+            angle4 = work[768 + k]
+            angle5 = work[800 + k]
+            v35 = angle1 - (angle2 + angle3)
+            v36 = angle1 - (angle4 - angle2)
+            v37 = angle5 + (w3 - w3)
+            q1_p = v33 + v37
+            q1_m = v34 + v37
+            q2_p = angle3 + v33
+            q2_m = angle4 + v34
+            q3_p = angle2 + v33
+            q3_m = v34 - angle2
             q4_p = (
-                v20 + (v17 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else
-                0.0)))
+                v33 + (v35 - (m6 if half_turn < v35 else 0.0) + (m6 if v35 <= -half_turn else 0.0))
             )
             q4_m = (
-                v21 + (v17 + (v23 - (m3 if half_turn < v23 else 0.0) + (m3 if v23 <= -half_turn else
-                0.0)))
+                v34 + (v36 - (m6 if half_turn < v36 else 0.0) + (m6 if v36 <= -half_turn else 0.0))
             )
-            _1024 = q1_p
+            _992 = q1_p
+            work[992 + k] = _992
+            _1024 = q2_p
             work[1024 + k] = _1024
-            _1056 = q2_p
+            _1056 = q3_p
             work[1056 + k] = _1056
-            _1088 = q3_p
+            _1088 = q4_p
             work[1088 + k] = _1088
-            _1120 = q4_p
+            _1120 = q1_m
             work[1120 + k] = _1120
-            _1152 = q1_m
+            _1152 = q2_m
             work[1152 + k] = _1152
-            _1184 = q2_m
+            _1184 = q3_m
             work[1184 + k] = _1184
-            _1216 = q3_m
+            _1216 = q4_m
             work[1216 + k] = _1216
-            _1248 = q4_m
-            work[1248 + k] = _1248
-            work[1280 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[1312 + k] = UNREACHABLE if _1152 != _1152 else OK
+            work[1248 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1280 + k] = UNREACHABLE if _1120 != _1120 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -318,7 +321,10 @@ static const double m7 = 2.234039306640625e-13; /* doubt_limit_squared2^2 [m^4] 
 static const double m8 = 3.7037037037037037; /* a coefficient of c23 */
 static const double m9 = 0.021481481481481466; /* a coefficient of c23 */
 static const double m10 = 0.147; /* a coefficient of v17 */
-static const double m11 = 6.283185307179586; /* 2 * half_turn */
+static const double m11 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m12 = 4.7265625e-11; /* pose_slack1^2 [m^2] */
+static const double m13 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
+static const double m14 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const kuka_youbot_branches[4] = {
@@ -453,7 +459,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -465,11 +471,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -545,58 +551,62 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v54 = v51 + w2_pm * (v39 * (a3 * (v47 - w3_p * v44) + a2 * C2_pm));
     const wide v55 = v52 + w2_mp * (v40 * (a3 * (v48 - w3_m * v43) + a2 * C2_mp));
     const wide v56 = v52 + w2_mm * (v41 * (a3 * (v48 - w3_m * v44) + a2 * C2_mm)), v57 = s1 * v8;
-    const wide v58 = m10 + v15;
-    const double v59 = sqrt(-1.0);
-    const wide v60 = pick_wide(maximum_wide(abs_wide(T12 + (s1 * v11 + v12 * v42)),
-        maximum_wide(abs_wide(T11 - (v11 * v42 - s1 * v12)), maximum_wide(abs_wide(T13 - c1 * s234),
-        maximum_wide(abs_wide(T21 - (v11 * v57 + c1 * v12)), maximum_wide(abs_wide(T22 + (v12 * v57
-        - c1 * v11)), maximum_wide(abs_wide(T23 - s1 * s234), maximum_wide(abs_wide(T31 + s234 *
-        v11), maximum_wide(abs_wide(T33 - v8), abs_wide(T32 - s234 * v12))))))))) <= pose_slack,
-        all_wide(0.0), all_wide(v59));
-    const wide v61 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v53), maximum_wide(abs_wide(T34 -
-        (v58 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v49 + w3_p * (m8 * v20))))),
-        abs_wide(T14 - c1 * v53))) <= pose_slack1, all_wide(0.0), all_wide(v59));
-    const wide v62 = pick_wide(maximum_wide(abs_wide(T24 - s1 * v54), maximum_wide(abs_wide(T34 -
-        (v58 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v49 + w3_p * (m8 * -v20))))),
-        abs_wide(T14 - c1 * v54))) <= pose_slack1, all_wide(0.0), all_wide(v59));
-    const wide v63 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v55), maximum_wide(abs_wide(T34 -
-        (v58 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v50 + w3_m * (m8 * v21))))),
-        abs_wide(T14 + c1 * v55))) <= pose_slack1, all_wide(0.0), all_wide(v59));
-    const wide v64 = pick_wide(maximum_wide(abs_wide(T24 + s1 * v56), maximum_wide(abs_wide(T34 -
-        (v58 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v50 + w3_m * (m8 * -v21))))),
-        abs_wide(T14 + c1 * v56))) <= pose_slack1, all_wide(0.0), all_wide(v59));
+    const wide v58 = m10 + v15, v59 = T33 - v8, v60 = T32 - s234 * v12, v61 = T31 + s234 * v11;
+    const wide v62 = T23 - s1 * s234, v63 = T22 + (v12 * v57 - c1 * v11);
+    const wide v64 = T21 - (v11 * v57 + c1 * v12), v65 = T13 - c1 * s234;
+    const wide v66 = T11 - (v11 * v42 - s1 * v12), v67 = T12 + (s1 * v11 + v12 * v42);
+    const wide v68 = T34 - (v58 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v49 + w3_p * (m8 *
+        v20))));
+    const wide v69 = T34 - (v58 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v49 + w3_p * (m8 *
+        -v20))));
+    const wide v70 = T34 - (v58 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v50 + w3_m * (m8 *
+        v21))));
+    const wide v71 = T34 - (v58 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v50 + w3_m * (m8 *
+        -v21)))), v72 = T14 - c1 * v53, v73 = T14 - c1 * v54, v74 = T14 + c1 * v55;
+    const wide v75 = T14 + c1 * v56, v76 = T24 - s1 * v53, v77 = T24 - s1 * v54;
+    const wide v78 = T24 + s1 * v55, v79 = T24 + s1 * v56;
+    const wide v80 = v76 * v76 + (v68 * v68 + v72 * v72), v81 = v77 * v77 + (v69 * v69 + v73 * v73);
+    const wide v82 = v78 * v78 + (v70 * v70 + v74 * v74), v83 = v79 * v79 + (v71 * v71 + v75 * v75);
+    const double v84 = NAN;
+    const wide v85 = pick_wide(v80 <= m12, all_wide(0.0), all_wide(v84));
+    const wide v86 = pick_wide(v81 <= m12, all_wide(0.0), all_wide(v84));
+    const wide v87 = pick_wide(v82 <= m12, all_wide(0.0), all_wide(v84));
+    const wide v88 = pick_wide(v83 <= m12, all_wide(0.0), all_wide(v84));
 
     /* joint values */
-    const wide v65 = angle6 - offset2, v66 = angle7 - offset2, v67 = angle8 - offset2;
-    const wide v68 = angle9 - offset2, v69 = angle2 - (angle4 + angle6) - offset4;
-    const wide v70 = angle2 - (angle7 - angle4) - offset4;
-    const wide v71 = offset4 + (angle2 + (angle5 + angle8));
-    const wide v72 = offset4 + (angle2 + (angle9 - angle5));
-    const wide v73 = v69 - only_wide(half_turn < v69, m11) + only_wide(v69 <= -half_turn, m11);
-    const wide v74 = v70 - only_wide(half_turn < v70, m11) + only_wide(v70 <= -half_turn, m11);
-    const wide v75 = only_wide(-v71 <= -half_turn, m11) - (v71 + only_wide(half_turn < -v71, m11));
-    const wide v76 = only_wide(-v72 <= -half_turn, m11) - (v72 + only_wide(half_turn < -v72, m11));
-    const wide v77 = v60 + (angle1 + v24);
-    const wide v78 = v60 + (v25 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1));
-    const wide q1_pp = v61 + v77, q1_pm = v62 + v77, q1_mp = v63 + v78, q1_mm = v64 + v78;
-    const wide q2_pp = v61 + (v60 + (v65 + only_wide(v65 <= -half_turn, m11)));
-    const wide q2_pm = v62 + (v60 + (v66 + only_wide(v66 <= -half_turn, m11)));
-    const wide q2_mp = v63 + (v60 + (v67 + only_wide(v67 <= -half_turn, m11)));
-    const wide q2_mm = v64 + (v60 + (v68 + only_wide(v68 <= -half_turn, m11)));
-    const wide q3_pp = v61 + (angle4 + v60), q3_pm = v62 + (v60 - angle4);
-    const wide q3_mp = v63 + (angle5 + v60), q3_mm = v64 + (v60 - angle5);
-    const wide q4_pp = v61 + (v60 + (v73 + only_wide(v73 <= -half_turn, m11)));
-    const wide q4_pm = v62 + (v60 + (v74 + only_wide(v74 <= -half_turn, m11)));
-    const wide q4_mp = v63 + (v60 + (v75 + only_wide(v75 <= -half_turn, m11)));
-    const wide q4_mm = v64 + (v60 + (v76 + only_wide(v76 <= -half_turn, m11)));
-    const wide v79 = v60 + (angle3 + v24);
-    const wide v80 = v60 + (v25 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -S5)));
-    const wide q5_pp = v61 + v79, q5_pm = v62 + v79, q5_mp = v63 + v80, q5_mm = v64 + v80;
-    const wide_mask doubt1 = (v6 <= m3) | ((v4 <= m1) | ((v9 <= m3) | ((v37 <= m7) | ((v36 <= m7) |
-        ((v35 <= m7) | ((v34 <= m7) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+    const wide v89 = angle6 - offset2, v90 = angle7 - offset2, v91 = angle8 - offset2;
+    const wide v92 = angle9 - offset2, v93 = angle2 - (angle4 + angle6) - offset4;
+    const wide v94 = angle2 - (angle7 - angle4) - offset4;
+    const wide v95 = offset4 + (angle2 + (angle5 + angle8));
+    const wide v96 = offset4 + (angle2 + (angle9 - angle5));
+    const wide v97 = v93 - only_wide(half_turn < v93, m14) + only_wide(v93 <= -half_turn, m14);
+    const wide v98 = v94 - only_wide(half_turn < v94, m14) + only_wide(v94 <= -half_turn, m14);
+    const wide v99 = only_wide(-v95 <= -half_turn, m14) - (v95 + only_wide(half_turn < -v95, m14));
+    const wide v100 = only_wide(-v96 <= -half_turn, m14) - (v96 + only_wide(half_turn < -v96, m14));
+    const wide v101 = angle1 + v24;
+    const wide v102 = v25 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1);
+    const wide q1_pp = v85 + v101, q1_pm = v86 + v101, q1_mp = v87 + v102, q1_mm = v88 + v102;
+    const wide q2_pp = v85 + (v89 + only_wide(v89 <= -half_turn, m14));
+    const wide q2_pm = v86 + (v90 + only_wide(v90 <= -half_turn, m14));
+    const wide q2_mp = v87 + (v91 + only_wide(v91 <= -half_turn, m14));
+    const wide q2_mm = v88 + (v92 + only_wide(v92 <= -half_turn, m14));
+    const wide q3_pp = angle4 + v85, q3_pm = v86 - angle4, q3_mp = angle5 + v87;
+    const wide q3_mm = v88 - angle5;
+    const wide q4_pp = v85 + (v97 + only_wide(v97 <= -half_turn, m14));
+    const wide q4_pm = v86 + (v98 + only_wide(v98 <= -half_turn, m14));
+    const wide q4_mp = v87 + (v99 + only_wide(v99 <= -half_turn, m14));
+    const wide q4_mm = v88 + (v100 + only_wide(v100 <= -half_turn, m14));
+    const wide v103 = angle3 + v24;
+    const wide v104 = v25 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -S5));
+    const wide q5_pp = v85 + v103, q5_pm = v86 + v103, q5_mp = v87 + v104, q5_mm = v88 + v104;
+    const wide_mask doubt1 = (v6 <= m3) | ((v4 <= m1) | ((v9 <= m3) | (((m12 < v83) & (v83 <= m13))
+        | ((v37 <= m7) | (((m12 < v82) & (v82 <= m13)) | ((v36 <= m7) | (((m12 < v81) & (v81 <=
+        m13)) | ((v35 <= m7) | (((m12 < v80) & (v80 <= m13)) | ((v34 <= m7) | ((m11 < v67 * v67 +
+        (v66 * v66 + (v65 * v65 + (v64 * v64 + (v63 * v63 + (v62 * v62 + (v61 * v61 + (v59 * v59 +
+        v60 * v60)))))))) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
         (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) &
         (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) ==
-        0)))))))));
+        0))))))))))))));
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -614,6 +624,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[4][5], unsigned char status[4])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -669,7 +680,6 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four C2 = v32 + w3 * v31;
     const four v33 = S2 * S2 + C2 * C2;
     const four w2 = sqrt_four(v33);
-    const four_mask doubt3 = v33 <= m7;
     const four v34 = 1.0 / v33;
     const four factor2 = w2 * v34;
 
@@ -677,18 +687,21 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const double v35 = c1 * v11;
     const four v36 = m8 * v30, v37 = m8 * N3 - m9, v38 = v24 * v37, v39 = v18 * v37, v40 = a1 + v23;
     const four v41 = v40 + w2 * (v34 * (a3 * (v38 - w3 * v36) + a2 * C2));
-    const double v42 = s1 * v11, v43 = m10 + v19, v44 = sqrt(-1.0);
-    const double v45 = (maximum_double(fabs(T12 + (s1 * v14 + v15 * v35)), maximum_double(fabs(T11 -
-        (v14 * v35 - s1 * v15)), maximum_double(fabs(T13 - c1 * s234), maximum_double(fabs(T21 -
-        (v14 * v42 + c1 * v15)), maximum_double(fabs(T22 + (v15 * v42 - c1 * v14)),
-        maximum_double(fabs(T23 - s1 * s234), maximum_double(fabs(T31 + s234 * v14),
-        maximum_double(fabs(T33 - v11), fabs(T32 - s234 * v15))))))))) <= pose_slack) ? 0.0 : v44;
-    const four v46 = pick_four(maximum_four(abs_four(T24 - e1 * (s1 * v41)),
-        maximum_four(abs_four(T34 - (v43 + factor2 * (a2 * S2) + factor2 * (a3 * (v39 + w3 * (m8 *
-        v27))))), abs_four(T14 - e1 * (c1 * v41)))) <= pose_slack1, all_four(0.0), all_four(v44));
+    const double v42 = s1 * v11, v43 = m10 + v19, v44 = T33 - v11, v45 = T32 - s234 * v15;
+    const double v46 = T31 + s234 * v14, v47 = T23 - s1 * s234, v48 = T22 + (v15 * v42 - c1 * v14);
+    const double v49 = T21 - (v14 * v42 + c1 * v15), v50 = T13 - c1 * s234;
+    const double v51 = T11 - (v14 * v35 - s1 * v15), v52 = T12 + (s1 * v14 + v15 * v35);
+    const four v53 = T34 - (v43 + factor2 * (a2 * S2) + factor2 * (a3 * (v39 + w3 * (m8 * v27))));
+    const four v54 = T14 - e1 * (c1 * v41), v55 = T24 - e1 * (s1 * v41);
+    const four v56 = v55 * v55 + (v53 * v53 + v54 * v54);
+    const double v57 = NAN;
+    const four v58 = pick_four(v56 <= m12, all_four(0.0), all_four(v57));
 
     /* joint values */
-    const int doubt1 = (v9 <= m3) | ((v12 <= m3) | (v4 <= m1));
+    const four_mask doubt3 = (v33 <= m7) | ((m12 < v56) & (v56 <= m13));
+    const int doubt1 = (v9 <= m3) | ((v4 <= m1) | ((m11 < v52 * v52 + (v51 * v51 + (v50 * v50 + (v49
+        * v49 + (v48 * v48 + (v47 * v47 + (v46 * v46 + (v44 * v44 + v45 * v45)))))))) | (v12 <=
+        m3)));
 
     const four angle5 = atan2_four(S2, C2);
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
@@ -700,16 +713,16 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
     const four packed3 = atan2_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5 });
     const four angle3 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v47 = angle5 - offset2, v48 = e2 * angle4, v49 = e1 * angle2;
-    const four v50 = v49 - (angle5 + v48) - offset4;
-    const four v51 = v50 - only_four(half_turn < v50, m11) + only_four(v50 <= -half_turn, m11);
-    const four v52 = v45 + (v26 + (angle1 + v6 * v7));
-    const four q1 = v46 + v52;
-    const four q2 = v46 + (v45 + (v47 + only_four(v47 <= -half_turn, m11)));
-    const four q3 = v46 + (v45 + v48);
-    const four q4 = v46 + (v45 + (v51 + only_four(v51 <= -half_turn, m11)));
-    const four v53 = v45 + (v26 + (angle3 + v7 * v16));
-    const four q5 = v46 + v53;
+    const four v59 = angle5 - offset2, v60 = e2 * angle4, v61 = e1 * angle2;
+    const four v62 = v61 - (angle5 + v60) - offset4;
+    const four v63 = v62 - only_four(half_turn < v62, m14) + only_four(v62 <= -half_turn, m14);
+    const four v64 = v26 + (angle1 + v6 * v7);
+    const four q1 = v58 + v64;
+    const four q2 = v58 + (v59 + only_four(v59 <= -half_turn, m14));
+    const four q3 = v58 + v60;
+    const four q4 = v58 + (v63 + only_four(v63 <= -half_turn, m14));
+    const four v65 = v26 + (angle3 + v7 * v16);
+    const four q5 = v58 + v65;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -1029,22 +1042,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int kuka_youbot_ik(
-    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5], unsigned char
+    status[4])
 {
     static const double zeros[5] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
@@ -1069,12 +1076,20 @@ int kuka_youbot_ik(
             continue;
         for (int i = 0; i < 5; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = KUKA_YOUBOT_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_YOUBOT_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int kuka_youbot_ik(
+    const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int kuka_youbot_ik_nearest(const double T[16], const double q_seed[5], double q[5])

@@ -116,7 +116,10 @@ m7 = 2.234039306640625e-13  # doubt_limit_squared2^2 [m^4]
 m8 = 3.7037037037037037  # a coefficient of c23
 m9 = 0.021481481481481466  # a coefficient of c23
 m10 = 0.147  # a coefficient of v17
-m11 = 6.283185307179586  # 2 * half_turn
+m11 = 1.0000000000000002e-10  # pose_slack^2
+m12 = 4.7265625e-11  # pose_slack1^2 [m^2]
+m13 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
+m14 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -760,36 +763,46 @@ def _regular(pose, q, status):
     v56 = v52 + w2_mm * (v41 * (a3 * (v48 - w3_m * v44) + a2 * C2_mm))
     v57 = s1 * v8
     v58 = m10 + v15
-    v59 = math.sqrt(-1.0)
-    v60 = (
-        0.0 if max(abs(T12 + (s1 * v11 + v12 * v42)), max(abs(T11 - (v11 * v42 - s1 * v12)),
-        max(abs(T13 - c1 * s234), max(abs(T21 - (v11 * v57 + c1 * v12)), max(abs(T22 + (v12 * v57 -
-        c1 * v11)), max(abs(T23 - s1 * s234), max(abs(T31 + s234 * v11), max(abs(T33 - v8), abs(T32
-        - s234 * v12))))))))) <= pose_slack else v59
-    )
-    v61 = (
-        0.0 if max(abs(T24 - s1 * v53), max(abs(T34 - (v58 + factor2_pp * (a2 * S2_pp) + factor2_pp
-        * (a3 * (v49 + w3_p * (m8 * v20))))), abs(T14 - c1 * v53))) <= pose_slack1 else v59
-    )
-    v62 = (
-        0.0 if max(abs(T24 - s1 * v54), max(abs(T34 - (v58 + factor2_pm * (a2 * S2_pm) + factor2_pm
-        * (a3 * (v49 + w3_p * (m8 * -v20))))), abs(T14 - c1 * v54))) <= pose_slack1 else v59
-    )
-    v63 = (
-        0.0 if max(abs(T24 + s1 * v55), max(abs(T34 - (v58 + factor2_mp * (a2 * S2_mp) + factor2_mp
-        * (a3 * (v50 + w3_m * (m8 * v21))))), abs(T14 + c1 * v55))) <= pose_slack1 else v59
-    )
-    v64 = (
-        0.0 if max(abs(T24 + s1 * v56), max(abs(T34 - (v58 + factor2_mm * (a2 * S2_mm) + factor2_mm
-        * (a3 * (v50 + w3_m * (m8 * -v21))))), abs(T14 + c1 * v56))) <= pose_slack1 else v59
-    )
+    v59 = T33 - v8
+    v60 = T32 - s234 * v12
+    v61 = T31 + s234 * v11
+    v62 = T23 - s1 * s234
+    v63 = T22 + (v12 * v57 - c1 * v11)
+    v64 = T21 - (v11 * v57 + c1 * v12)
+    v65 = T13 - c1 * s234
+    v66 = T11 - (v11 * v42 - s1 * v12)
+    v67 = T12 + (s1 * v11 + v12 * v42)
+    v68 = T34 - (v58 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v49 + w3_p * (m8 * v20))))
+    v69 = T34 - (v58 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v49 + w3_p * (m8 * -v20))))
+    v70 = T34 - (v58 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v50 + w3_m * (m8 * v21))))
+    v71 = T34 - (v58 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v50 + w3_m * (m8 * -v21))))
+    v72 = T14 - c1 * v53
+    v73 = T14 - c1 * v54
+    v74 = T14 + c1 * v55
+    v75 = T14 + c1 * v56
+    v76 = T24 - s1 * v53
+    v77 = T24 - s1 * v54
+    v78 = T24 + s1 * v55
+    v79 = T24 + s1 * v56
+    v80 = v76 * v76 + (v68 * v68 + v72 * v72)
+    v81 = v77 * v77 + (v69 * v69 + v73 * v73)
+    v82 = v78 * v78 + (v70 * v70 + v74 * v74)
+    v83 = v79 * v79 + (v71 * v71 + v75 * v75)
+    v84 = math.sqrt(-1.0)
+    v85 = 0.0 if v80 <= m12 else v84
+    v86 = 0.0 if v81 <= m12 else v84
+    v87 = 0.0 if v82 <= m12 else v84
+    v88 = 0.0 if v83 <= m12 else v84
 
     # joint values
     doubt1 = (
-        v6 <= m3 or (v4 <= m1 or (v9 <= m3 or (v37 <= m7 or (v36 <= m7 or (v35 <= m7 or (v34 <= m7
-        or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)))))))))
+        v6 <= m3 or (v4 <= m1 or (v9 <= m3 or ((m12 < v83 and v83 <= m13) or (v37 <= m7 or ((m12 <
+        v82 and v82 <= m13) or (v36 <= m7 or ((m12 < v81 and v81 <= m13) or (v35 <= m7 or ((m12 <
+        v80 and v80 <= m13) or (v34 <= m7 or (m11 < v67 * v67 + (v66 * v66 + (v65 * v65 + (v64 * v64
+        + (v63 * v63 + (v62 * v62 + (v61 * v61 + (v59 * v59 + v60 * v60))))))) or ((shortest3_reach
+        <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+        longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart))))))))))))))
     )
 
     # angles, side by side
@@ -826,42 +839,42 @@ def _regular(pose, q, status):
     angle9 = room[8]
 
     # joint values
-    v65 = angle6 - offset2
-    v66 = angle7 - offset2
-    v67 = angle8 - offset2
-    v68 = angle9 - offset2
-    v69 = angle2 - (angle4 + angle6) - offset4
-    v70 = angle2 - (angle7 - angle4) - offset4
-    v71 = offset4 + (angle2 + (angle5 + angle8))
-    v72 = offset4 + (angle2 + (angle9 - angle5))
-    v73 = v69 - (m11 if half_turn < v69 else 0.0) + (m11 if v69 <= -half_turn else 0.0)
-    v74 = v70 - (m11 if half_turn < v70 else 0.0) + (m11 if v70 <= -half_turn else 0.0)
-    v75 = (m11 if -v71 <= -half_turn else 0.0) - (v71 + (m11 if half_turn < -v71 else 0.0))
-    v76 = (m11 if -v72 <= -half_turn else 0.0) - (v72 + (m11 if half_turn < -v72 else 0.0))
-    v77 = v60 + (angle1 + v24)
-    v78 = v60 + (v25 + (angle1 - math.copysign(half_turn, v3) * h1))
-    q1_pp = v61 + v77
-    q1_pm = v62 + v77
-    q1_mp = v63 + v78
-    q1_mm = v64 + v78
-    q2_pp = v61 + (v60 + (v65 + (m11 if v65 <= -half_turn else 0.0)))
-    q2_pm = v62 + (v60 + (v66 + (m11 if v66 <= -half_turn else 0.0)))
-    q2_mp = v63 + (v60 + (v67 + (m11 if v67 <= -half_turn else 0.0)))
-    q2_mm = v64 + (v60 + (v68 + (m11 if v68 <= -half_turn else 0.0)))
-    q3_pp = v61 + (angle4 + v60)
-    q3_pm = v62 + (v60 - angle4)
-    q3_mp = v63 + (angle5 + v60)
-    q3_mm = v64 + (v60 - angle5)
-    q4_pp = v61 + (v60 + (v73 + (m11 if v73 <= -half_turn else 0.0)))
-    q4_pm = v62 + (v60 + (v74 + (m11 if v74 <= -half_turn else 0.0)))
-    q4_mp = v63 + (v60 + (v75 + (m11 if v75 <= -half_turn else 0.0)))
-    q4_mm = v64 + (v60 + (v76 + (m11 if v76 <= -half_turn else 0.0)))
-    v79 = v60 + (angle3 + v24)
-    v80 = v60 + (v25 + (angle3 - h1 * math.copysign(half_turn, -S5)))
-    q5_pp = v61 + v79
-    q5_pm = v62 + v79
-    q5_mp = v63 + v80
-    q5_mm = v64 + v80
+    v89 = angle6 - offset2
+    v90 = angle7 - offset2
+    v91 = angle8 - offset2
+    v92 = angle9 - offset2
+    v93 = angle2 - (angle4 + angle6) - offset4
+    v94 = angle2 - (angle7 - angle4) - offset4
+    v95 = offset4 + (angle2 + (angle5 + angle8))
+    v96 = offset4 + (angle2 + (angle9 - angle5))
+    v97 = v93 - (m14 if half_turn < v93 else 0.0) + (m14 if v93 <= -half_turn else 0.0)
+    v98 = v94 - (m14 if half_turn < v94 else 0.0) + (m14 if v94 <= -half_turn else 0.0)
+    v99 = (m14 if -v95 <= -half_turn else 0.0) - (v95 + (m14 if half_turn < -v95 else 0.0))
+    v100 = (m14 if -v96 <= -half_turn else 0.0) - (v96 + (m14 if half_turn < -v96 else 0.0))
+    v101 = angle1 + v24
+    v102 = v25 + (angle1 - math.copysign(half_turn, v3) * h1)
+    q1_pp = v85 + v101
+    q1_pm = v86 + v101
+    q1_mp = v87 + v102
+    q1_mm = v88 + v102
+    q2_pp = v85 + (v89 + (m14 if v89 <= -half_turn else 0.0))
+    q2_pm = v86 + (v90 + (m14 if v90 <= -half_turn else 0.0))
+    q2_mp = v87 + (v91 + (m14 if v91 <= -half_turn else 0.0))
+    q2_mm = v88 + (v92 + (m14 if v92 <= -half_turn else 0.0))
+    q3_pp = angle4 + v85
+    q3_pm = v86 - angle4
+    q3_mp = angle5 + v87
+    q3_mm = v88 - angle5
+    q4_pp = v85 + (v97 + (m14 if v97 <= -half_turn else 0.0))
+    q4_pm = v86 + (v98 + (m14 if v98 <= -half_turn else 0.0))
+    q4_mp = v87 + (v99 + (m14 if v99 <= -half_turn else 0.0))
+    q4_mm = v88 + (v100 + (m14 if v100 <= -half_turn else 0.0))
+    v103 = angle3 + v24
+    v104 = v25 + (angle3 - h1 * math.copysign(half_turn, -S5))
+    q5_pp = v85 + v103
+    q5_pm = v86 + v103
+    q5_mp = v87 + v104
+    q5_mm = v88 + v104
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1051,12 +1064,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1440, 1472, 1504, 1536, 1568],
-    [1600, 1632, 1664, 1696, 1728],
-    [1760, 1792, 1824, 1856, 1888],
-    [1920, 1952, 1984, 2016, 2048],
+    [1408, 1440, 1472, 1504, 1536],
+    [1568, 1600, 1632, 1664, 1696],
+    [1728, 1760, 1792, 1824, 1856],
+    [1888, 1920, 1952, 1984, 2016],
 ])
-_KINDS = np.array([2080, 2112, 2144, 2176])
+_KINDS = np.array([2048, 2080, 2112, 2144])
 _LEFT_OVER = 255
 
 
@@ -1067,7 +1080,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2208)
+    work = np.empty(2176)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1194,170 +1207,186 @@ def _in_tiles(T, q, status):
             v56 = v52 + w2_mm * (v41 * (a3 * (v48 - w3_m * v44) + a2 * C2_mm))
             v57 = s1 * v8
             v58 = m10 + v15
-            v59 = math.sqrt(-1.0)
-            v60 = (
-                0.0 if max(abs(T12 + (s1 * v11 + v12 * v42)), max(abs(T11 - (v11 * v42 - s1 * v12)),
-                max(abs(T13 - c1 * s234), max(abs(T21 - (v11 * v57 + c1 * v12)), max(abs(T22 + (v12
-                * v57 - c1 * v11)), max(abs(T23 - s1 * s234), max(abs(T31 + s234 * v11), max(abs(T33
-                - v8), abs(T32 - s234 * v12))))))))) <= pose_slack else v59
+            v59 = T33 - v8
+            v60 = T32 - s234 * v12
+            v61 = T31 + s234 * v11
+            v62 = T23 - s1 * s234
+            v63 = T22 + (v12 * v57 - c1 * v11)
+            v64 = T21 - (v11 * v57 + c1 * v12)
+            v65 = T13 - c1 * s234
+            v66 = T11 - (v11 * v42 - s1 * v12)
+            v67 = T12 + (s1 * v11 + v12 * v42)
+            v68 = (
+                T34 - (v58 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v49 + w3_p * (m8 *
+                v20))))
             )
-            v61 = (
-                0.0 if max(abs(T24 - s1 * v53), max(abs(T34 - (v58 + factor2_pp * (a2 * S2_pp) +
-                factor2_pp * (a3 * (v49 + w3_p * (m8 * v20))))), abs(T14 - c1 * v53))) <=
-                pose_slack1 else v59
+            v69 = (
+                T34 - (v58 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v49 + w3_p * (m8 *
+                -v20))))
             )
-            v62 = (
-                0.0 if max(abs(T24 - s1 * v54), max(abs(T34 - (v58 + factor2_pm * (a2 * S2_pm) +
-                factor2_pm * (a3 * (v49 + w3_p * (m8 * -v20))))), abs(T14 - c1 * v54))) <=
-                pose_slack1 else v59
+            v70 = (
+                T34 - (v58 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v50 + w3_m * (m8 *
+                v21))))
             )
-            v63 = (
-                0.0 if max(abs(T24 + s1 * v55), max(abs(T34 - (v58 + factor2_mp * (a2 * S2_mp) +
-                factor2_mp * (a3 * (v50 + w3_m * (m8 * v21))))), abs(T14 + c1 * v55))) <=
-                pose_slack1 else v59
+            v71 = (
+                T34 - (v58 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v50 + w3_m * (m8 *
+                -v21))))
             )
-            v64 = (
-                0.0 if max(abs(T24 + s1 * v56), max(abs(T34 - (v58 + factor2_mm * (a2 * S2_mm) +
-                factor2_mm * (a3 * (v50 + w3_m * (m8 * -v21))))), abs(T14 + c1 * v56))) <=
-                pose_slack1 else v59
-            )
+            v72 = T14 - c1 * v53
+            v73 = T14 - c1 * v54
+            v74 = T14 + c1 * v55
+            v75 = T14 + c1 * v56
+            v76 = T24 - s1 * v53
+            v77 = T24 - s1 * v54
+            v78 = T24 + s1 * v55
+            v79 = T24 + s1 * v56
+            v80 = v76 * v76 + (v68 * v68 + v72 * v72)
+            v81 = v77 * v77 + (v69 * v69 + v73 * v73)
+            v82 = v78 * v78 + (v70 * v70 + v74 * v74)
+            v83 = v79 * v79 + (v71 * v71 + v75 * v75)
+            v84 = math.sqrt(-1.0)
+            v85 = 0.0 if v80 <= m12 else v84
+            v86 = 0.0 if v81 <= m12 else v84
+            v87 = 0.0 if v82 <= m12 else v84
+            v88 = 0.0 if v83 <= m12 else v84
             doubt1 = (
-                v6 <= m3 or (v4 <= m1 or (v9 <= m3 or (v37 <= m7 or (v36 <= m7 or (v35 <= m7 or (v34
-                <= m7 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                v6 <= m3 or (v4 <= m1 or (v9 <= m3 or ((m12 < v83 and v83 <= m13) or (v37 <= m7 or
+                ((m12 < v82 and v82 <= m13) or (v36 <= m7 or ((m12 < v81 and v81 <= m13) or (v35 <=
+                m7 or ((m12 < v80 and v80 <= m13) or (v34 <= m7 or (m11 < v67 * v67 + (v66 * v66 +
+                (v65 * v65 + (v64 * v64 + (v63 * v63 + (v62 * v62 + (v61 * v61 + (v59 * v59 + v60 *
+                v60))))))) or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
                 (shortest3_apart < N3_p and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and
                 N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart)))))))))
+                longest3_apart))))))))))))))
             )
             work[544 + k] = v3
             work[576 + k] = S5
             work[608 + k] = v24
             work[640 + k] = v25
-            work[672 + k] = v60
-            work[704 + k] = v61
-            work[736 + k] = v62
-            work[768 + k] = v63
-            work[800 + k] = v64
-            work[832 + k] = doubt1
-            work[864 + k] = v3
-            work[896 + k] = Z2_234
-            work[928 + k] = -S5
-            work[960 + k] = w3_p
-            work[992 + k] = w3_m
-            work[1024 + k] = S2_pp
-            work[1056 + k] = S2_pm
-            work[1088 + k] = S2_mp
-            work[1120 + k] = S2_mm
-            work[1152 + k] = v2
-            work[1184 + k] = -T33
-            work[1216 + k] = -C5
-            work[1248 + k] = N3_p - k1
-            work[1280 + k] = N3_m - k1
-            work[1312 + k] = C2_pp
-            work[1344 + k] = C2_pm
-            work[1376 + k] = C2_mp
-            work[1408 + k] = C2_mm
-        for k in range(864, 1152):
+            work[672 + k] = v85
+            work[704 + k] = v86
+            work[736 + k] = v87
+            work[768 + k] = v88
+            work[800 + k] = doubt1
+            work[832 + k] = v3
+            work[864 + k] = Z2_234
+            work[896 + k] = -S5
+            work[928 + k] = w3_p
+            work[960 + k] = w3_m
+            work[992 + k] = S2_pp
+            work[1024 + k] = S2_pm
+            work[1056 + k] = S2_mp
+            work[1088 + k] = S2_mm
+            work[1120 + k] = v2
+            work[1152 + k] = -T33
+            work[1184 + k] = -C5
+            work[1216 + k] = N3_p - k1
+            work[1248 + k] = N3_m - k1
+            work[1280 + k] = C2_pp
+            work[1312 + k] = C2_pm
+            work[1344 + k] = C2_mp
+            work[1376 + k] = C2_mm
+        for k in range(832, 1120):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
             v3 = work[544 + k]
             S5 = work[576 + k]
             v24 = work[608 + k]
             v25 = work[640 + k]
-            v60 = work[672 + k]
-            v61 = work[704 + k]
-            v62 = work[736 + k]
-            v63 = work[768 + k]
-            v64 = work[800 + k]
-            doubt1 = work[832 + k] != 0.0
-            angle1 = work[864 + k]
-            angle2 = work[896 + k]
-            angle3 = work[928 + k]
-            angle4 = work[960 + k]
-            angle5 = work[992 + k]
-            angle6 = work[1024 + k]
-            angle7 = work[1056 + k]
-            angle8 = work[1088 + k]
-            angle9 = work[1120 + k]
-            v65 = angle6 - offset2
-            v66 = angle7 - offset2
-            v67 = angle8 - offset2
-            v68 = angle9 - offset2
-            v69 = angle2 - (angle4 + angle6) - offset4
-            v70 = angle2 - (angle7 - angle4) - offset4
-            v71 = offset4 + (angle2 + (angle5 + angle8))
-            v72 = offset4 + (angle2 + (angle9 - angle5))
-            v73 = v69 - (m11 if half_turn < v69 else 0.0) + (m11 if v69 <= -half_turn else 0.0)
-            v74 = v70 - (m11 if half_turn < v70 else 0.0) + (m11 if v70 <= -half_turn else 0.0)
-            v75 = (m11 if -v71 <= -half_turn else 0.0) - (v71 + (m11 if half_turn < -v71 else 0.0))
-            v76 = (m11 if -v72 <= -half_turn else 0.0) - (v72 + (m11 if half_turn < -v72 else 0.0))
-            v77 = v60 + (angle1 + v24)
-            v78 = v60 + (v25 + (angle1 - math.copysign(half_turn, v3) * h1))
-            q1_pp = v61 + v77
-            q1_pm = v62 + v77
-            q1_mp = v63 + v78
-            q1_mm = v64 + v78
-            q2_pp = v61 + (v60 + (v65 + (m11 if v65 <= -half_turn else 0.0)))
-            q2_pm = v62 + (v60 + (v66 + (m11 if v66 <= -half_turn else 0.0)))
-            q2_mp = v63 + (v60 + (v67 + (m11 if v67 <= -half_turn else 0.0)))
-            q2_mm = v64 + (v60 + (v68 + (m11 if v68 <= -half_turn else 0.0)))
-            q3_pp = v61 + (angle4 + v60)
-            q3_pm = v62 + (v60 - angle4)
-            q3_mp = v63 + (angle5 + v60)
-            q3_mm = v64 + (v60 - angle5)
-            q4_pp = v61 + (v60 + (v73 + (m11 if v73 <= -half_turn else 0.0)))
-            q4_pm = v62 + (v60 + (v74 + (m11 if v74 <= -half_turn else 0.0)))
-            q4_mp = v63 + (v60 + (v75 + (m11 if v75 <= -half_turn else 0.0)))
-            q4_mm = v64 + (v60 + (v76 + (m11 if v76 <= -half_turn else 0.0)))
-            v79 = v60 + (angle3 + v24)
-            v80 = v60 + (v25 + (angle3 - h1 * math.copysign(half_turn, -S5)))
-            q5_pp = v61 + v79
-            q5_pm = v62 + v79
-            q5_mp = v63 + v80
-            q5_mm = v64 + v80
-            _1440 = q1_pp
+            v85 = work[672 + k]
+            v86 = work[704 + k]
+            v87 = work[736 + k]
+            v88 = work[768 + k]
+            doubt1 = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle2 = work[864 + k]
+            angle3 = work[896 + k]
+            angle4 = work[928 + k]
+            angle5 = work[960 + k]
+            angle6 = work[992 + k]
+            angle7 = work[1024 + k]
+            angle8 = work[1056 + k]
+            angle9 = work[1088 + k]
+            v89 = angle6 - offset2
+            v90 = angle7 - offset2
+            v91 = angle8 - offset2
+            v92 = angle9 - offset2
+            v93 = angle2 - (angle4 + angle6) - offset4
+            v94 = angle2 - (angle7 - angle4) - offset4
+            v95 = offset4 + (angle2 + (angle5 + angle8))
+            v96 = offset4 + (angle2 + (angle9 - angle5))
+            v97 = v93 - (m14 if half_turn < v93 else 0.0) + (m14 if v93 <= -half_turn else 0.0)
+            v98 = v94 - (m14 if half_turn < v94 else 0.0) + (m14 if v94 <= -half_turn else 0.0)
+            v99 = (m14 if -v95 <= -half_turn else 0.0) - (v95 + (m14 if half_turn < -v95 else 0.0))
+            v100 = (m14 if -v96 <= -half_turn else 0.0) - (v96 + (m14 if half_turn < -v96 else 0.0))
+            v101 = angle1 + v24
+            v102 = v25 + (angle1 - math.copysign(half_turn, v3) * h1)
+            q1_pp = v85 + v101
+            q1_pm = v86 + v101
+            q1_mp = v87 + v102
+            q1_mm = v88 + v102
+            q2_pp = v85 + (v89 + (m14 if v89 <= -half_turn else 0.0))
+            q2_pm = v86 + (v90 + (m14 if v90 <= -half_turn else 0.0))
+            q2_mp = v87 + (v91 + (m14 if v91 <= -half_turn else 0.0))
+            q2_mm = v88 + (v92 + (m14 if v92 <= -half_turn else 0.0))
+            q3_pp = angle4 + v85
+            q3_pm = v86 - angle4
+            q3_mp = angle5 + v87
+            q3_mm = v88 - angle5
+            q4_pp = v85 + (v97 + (m14 if v97 <= -half_turn else 0.0))
+            q4_pm = v86 + (v98 + (m14 if v98 <= -half_turn else 0.0))
+            q4_mp = v87 + (v99 + (m14 if v99 <= -half_turn else 0.0))
+            q4_mm = v88 + (v100 + (m14 if v100 <= -half_turn else 0.0))
+            v103 = angle3 + v24
+            v104 = v25 + (angle3 - h1 * math.copysign(half_turn, -S5))
+            q5_pp = v85 + v103
+            q5_pm = v86 + v103
+            q5_mp = v87 + v104
+            q5_mm = v88 + v104
+            _1408 = q1_pp
+            work[1408 + k] = _1408
+            _1440 = q2_pp
             work[1440 + k] = _1440
-            _1472 = q2_pp
+            _1472 = q3_pp
             work[1472 + k] = _1472
-            _1504 = q3_pp
+            _1504 = q4_pp
             work[1504 + k] = _1504
-            _1536 = q4_pp
+            _1536 = q5_pp
             work[1536 + k] = _1536
-            _1568 = q5_pp
+            _1568 = q1_pm
             work[1568 + k] = _1568
-            _1600 = q1_pm
+            _1600 = q2_pm
             work[1600 + k] = _1600
-            _1632 = q2_pm
+            _1632 = q3_pm
             work[1632 + k] = _1632
-            _1664 = q3_pm
+            _1664 = q4_pm
             work[1664 + k] = _1664
-            _1696 = q4_pm
+            _1696 = q5_pm
             work[1696 + k] = _1696
-            _1728 = q5_pm
+            _1728 = q1_mp
             work[1728 + k] = _1728
-            _1760 = q1_mp
+            _1760 = q2_mp
             work[1760 + k] = _1760
-            _1792 = q2_mp
+            _1792 = q3_mp
             work[1792 + k] = _1792
-            _1824 = q3_mp
+            _1824 = q4_mp
             work[1824 + k] = _1824
-            _1856 = q4_mp
+            _1856 = q5_mp
             work[1856 + k] = _1856
-            _1888 = q5_mp
+            _1888 = q1_mm
             work[1888 + k] = _1888
-            _1920 = q1_mm
+            _1920 = q2_mm
             work[1920 + k] = _1920
-            _1952 = q2_mm
+            _1952 = q3_mm
             work[1952 + k] = _1952
-            _1984 = q3_mm
+            _1984 = q4_mm
             work[1984 + k] = _1984
-            _2016 = q4_mm
+            _2016 = q5_mm
             work[2016 + k] = _2016
-            _2048 = q5_mm
-            work[2048 + k] = _2048
-            work[2080 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[2112 + k] = UNREACHABLE if _1600 != _1600 else OK
-            work[2144 + k] = UNREACHABLE if _1760 != _1760 else OK
-            work[2176 + k] = UNREACHABLE if _1920 != _1920 else OK
+            work[2048 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[2080 + k] = UNREACHABLE if _1568 != _1568 else OK
+            work[2112 + k] = UNREACHABLE if _1728 != _1728 else OK
+            work[2144 + k] = UNREACHABLE if _1888 != _1888 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -410,7 +413,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -422,11 +425,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -440,7 +443,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     /* theta3 */
     const wide v1 = T23 * T23 + T13 * T13;
     const wide w3 = sqrt_wide(v1);
-    const wide_mask free3 = v1 <= m1;
     const wide v2 = 1.0 / v1;
     const wide factor3 = w3 * v2;
     const wide angle1 = atan2_wide(-T13, T23);
@@ -457,46 +459,43 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
         T32))));
     const wide N5 = X5 * X5 + Y5 * Y5;
-    const wide_mask free5 = N5 <= doubt_limit_squared2;
     const wide v5 = d6 * T33 + (d3 - T34);
     const wide D5 = N5 - v5 * v5;
-    const wide v6 = 2.0 * abs_wide(v5);
     const wide w5 = sqrt_wide(D5);
-    const wide v7 = w5 - w5;
+    const wide v6 = w5 - w5;
     const wide inverse5 = 1.0 / N5;
-    const wide v8 = X5 * v5, v9 = Y5 * v5, v10 = X5 * w5, v11 = Y5 * w5, v12 = v11 - v8;
-    const wide v13 = v9 + v10;
-    const wide angle4 = atan2_wide(v12, -v13);
-    const wide v14 = v9 - v10;
-    const wide angle5 = atan2_wide(-(v8 + v11), -v14), angle6 = atan2_wide(-(v8 + v11), v14);
-    const wide angle7 = atan2_wide(v12, v13);
+    const wide v7 = X5 * v5, v8 = Y5 * v5, v9 = X5 * w5, v10 = Y5 * w5, v11 = v10 - v7;
+    const wide v12 = v8 + v9;
+    const wide angle4 = atan2_wide(v11, -v12);
+    const wide v13 = v8 - v9;
+    const wide angle5 = atan2_wide(-(v7 + v10), -v13), angle6 = atan2_wide(-(v7 + v10), v13);
+    const wide angle7 = atan2_wide(v11, v12);
 
     /* r2 */
-    const wide v15 = a4 * (T13 * factor3);
-    const wide v16 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31));
-    const wide v17 = w3 * v8 + T33 * v9, v18 = T14 - d6 * T13 + inverse5 * (v15 * v17);
-    const wide q2_pp = v18 + w5 * (inverse5 * (v15 * v16));
-    const wide q2_pm = v18 + w5 * (inverse5 * (v15 * -v16));
+    const wide v14 = a4 * (T13 * factor3);
+    const wide v15 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31));
+    const wide v16 = w3 * v7 + T33 * v8, v17 = T14 - d6 * T13 + inverse5 * (v14 * v16);
+    const wide q2_pp = v17 + w5 * (inverse5 * (v14 * v15));
+    const wide q2_pm = v17 + w5 * (inverse5 * (v14 * -v15));
 
     /* r1 */
-    const wide v19 = a4 * (T23 * factor3), v20 = T24 - d6 * T23 + inverse5 * (v17 * v19);
-    const wide q1_pp = v20 + w5 * (inverse5 * (v16 * v19));
-    const wide q1_pm = v20 + w5 * (inverse5 * (-v16 * v19));
+    const wide v18 = a4 * (T23 * factor3), v19 = T24 - d6 * T23 + inverse5 * (v16 * v18);
+    const wide q1_pp = v19 + w5 * (inverse5 * (v15 * v18));
+    const wide q1_pm = v19 + w5 * (inverse5 * (-v15 * v18));
 
     /* joint values */
-    const wide v21 = angle2 - angle4, v22 = angle2 - angle5, v23 = angle2 + angle6;
-    const wide v24 = angle2 + angle7;
-    const wide q4_pp = v21 - only_wide(half_turn < v21, m4) + only_wide(v21 <= -half_turn, m4);
-    const wide q4_pm = v22 - only_wide(half_turn < v22, m4) + only_wide(v22 <= -half_turn, m4);
-    const wide q4_mp = only_wide(-v23 <= -half_turn, m4) - (v23 + only_wide(half_turn < -v23, m4));
-    const wide q4_mm = only_wide(-v24 <= -half_turn, m4) - (v24 + only_wide(half_turn < -v24, m4));
-    const wide q3_pp = angle1 + v7;
-    const wide q3_mp = v7 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1);
-    const wide q6_pp = angle3 + v7;
-    const wide q6_mp = v7 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -v4));
-    const wide_mask doubt1 = free5 | (free3 | ((-(reach_slack1 * (reach_slack1 + v6)) <= D5) &
-        (free5 | (((merge_slack1 * (merge_slack1 + v6) < D5) == 0) | (free3 & ((blur_slack1 *
-        (blur_slack1 + v6) < D5) == 0))))));
+    const wide v20 = angle2 - angle4, v21 = angle2 - angle5, v22 = angle2 + angle6;
+    const wide v23 = angle2 + angle7;
+    const wide q4_pp = v20 - only_wide(half_turn < v20, m4) + only_wide(v20 <= -half_turn, m4);
+    const wide q4_pm = v21 - only_wide(half_turn < v21, m4) + only_wide(v21 <= -half_turn, m4);
+    const wide q4_mp = only_wide(-v22 <= -half_turn, m4) - (v22 + only_wide(half_turn < -v22, m4));
+    const wide q4_mm = only_wide(-v23 <= -half_turn, m4) - (v23 + only_wide(half_turn < -v23, m4));
+    const wide q3_pp = angle1 + v6;
+    const wide q3_mp = v6 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1);
+    const wide q6_pp = angle3 + v6;
+    const wide q6_mp = v6 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -v4));
+    const wide_mask doubt1 = (N5 <= doubt_limit_squared2) | ((abs_wide(D5) <= reach_slack1 *
+        (reach_slack1 + 2.0 * abs_wide(v5))) | (v1 <= m1));
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = angle4; q[5] = q6_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -514,6 +513,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[4][6], unsigned char status[4])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -525,7 +525,6 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     /* theta3 */
     const double v1 = T23 * T23 + T13 * T13;
     const double w3 = sqrt(v1);
-    const int free3 = v1 <= m1;
     const double v2 = 1.0 / v1;
     const double factor3 = w3 * v2;
     const double v3 = copysign(half_turn, -T13);
@@ -541,46 +540,43 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
         T32))));
     const double N5 = X5 * X5 + Y5 * Y5;
-    const int free5 = N5 <= doubt_limit_squared2;
     const double v9 = d6 * T33 + (d3 - T34);
     const double D5 = N5 - v9 * v9;
-    const double v10 = 2.0 * fabs(v9);
     const double w5 = sqrt(D5);
-    const double v11 = w5 - w5;
+    const double v10 = w5 - w5;
     const double inverse5 = 1.0 / N5;
-    const double v12 = X5 * v9, v13 = Y5 * v9, v14 = X5 * w5;
-    const four v15 = e1 * v13, v16 = e2 * v14;
-    const double v17 = Y5 * w5;
-    const four v18 = e1 * e2;
+    const double v11 = X5 * v9, v12 = Y5 * v9, v13 = X5 * w5;
+    const four v14 = e1 * v12, v15 = e2 * v13;
+    const double v16 = Y5 * w5;
+    const four v17 = e1 * e2;
 
     /* r2 */
     const double wx = T14 - d6 * T13;
-    const double v19 = a4 * (T13 * factor3);
-    const four v20 = X5 * (T33 * v18) - v8 * (w3 * v18);
-    const double v21 = w3 * v12;
-    const four v22 = v21 + v15 * (e1 * T33), v23 = wx + inverse5 * (v19 * v22);
-    const four q2 = v23 + w5 * (inverse5 * (v19 * v20));
+    const double v18 = a4 * (T13 * factor3);
+    const four v19 = X5 * (T33 * v17) - v8 * (w3 * v17);
+    const double v20 = w3 * v11;
+    const four v21 = v20 + v14 * (e1 * T33), v22 = wx + inverse5 * (v18 * v21);
+    const four q2 = v22 + w5 * (inverse5 * (v18 * v19));
 
     /* r1 */
     const double wy = T24 - d6 * T23;
-    const double v24 = a4 * (T23 * factor3);
-    const four v25 = wy + inverse5 * (v22 * v24);
-    const four q1 = v25 + w5 * (inverse5 * (v20 * v24));
+    const double v23 = a4 * (T23 * factor3);
+    const four v24 = wy + inverse5 * (v21 * v23);
+    const four q1 = v24 + w5 * (inverse5 * (v19 * v23));
 
     /* joint values */
-    const int doubt1 = free5 | (free3 | ((-(reach_slack1 * (reach_slack1 + v10)) <= D5) & (free5 |
-        (((merge_slack1 * (merge_slack1 + v10) < D5) == 0) | (free3 & ((blur_slack1 * (blur_slack1 +
-        v10) < D5) == 0))))));
+    const int doubt1 = (N5 <= doubt_limit_squared2) | ((fabs(D5) <= reach_slack1 * (reach_slack1 +
+        2.0 * fabs(v9))) | (v1 <= m1));
 
-    const four angle4 = atan2_four(v17 * v18 - v12, -(v15 + v16));
+    const four angle4 = atan2_four(v16 * v17 - v11, -(v14 + v15));
     const four packed2 = atan2_four((four){ -T13, -w3, -v6, -T13 }, (four){ T23, -T33, -v5, T23 });
     const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
     const four angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four v26 = e1 * angle2, v27 = v26 - angle4;
-    const four q4 = v27 - only_four(half_turn < v27, m4) + only_four(v27 <= -half_turn, m4);
-    const four q3 = v11 + (angle1 + v3 * v4);
-    const four q6 = v11 + (angle3 + v4 * v7);
+    const four v25 = e1 * angle2, v26 = v25 - angle4;
+    const four q4 = v26 - only_four(half_turn < v26, m4) + only_four(v26 <= -half_turn, m4);
+    const four q3 = v10 + (angle1 + v3 * v4);
+    const four q6 = v10 + (angle3 + v4 * v7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -874,22 +870,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int olson_pprrrr_ik(
-    const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[4][6], unsigned char
+    status[4])
 {
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
@@ -914,12 +904,20 @@ int olson_pprrrr_ik(
             continue;
         for (int i = 0; i < 6; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = OLSON_PPRRRR_OUT_OF_LIMITS;
         }
         count += status[row] != OLSON_PPRRRR_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int olson_pprrrr_ik(
+    const double T[16], const double *q_seed, double q[4][6], unsigned char status[4])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])

@@ -584,7 +584,6 @@ def _regular(pose, q, status):
     # theta3, type 2: U3[2, 3]
     v1 = T23 * T23 + T13 * T13
     w3 = math.sqrt(v1)
-    free3 = v1 <= m1
     v2 = 1.0 / v1
     factor3 = w3 * v2
 
@@ -596,57 +595,54 @@ def _regular(pose, q, status):
     X5 = a4 * T33
     Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
     N5 = X5 * X5 + Y5 * Y5
-    free5 = N5 <= doubt_limit_squared2
     v5 = d6 * T33 + (d3 - T34)
     D5 = N5 - v5 * v5
-    v6 = 2.0 * abs(v5)
     w5 = math.sqrt(D5)
-    v7 = w5 - w5
+    v6 = w5 - w5
     inverse5 = 1.0 / N5
-    v8 = X5 * v5
-    v9 = Y5 * v5
-    v10 = X5 * w5
-    v11 = Y5 * w5
-    v12 = v11 - v8
-    v13 = v9 + v10
-    v14 = v9 - v10
+    v7 = X5 * v5
+    v8 = Y5 * v5
+    v9 = X5 * w5
+    v10 = Y5 * w5
+    v11 = v10 - v7
+    v12 = v8 + v9
+    v13 = v8 - v9
 
     # r2, type 1: U0 A6^-1 [1, 4]
-    v15 = a4 * (T13 * factor3)
-    v16 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31))
-    v17 = w3 * v8 + T33 * v9
-    v18 = T14 - d6 * T13 + inverse5 * (v15 * v17)
-    q2_pp = v18 + w5 * (inverse5 * (v15 * v16))
-    q2_pm = v18 + w5 * (inverse5 * (v15 * -v16))
+    v14 = a4 * (T13 * factor3)
+    v15 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31))
+    v16 = w3 * v7 + T33 * v8
+    v17 = T14 - d6 * T13 + inverse5 * (v14 * v16)
+    q2_pp = v17 + w5 * (inverse5 * (v14 * v15))
+    q2_pm = v17 + w5 * (inverse5 * (v14 * -v15))
 
     # r1, type 1: U0 A6^-1 [2, 4]
-    v19 = a4 * (T23 * factor3)
-    v20 = T24 - d6 * T23 + inverse5 * (v17 * v19)
-    q1_pp = v20 + w5 * (inverse5 * (v16 * v19))
-    q1_pm = v20 + w5 * (inverse5 * (-v16 * v19))
+    v18 = a4 * (T23 * factor3)
+    v19 = T24 - d6 * T23 + inverse5 * (v16 * v18)
+    q1_pp = v19 + w5 * (inverse5 * (v15 * v18))
+    q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
 
     # joint values
     doubt1 = (
-        free5 or (free3 or (-(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or (not
-        (merge_slack1 * (merge_slack1 + v6) < D5) or (free3 and not (blur_slack1 * (blur_slack1 +
-        v6) < D5))))))
+        N5 <= doubt_limit_squared2 or (abs(D5) <= reach_slack1 * (reach_slack1 + 2.0 * abs(v5)) or
+        v1 <= m1)
     )
 
     # angles, side by side
     room[0] = -T13
     room[1] = -w3
     room[2] = -v4
-    room[3] = v12
-    room[4] = -(v8 + v11)
-    room[5] = -(v8 + v11)
-    room[6] = v12
+    room[3] = v11
+    room[4] = -(v7 + v10)
+    room[5] = -(v7 + v10)
+    room[6] = v11
     room[8] = T23
     room[9] = -T33
     room[10] = -v3
-    room[11] = -v13
-    room[12] = -v14
-    room[13] = v14
-    room[14] = v13
+    room[11] = -v12
+    room[12] = -v13
+    room[13] = v13
+    room[14] = v12
     for k in range(7, 8):
         room[k] = room[k + 8] = 1.0
     for k in range(8):
@@ -660,18 +656,18 @@ def _regular(pose, q, status):
     angle7 = room[6]
 
     # joint values
-    v21 = angle2 - angle4
-    v22 = angle2 - angle5
-    v23 = angle2 + angle6
-    v24 = angle2 + angle7
-    q4_pp = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
-    q4_pm = v22 - (m4 if half_turn < v22 else 0.0) + (m4 if v22 <= -half_turn else 0.0)
-    q4_mp = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
-    q4_mm = (m4 if -v24 <= -half_turn else 0.0) - (v24 + (m4 if half_turn < -v24 else 0.0))
-    q3_pp = angle1 + v7
-    q3_mp = v7 + (angle1 - math.copysign(half_turn, -T13) * h1)
-    q6_pp = angle3 + v7
-    q6_mp = v7 + (angle3 - h1 * math.copysign(half_turn, -v4))
+    v20 = angle2 - angle4
+    v21 = angle2 - angle5
+    v22 = angle2 + angle6
+    v23 = angle2 + angle7
+    q4_pp = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
+    q4_pm = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
+    q4_mp = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
+    q4_mm = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
+    q3_pp = angle1 + v6
+    q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13) * h1)
+    q6_pp = angle3 + v6
+    q6_mp = v6 + (angle3 - h1 * math.copysign(half_turn, -v4))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -921,7 +917,6 @@ def _in_tiles(T, q, status):
             T34 = work[352 + k]
             v1 = T23 * T23 + T13 * T13
             w3 = math.sqrt(v1)
-            free3 = v1 <= m1
             v2 = 1.0 / v1
             factor3 = w3 * v2
             v3 = v2 * (T23 * T12 - T13 * T22)
@@ -929,37 +924,34 @@ def _in_tiles(T, q, status):
             X5 = a4 * T33
             Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32))))
             N5 = X5 * X5 + Y5 * Y5
-            free5 = N5 <= doubt_limit_squared2
             v5 = d6 * T33 + (d3 - T34)
             D5 = N5 - v5 * v5
-            v6 = 2.0 * abs(v5)
             w5 = math.sqrt(D5)
-            v7 = w5 - w5
+            v6 = w5 - w5
             inverse5 = 1.0 / N5
-            v8 = X5 * v5
-            v9 = Y5 * v5
-            v10 = X5 * w5
-            v11 = Y5 * w5
-            v12 = v11 - v8
-            v13 = v9 + v10
-            v14 = v9 - v10
-            v15 = a4 * (T13 * factor3)
-            v16 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31))
-            v17 = w3 * v8 + T33 * v9
-            v18 = T14 - d6 * T13 + inverse5 * (v15 * v17)
-            q2_pp = v18 + w5 * (inverse5 * (v15 * v16))
-            q2_pm = v18 + w5 * (inverse5 * (v15 * -v16))
-            v19 = a4 * (T23 * factor3)
-            v20 = T24 - d6 * T23 + inverse5 * (v17 * v19)
-            q1_pp = v20 + w5 * (inverse5 * (v16 * v19))
-            q1_pm = v20 + w5 * (inverse5 * (-v16 * v19))
+            v7 = X5 * v5
+            v8 = Y5 * v5
+            v9 = X5 * w5
+            v10 = Y5 * w5
+            v11 = v10 - v7
+            v12 = v8 + v9
+            v13 = v8 - v9
+            v14 = a4 * (T13 * factor3)
+            v15 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31))
+            v16 = w3 * v7 + T33 * v8
+            v17 = T14 - d6 * T13 + inverse5 * (v14 * v16)
+            q2_pp = v17 + w5 * (inverse5 * (v14 * v15))
+            q2_pm = v17 + w5 * (inverse5 * (v14 * -v15))
+            v18 = a4 * (T23 * factor3)
+            v19 = T24 - d6 * T23 + inverse5 * (v16 * v18)
+            q1_pp = v19 + w5 * (inverse5 * (v15 * v18))
+            q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
             doubt1 = (
-                free5 or (free3 or (-(reach_slack1 * (reach_slack1 + v6)) <= D5 and (free5 or (not
-                (merge_slack1 * (merge_slack1 + v6) < D5) or (free3 and not (blur_slack1 *
-                (blur_slack1 + v6) < D5))))))
+                N5 <= doubt_limit_squared2 or (abs(D5) <= reach_slack1 * (reach_slack1 + 2.0 *
+                abs(v5)) or v1 <= m1)
             )
             work[544 + k] = v4
-            work[576 + k] = v7
+            work[576 + k] = v6
             work[608 + k] = q2_pp
             work[640 + k] = q2_pm
             work[672 + k] = q1_pp
@@ -968,23 +960,23 @@ def _in_tiles(T, q, status):
             work[768 + k] = -T13
             work[800 + k] = -w3
             work[832 + k] = -v4
-            work[864 + k] = v12
-            work[896 + k] = -(v8 + v11)
-            work[928 + k] = -(v8 + v11)
-            work[960 + k] = v12
+            work[864 + k] = v11
+            work[896 + k] = -(v7 + v10)
+            work[928 + k] = -(v7 + v10)
+            work[960 + k] = v11
             work[992 + k] = T23
             work[1024 + k] = -T33
             work[1056 + k] = -v3
-            work[1088 + k] = -v13
-            work[1120 + k] = -v14
-            work[1152 + k] = v14
-            work[1184 + k] = v13
+            work[1088 + k] = -v12
+            work[1120 + k] = -v13
+            work[1152 + k] = v13
+            work[1184 + k] = v12
         for k in range(768, 992):
             work[k] = _atan2(work[k], work[k + 224])
         for k in range(0, 32):
             T13 = work[64 + k]
             v4 = work[544 + k]
-            v7 = work[576 + k]
+            v6 = work[576 + k]
             q2_pp = work[608 + k]
             q2_pm = work[640 + k]
             q1_pp = work[672 + k]
@@ -997,18 +989,18 @@ def _in_tiles(T, q, status):
             angle5 = work[896 + k]
             angle6 = work[928 + k]
             angle7 = work[960 + k]
-            v21 = angle2 - angle4
-            v22 = angle2 - angle5
-            v23 = angle2 + angle6
-            v24 = angle2 + angle7
-            q4_pp = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
-            q4_pm = v22 - (m4 if half_turn < v22 else 0.0) + (m4 if v22 <= -half_turn else 0.0)
-            q4_mp = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
-            q4_mm = (m4 if -v24 <= -half_turn else 0.0) - (v24 + (m4 if half_turn < -v24 else 0.0))
-            q3_pp = angle1 + v7
-            q3_mp = v7 + (angle1 - math.copysign(half_turn, -T13) * h1)
-            q6_pp = angle3 + v7
-            q6_mp = v7 + (angle3 - h1 * math.copysign(half_turn, -v4))
+            v20 = angle2 - angle4
+            v21 = angle2 - angle5
+            v22 = angle2 + angle6
+            v23 = angle2 + angle7
+            q4_pp = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
+            q4_pm = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
+            q4_mp = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
+            q4_mm = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
+            q3_pp = angle1 + v6
+            q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13) * h1)
+            q6_pp = angle3 + v6
+            q6_mp = v6 + (angle3 - h1 * math.copysign(half_turn, -v4))
             _1216 = q1_pp
             work[1216 + k] = _1216
             _1248 = q2_pp

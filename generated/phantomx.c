@@ -17,8 +17,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -306,7 +309,10 @@ static const double doubt_limit_squared2 = 0.126025;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 0.004761904761904762; /* a coefficient of S2 */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
+static const double m3 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m4 = 1.2602500000000002e-05; /* pose_slack1^2 [mm^2] */
+static const double m5 = 3.780750000000001e-05; /* 3 * pose_slack1^2 [mm^2] */
+static const double m6 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const phantomx_branches[2] = {
     "down", "up",
@@ -422,7 +428,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -434,11 +440,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -476,36 +482,36 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle4 = atan2_wide(S2_m, -(v10 + w3 * (m2 * -Z1_3)));
 
     /* is the pose one that the arm can take? */
-    const wide v11 = -Z2_3 - v6, v12 = d1 + v5;
-    const double v13 = sqrt(-1.0);
-    const wide v14 = pick_wide(maximum_wide(abs_wide(T11 - factor2m3m4 * (v3 * T33)),
-        maximum_wide(abs_wide(T13 + factor2m3m4 * (v3 * T31)), maximum_wide(abs_wide(T12 - s1),
-        maximum_wide(abs_wide(T23 - factor2m3m4 * (s1 * T31)), maximum_wide(abs_wide(T21 +
-        factor2m3m4 * (s1 * T33)), maximum_wide(abs_wide(T22 - v3), maximum_wide(abs_wide(T33 *
-        factor2m3m4 - T33), maximum_wide(abs_wide(T32), abs_wide(T31 - T31 * factor2m3m4))))))))) <=
-        pose_slack, all_wide(0.0), all_wide(v13)), v15 = abs_wide(T14 - v3 * v11);
-    const wide v16 = abs_wide(T24 + s1 * v11);
-    const wide v17 = pick_wide(maximum_wide(v16, maximum_wide(v15, abs_wide(T34 - (v12 + factor2 *
-        (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
-    const wide v18 = pick_wide(maximum_wide(v16, maximum_wide(v15, abs_wide(T34 - (v12 + factor2 *
-        (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
+    const wide v11 = -Z2_3 - v6, v12 = d1 + v5, v13 = T31 - T31 * factor2m3m4;
+    const wide v14 = T33 * factor2m3m4 - T33, v15 = T22 - v3, v16 = T21 + factor2m3m4 * (s1 * T33);
+    const wide v17 = T23 - factor2m3m4 * (s1 * T31), v18 = T12 - s1;
+    const wide v19 = T13 + factor2m3m4 * (v3 * T31), v20 = T11 - factor2m3m4 * (v3 * T33);
+    const wide v21 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)));
+    const wide v22 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)));
+    const wide v23 = T14 - v3 * v11, v24 = v23 * v23, v25 = T24 + s1 * v11, v26 = v25 * v25;
+    const wide v27 = v26 + (v24 + v21 * v21), v28 = v26 + (v24 + v22 * v22);
+    const double v29 = NAN;
+    const wide v30 = pick_wide(v27 <= m4, all_wide(0.0), all_wide(v29));
+    const wide v31 = pick_wide(v28 <= m4, all_wide(0.0), all_wide(v29));
 
     /* joint values */
-    const wide v19 = angle3 - offset2, v20 = angle4 - offset2, v21 = angle3 - angle2 - angle1;
-    const wide v22 = angle2 + angle4 - angle1;
+    const wide v32 = angle3 - offset2, v33 = angle4 - offset2, v34 = angle3 - angle2 - angle1;
+    const wide v35 = angle2 + angle4 - angle1;
     const wide angle5 = atan2_wide(T12, -T22);
-    const wide v23 = v14 + (angle5 + (w3 - w3));
-    const wide q1_p = v17 + v23, q1_m = v18 + v23;
-    const wide q2_p = v17 + (v14 + (v19 + only_wide(v19 <= -half_turn, m3)));
-    const wide q2_m = v18 + (v14 + (v20 + only_wide(v20 <= -half_turn, m3)));
-    const wide q3_p = v17 + (angle2 + v14), q3_m = v18 + (v14 - angle2);
-    const wide q4_p = v17 + (v14 + (v21 - only_wide(half_turn < v21, m3) + only_wide(v21 <=
-        -half_turn, m3)));
-    const wide q4_m = v18 + (v14 + (v22 - only_wide(half_turn < v22, m3) + only_wide(v22 <=
-        -half_turn, m3)));
-    const wide_mask doubt1 = (v4 <= m1) | ((v1 <= m1) | ((N3 <= doubt_limit_squared2) |
-        (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0))));
+    const wide v36 = angle5 + (w3 - w3);
+    const wide q1_p = v30 + v36, q1_m = v31 + v36;
+    const wide q2_p = v30 + (v32 + only_wide(v32 <= -half_turn, m6));
+    const wide q2_m = v31 + (v33 + only_wide(v33 <= -half_turn, m6));
+    const wide q3_p = angle2 + v30, q3_m = v31 - angle2;
+    const wide q4_p = v30 + (v34 - only_wide(half_turn < v34, m6) + only_wide(v34 <= -half_turn,
+        m6));
+    const wide q4_m = v31 + (v35 - only_wide(half_turn < v35, m6) + only_wide(v35 <= -half_turn,
+        m6));
+    const wide_mask doubt1 = (v4 <= m1) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((N3 <=
+        doubt_limit_squared2) | ((m3 < v20 * v20 + (v19 * v19 + (v18 * v18 + (v17 * v17 + (v16 * v16
+        + (v15 * v15 + (v14 * v14 + (T32 * T32 + v13 * v13)))))))) | (((m4 < v27) & (v27 <= m5)) |
+        ((m4 < v28) & (v28 <= m5)))))));
 
     q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -518,6 +524,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 #if LANES > 1
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -549,21 +556,23 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const double v10 = -Z2_3 - v6, v11 = d1 + v5, v12 = sqrt(-1.0);
-    const double v13 = (maximum_double(fabs(T11 - factor2m3m4 * (v3 * T33)), maximum_double(fabs(T13
-        + factor2m3m4 * (v3 * T31)), maximum_double(fabs(T12 - s1), maximum_double(fabs(T23 -
-        factor2m3m4 * (s1 * T31)), maximum_double(fabs(T21 + factor2m3m4 * (s1 * T33)),
-        maximum_double(fabs(T22 - v3), maximum_double(fabs(T33 * factor2m3m4 - T33),
-        maximum_double(fabs(T32), fabs(T31 - T31 * factor2m3m4))))))))) <= pose_slack) ? 0.0 : v12;
-    const double v14 = fabs(T14 - v3 * v10), v15 = fabs(T24 + s1 * v10);
-    const four v16 = pick_four(maximum_four(all_four(v15), maximum_four(all_four(v14), abs_four(T34
-        - (v11 + factor2 * (a2 * S2) + factor2 * (a3 * (v7 + v8)))))) <= pose_slack1, all_four(0.0),
-        all_four(v12));
+    const double v10 = -Z2_3 - v6, v11 = d1 + v5, v12 = T31 - T31 * factor2m3m4;
+    const double v13 = T33 * factor2m3m4 - T33, v14 = T22 - v3;
+    const double v15 = T21 + factor2m3m4 * (s1 * T33), v16 = T23 - factor2m3m4 * (s1 * T31);
+    const double v17 = T12 - s1, v18 = T13 + factor2m3m4 * (v3 * T31);
+    const double v19 = T11 - factor2m3m4 * (v3 * T33);
+    const four v20 = T34 - (v11 + factor2 * (a2 * S2) + factor2 * (a3 * (v7 + v8)));
+    const double v21 = T14 - v3 * v10, v22 = v21 * v21, v23 = T24 + s1 * v10, v24 = v23 * v23;
+    const four v25 = v24 + (v22 + v20 * v20);
+    const double v26 = NAN;
+    const four v27 = pick_four(v25 <= m4, all_four(0.0), all_four(v26));
+    const four_mask doubt2 = (m4 < v25) & (v25 <= m5);
 
     /* joint values */
-    const int doubt1 = (v4 <= m1) | ((v1 <= m1) | ((N3 <= doubt_limit_squared2) | (((shortest3_reach
-        <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) ==
-        0))));
+    const int doubt1 = (v4 <= m1) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
+        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((m3 < v19 *
+        v19 + (v18 * v18 + (v17 * v17 + (v16 * v16 + (v15 * v15 + (v14 * v14 + (v13 * v13 + (T32 *
+        T32 + v12 * v12)))))))) | (N3 <= doubt_limit_squared2))));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S2,
         all_four(T33), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),
@@ -574,15 +583,14 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
     const four packed2 = atan2_four((four){ T12, T12, T12, T12 }, (four){ -T22, -T22, -T22, -T22 });
     const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four v17 = angle3 - offset2, v18 = e1 * angle2, v19 = angle3 - v18 - angle1;
-    const four v20 = v13 + (angle4 + (w3 - w3));
-    const four q1 = v16 + v20;
-    const four q2 = v16 + (v13 + (v17 + only_four(v17 <= -half_turn, m3)));
-    const four q3 = v16 + (v13 + v18);
-    const four q4 = v16 + (v13 + (v19 - only_four(half_turn < v19, m3) + only_four(v19 <=
-        -half_turn, m3)));
+    const four v28 = angle3 - offset2, v29 = e1 * angle2, v30 = angle3 - v29 - angle1;
+    const four v31 = angle4 + (w3 - w3);
+    const four q1 = v27 + v31;
+    const four q2 = v27 + (v28 + only_four(v28 <= -half_turn, m6));
+    const four q3 = v27 + v29;
+    const four q4 = v27 + (v30 - only_four(half_turn < v30, m6) + only_four(v30 <= -half_turn, m6));
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, q3, q4);
     const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
@@ -867,21 +875,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int phantomx_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
+    status[2])
 {
     static const double zeros[4] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -906,12 +909,19 @@ int phantomx_ik(const double T[16], const double *q_seed, double q[2][4], unsign
             continue;
         for (int i = 0; i < 4; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = PHANTOMX_OUT_OF_LIMITS;
         }
         count += status[row] != PHANTOMX_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int phantomx_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int phantomx_ik_nearest(const double T[16], const double q_seed[4], double q[4])

@@ -102,7 +102,10 @@ doubt_limit_squared2 = 0.126025  # square of a length that fixes no angle [mm^2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 0.004761904761904762  # a coefficient of S2
-m3 = 6.283185307179586  # 2 * half_turn
+m3 = 1.0000000000000002e-10  # pose_slack^2
+m4 = 1.2602500000000002e-05  # pose_slack1^2 [mm^2]
+m5 = 3.780750000000001e-05  # 3 * pose_slack1^2 [mm^2]
+m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -616,28 +619,32 @@ def _regular(pose, q, status):
     # is the pose one that the arm can take?
     v11 = -Z2_3 - v6
     v12 = d1 + v5
-    v13 = math.sqrt(-1.0)
-    v14 = (
-        0.0 if max(abs(T11 - factor2m3m4 * (v3 * T33)), max(abs(T13 + factor2m3m4 * (v3 * T31)),
-        max(abs(T12 - s1), max(abs(T23 - factor2m3m4 * (s1 * T31)), max(abs(T21 + factor2m3m4 * (s1
-        * T33)), max(abs(T22 - v3), max(abs(T33 * factor2m3m4 - T33), max(abs(T32), abs(T31 - T31 *
-        factor2m3m4))))))))) <= pose_slack else v13
-    )
-    v15 = abs(T14 - v3 * v11)
-    v16 = abs(T24 + s1 * v11)
-    v17 = (
-        0.0 if max(v16, max(v15, abs(T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 +
-        v9)))))) <= pose_slack1 else v13
-    )
-    v18 = (
-        0.0 if max(v16, max(v15, abs(T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 +
-        v9)))))) <= pose_slack1 else v13
-    )
+    v13 = T31 - T31 * factor2m3m4
+    v14 = T33 * factor2m3m4 - T33
+    v15 = T22 - v3
+    v16 = T21 + factor2m3m4 * (s1 * T33)
+    v17 = T23 - factor2m3m4 * (s1 * T31)
+    v18 = T12 - s1
+    v19 = T13 + factor2m3m4 * (v3 * T31)
+    v20 = T11 - factor2m3m4 * (v3 * T33)
+    v21 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
+    v22 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
+    v23 = T14 - v3 * v11
+    v24 = v23 * v23
+    v25 = T24 + s1 * v11
+    v26 = v25 * v25
+    v27 = v26 + (v24 + v21 * v21)
+    v28 = v26 + (v24 + v22 * v22)
+    v29 = math.sqrt(-1.0)
+    v30 = 0.0 if v27 <= m4 else v29
+    v31 = 0.0 if v28 <= m4 else v29
 
     # joint values
     doubt1 = (
-        v4 <= m1 or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart))))
+        v4 <= m1 or (v1 <= m1 or ((shortest3_reach <= N3 and N3 <= longest3_reach and not
+        (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <= doubt_limit_squared2 or (m3 < v20
+        * v20 + (v19 * v19 + (v18 * v18 + (v17 * v17 + (v16 * v16 + (v15 * v15 + (v14 * v14 + (T32 *
+        T32 + v13 * v13))))))) or ((m4 < v27 and v27 <= m5) or (m4 < v28 and v28 <= m5))))))
     )
 
     # angles, side by side
@@ -662,23 +669,19 @@ def _regular(pose, q, status):
     angle5 = room[4]
 
     # joint values
-    v19 = angle3 - offset2
-    v20 = angle4 - offset2
-    v21 = angle3 - angle2 - angle1
-    v22 = angle2 + angle4 - angle1
-    v23 = v14 + (angle5 + (w3 - w3))
-    q1_p = v17 + v23
-    q1_m = v18 + v23
-    q2_p = v17 + (v14 + (v19 + (m3 if v19 <= -half_turn else 0.0)))
-    q2_m = v18 + (v14 + (v20 + (m3 if v20 <= -half_turn else 0.0)))
-    q3_p = v17 + (angle2 + v14)
-    q3_m = v18 + (v14 - angle2)
-    q4_p = (
-        v17 + (v14 + (v21 - (m3 if half_turn < v21 else 0.0) + (m3 if v21 <= -half_turn else 0.0)))
-    )
-    q4_m = (
-        v18 + (v14 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else 0.0)))
-    )
+    v32 = angle3 - offset2
+    v33 = angle4 - offset2
+    v34 = angle3 - angle2 - angle1
+    v35 = angle2 + angle4 - angle1
+    v36 = angle5 + (w3 - w3)
+    q1_p = v30 + v36
+    q1_m = v31 + v36
+    q2_p = v30 + (v32 + (m6 if v32 <= -half_turn else 0.0))
+    q2_m = v31 + (v33 + (m6 if v33 <= -half_turn else 0.0))
+    q3_p = angle2 + v30
+    q3_m = v31 - angle2
+    q4_p = v30 + (v34 - (m6 if half_turn < v34 else 0.0) + (m6 if v34 <= -half_turn else 0.0))
+    q4_m = v31 + (v35 - (m6 if half_turn < v35 else 0.0) + (m6 if v35 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -854,10 +857,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1024, 1056, 1088, 1120],
-    [1152, 1184, 1216, 1248],
+    [992, 1024, 1056, 1088],
+    [1120, 1152, 1184, 1216],
 ])
-_KINDS = np.array([1280, 1312])
+_KINDS = np.array([1248, 1280])
 _LEFT_OVER = 255
 
 
@@ -868,7 +871,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1344)
+    work = np.empty(1312)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -925,92 +928,93 @@ def _in_tiles(T, q, status):
             factor2 = 1.0 / N3
             v11 = -Z2_3 - v6
             v12 = d1 + v5
-            v13 = math.sqrt(-1.0)
-            v14 = (
-                0.0 if max(abs(T11 - factor2m3m4 * (v3 * T33)), max(abs(T13 + factor2m3m4 * (v3 *
-                T31)), max(abs(T12 - s1), max(abs(T23 - factor2m3m4 * (s1 * T31)), max(abs(T21 +
-                factor2m3m4 * (s1 * T33)), max(abs(T22 - v3), max(abs(T33 * factor2m3m4 - T33),
-                max(abs(T32), abs(T31 - T31 * factor2m3m4))))))))) <= pose_slack else v13
-            )
-            v15 = abs(T14 - v3 * v11)
-            v16 = abs(T24 + s1 * v11)
-            v17 = (
-                0.0 if max(v16, max(v15, abs(T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 *
-                (v7 + v9)))))) <= pose_slack1 else v13
-            )
-            v18 = (
-                0.0 if max(v16, max(v15, abs(T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 *
-                (v8 + v9)))))) <= pose_slack1 else v13
-            )
+            v13 = T31 - T31 * factor2m3m4
+            v14 = T33 * factor2m3m4 - T33
+            v15 = T22 - v3
+            v16 = T21 + factor2m3m4 * (s1 * T33)
+            v17 = T23 - factor2m3m4 * (s1 * T31)
+            v18 = T12 - s1
+            v19 = T13 + factor2m3m4 * (v3 * T31)
+            v20 = T11 - factor2m3m4 * (v3 * T33)
+            v21 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
+            v22 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
+            v23 = T14 - v3 * v11
+            v24 = v23 * v23
+            v25 = T24 + s1 * v11
+            v26 = v25 * v25
+            v27 = v26 + (v24 + v21 * v21)
+            v28 = v26 + (v24 + v22 * v22)
+            v29 = math.sqrt(-1.0)
+            v30 = 0.0 if v27 <= m4 else v29
+            v31 = 0.0 if v28 <= m4 else v29
             doubt1 = (
-                v4 <= m1 or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (shortest3_reach <= N3 and
-                N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart))))
+                v4 <= m1 or (v1 <= m1 or ((shortest3_reach <= N3 and N3 <= longest3_reach and not
+                (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <= doubt_limit_squared2 or
+                (m3 < v20 * v20 + (v19 * v19 + (v18 * v18 + (v17 * v17 + (v16 * v16 + (v15 * v15 +
+                (v14 * v14 + (T32 * T32 + v13 * v13))))))) or ((m4 < v27 and v27 <= m5) or (m4 < v28
+                and v28 <= m5))))))
             )
             work[544 + k] = w3
-            work[576 + k] = v14
-            work[608 + k] = v17
-            work[640 + k] = v18
-            work[672 + k] = doubt1
-            work[704 + k] = T33
-            work[736 + k] = w3
-            work[768 + k] = S2_p
-            work[800 + k] = S2_m
-            work[832 + k] = T12
-            work[864 + k] = -T31
-            work[896 + k] = N3 - k1
-            work[928 + k] = -(v10 + w3 * (m2 * Z1_3))
-            work[960 + k] = -(v10 + w3 * (m2 * -Z1_3))
-            work[992 + k] = -T22
-        for k in range(704, 864):
+            work[576 + k] = v30
+            work[608 + k] = v31
+            work[640 + k] = doubt1
+            work[672 + k] = T33
+            work[704 + k] = w3
+            work[736 + k] = S2_p
+            work[768 + k] = S2_m
+            work[800 + k] = T12
+            work[832 + k] = -T31
+            work[864 + k] = N3 - k1
+            work[896 + k] = -(v10 + w3 * (m2 * Z1_3))
+            work[928 + k] = -(v10 + w3 * (m2 * -Z1_3))
+            work[960 + k] = -T22
+        for k in range(672, 832):
             work[k] = _atan2(work[k], work[k + 160])
         for k in range(0, 32):
             w3 = work[544 + k]
-            v14 = work[576 + k]
-            v17 = work[608 + k]
-            v18 = work[640 + k]
-            doubt1 = work[672 + k] != 0.0
-            angle1 = work[704 + k]
-            angle2 = work[736 + k]
-            angle3 = work[768 + k]
-            angle4 = work[800 + k]
-            angle5 = work[832 + k]
-            v19 = angle3 - offset2
-            v20 = angle4 - offset2
-            v21 = angle3 - angle2 - angle1
-            v22 = angle2 + angle4 - angle1
-            v23 = v14 + (angle5 + (w3 - w3))
-            q1_p = v17 + v23
-            q1_m = v18 + v23
-            q2_p = v17 + (v14 + (v19 + (m3 if v19 <= -half_turn else 0.0)))
-            q2_m = v18 + (v14 + (v20 + (m3 if v20 <= -half_turn else 0.0)))
-            q3_p = v17 + (angle2 + v14)
-            q3_m = v18 + (v14 - angle2)
+            v30 = work[576 + k]
+            v31 = work[608 + k]
+            doubt1 = work[640 + k] != 0.0
+            angle1 = work[672 + k]
+            angle2 = work[704 + k]
+            angle3 = work[736 + k]
+            angle4 = work[768 + k]
+            angle5 = work[800 + k]
+            v32 = angle3 - offset2
+            v33 = angle4 - offset2
+            v34 = angle3 - angle2 - angle1
+            v35 = angle2 + angle4 - angle1
+            v36 = angle5 + (w3 - w3)
+            q1_p = v30 + v36
+            q1_m = v31 + v36
+            q2_p = v30 + (v32 + (m6 if v32 <= -half_turn else 0.0))
+            q2_m = v31 + (v33 + (m6 if v33 <= -half_turn else 0.0))
+            q3_p = angle2 + v30
+            q3_m = v31 - angle2
             q4_p = (
-                v17 + (v14 + (v21 - (m3 if half_turn < v21 else 0.0) + (m3 if v21 <= -half_turn else
-                0.0)))
+                v30 + (v34 - (m6 if half_turn < v34 else 0.0) + (m6 if v34 <= -half_turn else 0.0))
             )
             q4_m = (
-                v18 + (v14 + (v22 - (m3 if half_turn < v22 else 0.0) + (m3 if v22 <= -half_turn else
-                0.0)))
+                v31 + (v35 - (m6 if half_turn < v35 else 0.0) + (m6 if v35 <= -half_turn else 0.0))
             )
-            _1024 = q1_p
+            _992 = q1_p
+            work[992 + k] = _992
+            _1024 = q2_p
             work[1024 + k] = _1024
-            _1056 = q2_p
+            _1056 = q3_p
             work[1056 + k] = _1056
-            _1088 = q3_p
+            _1088 = q4_p
             work[1088 + k] = _1088
-            _1120 = q4_p
+            _1120 = q1_m
             work[1120 + k] = _1120
-            _1152 = q1_m
+            _1152 = q2_m
             work[1152 + k] = _1152
-            _1184 = q2_m
+            _1184 = q3_m
             work[1184 + k] = _1184
-            _1216 = q3_m
+            _1216 = q4_m
             work[1216 + k] = _1216
-            _1248 = q4_m
-            work[1248 + k] = _1248
-            work[1280 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[1312 + k] = UNREACHABLE if _1152 != _1152 else OK
+            work[1248 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1280 + k] = UNREACHABLE if _1120 != _1120 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

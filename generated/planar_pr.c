@@ -12,8 +12,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -313,8 +316,7 @@ void planar_pr_jacobian(const double q[2], double J[12])
     J[10] = 0.0; J[11] = 1.0;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+/* Copies a pose. Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -337,7 +339,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     const wide v1 = k2 * V1_2 + k3 * V2_2, v2 = k2 * V2_2 - k3 * V1_2;
     const wide D1 = k4 - v2 * v2;
     const wide w2 = sqrt_wide(D1);
-    const wide_mask doubt1 = (-k5 <= D1) & ((k6 < D1) == 0);
+    const wide_mask doubt1 = abs_wide(D1) <= k5;
     const wide q1_p = k7 * (v1 + w2), q1_m = k7 * (v1 - w2);
     const wide v3 = V1_2 - m1 * v1, v4 = V2_2 - m2 * v1, v5 = m1 * w2, v6 = m2 * w2;
     const wide angle1 = atan2_wide(v3 - v5, v4 - v6), angle2 = atan2_wide(v3 + v5, v4 + v6);
@@ -353,6 +355,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
 #if LANES > 1
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][2], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -365,7 +368,7 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     const double v1 = k2 * V1_2 + k3 * V2_2, v2 = k2 * V2_2 - k3 * V1_2;
     const double D1 = k4 - v2 * v2;
     const double w2 = sqrt(D1);
-    const int doubt1 = (-k5 <= D1) & ((k6 < D1) == 0);
+    const int doubt1 = fabs(D1) <= k5;
     const four q1 = k7 * (v1 + e1 * w2);
     const double v3 = V1_2 - m1 * v1, v4 = V2_2 - m2 * v1;
 
@@ -483,23 +486,15 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int planar_pr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][2], unsigned char
+    status[2])
 {
     static const double zeros[2] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
     for (int row = 0; row < 2; row++) {
         status[row] = valid ? PLANAR_PR_UNREACHABLE : PLANAR_PR_INVALID_POSE;
         for (int i = 0; i < 2; i++)
@@ -513,12 +508,19 @@ int planar_pr_ik(const double T[16], const double *q_seed, double q[2][2], unsig
             continue;
         for (int i = 0; i < 2; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = PLANAR_PR_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_PR_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int planar_pr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int planar_pr_ik_nearest(const double T[16], const double q_seed[2], double q[2])

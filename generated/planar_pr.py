@@ -301,7 +301,7 @@ def _regular(pose, q, status):
     v2 = k2 * V2_2 - k3 * V1_2
     D1 = k4 - v2 * v2
     w2 = math.sqrt(D1)
-    doubt1 = -k5 <= D1 and not (k6 < D1)
+    doubt1 = abs(D1) <= k5
     q1_p = k7 * (v1 + w2)
     q1_m = k7 * (v1 - w2)
     v3 = V1_2 - m1 * v1
@@ -528,7 +528,7 @@ def _in_tiles(T, q, status):
             v2 = k2 * V2_2 - k3 * V1_2
             D1 = k4 - v2 * v2
             w2 = math.sqrt(D1)
-            doubt1 = -k5 <= D1 and not (k6 < D1)
+            doubt1 = abs(D1) <= k5
             q1_p = k7 * (v1 + w2)
             q1_m = k7 * (v1 - w2)
             v3 = V1_2 - m1 * v1

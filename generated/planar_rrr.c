@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -310,7 +313,10 @@ static const double m2 = 1.25; /* a coefficient of S1 */
 static const double m3 = 0.08750000000000001; /* a coefficient of S1 */
 static const double m4 = 1.666666666666667; /* a coefficient of c12 */
 static const double m5 = 0.1166666666666667; /* a coefficient of c12 */
-static const double m6 = 6.283185307179586; /* 2 * half_turn */
+static const double m6 = 7.225e-11; /* pose_slack1^2 [m^2] */
+static const double m7 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m8 = 1.445e-10; /* 2 * pose_slack1^2 [m^2] */
+static const double m9 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const planar_rrr_branches[2] = {
     "down", "up",
@@ -397,7 +403,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -409,11 +415,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -446,32 +452,34 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide angle3 = atan2_wide(S1_p, C1_p), angle4 = atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = m4 - m5 * factor1, v9 = Z1_2 * v8, v10 = Z2_2 * v8, v11 = T11 * v2;
-    const wide v12 = T21 * v2;
-    const double v13 = sqrt(-1.0);
-    const wide v14 = pick_wide(abs_wide(T34) <= pose_slack1, all_wide(0.0), all_wide(v13));
-    const wide v15 = pick_wide(maximum_wide(abs_wide(v12 + T12), maximum_wide(abs_wide(T11 - v11),
-        maximum_wide(abs_wide(T13), maximum_wide(abs_wide(T21 - v12), maximum_wide(abs_wide(T22 -
-        v11), maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T31), maximum_wide(abs_wide(T33 -
-        1.0), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0), all_wide(v13));
-    const wide v16 = pick_wide(maximum_wide(abs_wide(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1)))
-        + (v3 + a1 * (C1_p * factor1)))), abs_wide(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1)))
-        + (v4 + a1 * (S1_p * factor1))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
-    const wide v17 = pick_wide(maximum_wide(abs_wide(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 *
-        factor1))) + (v3 + a1 * (C1_m * factor1)))), abs_wide(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 *
-        factor1))) + (v4 + a1 * (S1_m * factor1))))) <= pose_slack1, all_wide(0.0), all_wide(v13));
+    const wide v8 = m4 - m5 * factor1, v9 = Z1_2 * v8, v10 = Z2_2 * v8, v11 = T33 - 1.0;
+    const wide v12 = T11 * v2, v13 = T22 - v12, v14 = T21 * v2, v15 = T21 - v14, v16 = T11 - v12;
+    const wide v17 = v14 + T12;
+    const wide v18 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p *
+        factor1)));
+    const wide v19 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m *
+        factor1)));
+    const wide v20 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p *
+        factor1)));
+    const wide v21 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m *
+        factor1))), v22 = v18 * v18 + v20 * v20, v23 = v19 * v19 + v21 * v21;
+    const double v24 = NAN;
+    const wide v25 = pick_wide(v22 <= m6, all_wide(0.0), all_wide(v24));
+    const wide v26 = pick_wide(v23 <= m6, all_wide(0.0), all_wide(v24));
 
     /* joint values */
-    const wide v18 = angle1 - (angle2 + angle3), v19 = angle1 - (angle4 - angle2);
-    const wide q1_p = v16 + (v15 + (angle3 + v14)), q1_m = v17 + (v15 + (angle4 + v14));
-    const wide q2_p = v16 + (v15 + (angle2 + v14)), q2_m = v17 + (v15 + (v14 - angle2));
-    const wide q3_p = v16 + (v15 + (v14 + (v18 - only_wide(half_turn < v18, m6) + only_wide(v18 <=
-        -half_turn, m6))));
-    const wide q3_m = v17 + (v15 + (v14 + (v19 - only_wide(half_turn < v19, m6) + only_wide(v19 <=
-        -half_turn, m6))));
+    const wide v27 = angle1 - (angle2 + angle3), v28 = angle1 - (angle4 - angle2);
+    const wide q1_p = angle3 + v25, q1_m = angle4 + v26;
+    const wide q2_p = angle2 + v25, q2_m = v26 - angle2;
+    const wide q3_p = v25 + (v27 - only_wide(half_turn < v27, m9) + only_wide(v27 <= -half_turn,
+        m9));
+    const wide q3_m = v26 + (v28 - only_wide(half_turn < v28, m9) + only_wide(v28 <= -half_turn,
+        m9));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
-        (v1 <= m1));
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((N2 <=
+        doubt_limit_squared2) | ((m6 < T34 * T34) | ((m7 < v17 * v17 + (v16 * v16 + (T13 * T13 +
+        (v15 * v15 + (v13 * v13 + (T23 * T23 + (T31 * T31 + (v11 * v11 + T32 * T32)))))))) | (((m6 <
+        v22) & (v22 <= m8)) | ((m6 < v23) & (v23 <= m8)))))));
 
     q[0] = q1_p; q[1] = q2_p; q[2] = q3_p;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -484,6 +492,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
 #if LANES > 1
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -512,19 +521,21 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double factor1 = 1.0 / N2;
 
     /* is the pose one that the arm can take? */
-    const double v10 = m4 - m5 * factor1, v11 = Z1_2 * v10, v12 = Z2_2 * v10, v13 = T11 * v2;
-    const double v14 = T21 * v2, v15 = sqrt(-1.0), v16 = (fabs(T34) <= pose_slack1) ? 0.0 : v15;
-    const double v17 = (maximum_double(fabs(v14 + T12), maximum_double(fabs(T11 - v13),
-        maximum_double(fabs(T13), maximum_double(fabs(T21 - v14), maximum_double(fabs(T22 - v13),
-        maximum_double(fabs(T23), maximum_double(fabs(T31), maximum_double(fabs(T33 - 1.0),
-        fabs(T32))))))))) <= pose_slack) ? 0.0 : v15;
-    const four v18 = pick_four(maximum_four(abs_four(T14 - (a2 * (v11 - w2 * (m4 * (v8 * factor1)))
-        + (v3 + a1 * (C1 * factor1)))), abs_four(T24 - (a2 * (v12 + w2 * (m4 * (v5 * factor1))) +
-        (v4 + a1 * (S1 * factor1))))) <= pose_slack1, all_four(0.0), all_four(v15));
+    const double v10 = m4 - m5 * factor1, v11 = Z1_2 * v10, v12 = Z2_2 * v10, v13 = T33 - 1.0;
+    const double v14 = T11 * v2, v15 = T22 - v14, v16 = T21 * v2, v17 = T21 - v16, v18 = T11 - v14;
+    const double v19 = v16 + T12;
+    const four v20 = T14 - (a2 * (v11 - w2 * (m4 * (v8 * factor1))) + (v3 + a1 * (C1 * factor1)));
+    const four v21 = T24 - (a2 * (v12 + w2 * (m4 * (v5 * factor1))) + (v4 + a1 * (S1 * factor1)));
+    const four v22 = v20 * v20 + v21 * v21;
+    const double v23 = NAN;
+    const four v24 = pick_four(v22 <= m6, all_four(0.0), all_four(v23));
+    const four_mask doubt2 = (m6 < v22) & (v22 <= m8);
 
     /* joint values */
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) | (v1 <= m1));
+        N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((N2 <= doubt_limit_squared2) | ((m7 <
+        v19 * v19 + (v18 * v18 + (T13 * T13 + (v17 * v17 + (v15 * v15 + (T23 * T23 + (T31 * T31 +
+        (v13 * v13 + T32 * T32)))))))) | (m6 < T34 * T34))));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S1,
         all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
@@ -533,13 +544,12 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v19 = e1 * angle2, v20 = angle1 - (angle3 + v19);
-    const four q1 = v18 + (v17 + (angle3 + v16));
-    const four q2 = v18 + (v17 + (v16 + v19));
-    const four q3 = v18 + (v17 + (v16 + (v20 - only_four(half_turn < v20, m6) + only_four(v20 <=
-        -half_turn, m6))));
+    const four v25 = e1 * angle2, v26 = angle1 - (angle3 + v25);
+    const four q1 = angle3 + v24;
+    const four q2 = v24 + v25;
+    const four q3 = v24 + (v26 - only_four(half_turn < v26, m9) + only_four(v26 <= -half_turn, m9));
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
     store_2(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2);
     store_1(&q[0][2], &q[1][2], &q[0][2], &q[1][2], q3);
@@ -807,22 +817,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int planar_rrr_ik(
-    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][3], unsigned char
+    status[2])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -847,12 +851,20 @@ int planar_rrr_ik(
             continue;
         for (int i = 0; i < 3; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = PLANAR_RRR_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_RRR_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int planar_rrr_ik(
+    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int planar_rrr_ik_nearest(const double T[16], const double q_seed[3], double q[3])

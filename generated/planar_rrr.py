@@ -102,7 +102,10 @@ m2 = 1.25  # a coefficient of S1
 m3 = 0.08750000000000001  # a coefficient of S1
 m4 = 1.666666666666667  # a coefficient of c12
 m5 = 0.1166666666666667  # a coefficient of c12
-m6 = 6.283185307179586  # 2 * half_turn
+m6 = 7.225e-11  # pose_slack1^2 [m^2]
+m7 = 1.0000000000000002e-10  # pose_slack^2
+m8 = 1.445e-10  # 2 * pose_slack1^2 [m^2]
+m9 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -554,30 +557,29 @@ def _regular(pose, q, status):
     v8 = m4 - m5 * factor1
     v9 = Z1_2 * v8
     v10 = Z2_2 * v8
-    v11 = T11 * v2
-    v12 = T21 * v2
-    v13 = math.sqrt(-1.0)
-    v14 = 0.0 if abs(T34) <= pose_slack1 else v13
-    v15 = (
-        0.0 if max(abs(v12 + T12), max(abs(T11 - v11), max(abs(T13), max(abs(T21 - v12), max(abs(T22
-        - v11), max(abs(T23), max(abs(T31), max(abs(T33 - 1.0), abs(T32))))))))) <= pose_slack else
-        v13
-    )
-    v16 = (
-        0.0 if max(abs(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p *
-        factor1)))), abs(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p *
-        factor1))))) <= pose_slack1 else v13
-    )
-    v17 = (
-        0.0 if max(abs(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m *
-        factor1)))), abs(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m *
-        factor1))))) <= pose_slack1 else v13
-    )
+    v11 = T33 - 1.0
+    v12 = T11 * v2
+    v13 = T22 - v12
+    v14 = T21 * v2
+    v15 = T21 - v14
+    v16 = T11 - v12
+    v17 = v14 + T12
+    v18 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
+    v19 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
+    v20 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
+    v21 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
+    v22 = v18 * v18 + v20 * v20
+    v23 = v19 * v19 + v21 * v21
+    v24 = math.sqrt(-1.0)
+    v25 = 0.0 if v22 <= m6 else v24
+    v26 = 0.0 if v23 <= m6 else v24
 
     # joint values
     doubt1 = (
         (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or (N2 <= doubt_limit_squared2 or v1 <= m1)
+        longest2_apart)) or (v1 <= m1 or (N2 <= doubt_limit_squared2 or (m6 < T34 * T34 or (m7 < v17
+        * v17 + (v16 * v16 + (T13 * T13 + (v15 * v15 + (v13 * v13 + (T23 * T23 + (T31 * T31 + (v11 *
+        v11 + T32 * T32))))))) or ((m6 < v22 and v22 <= m8) or (m6 < v23 and v23 <= m8))))))
     )
 
     # angles, side by side
@@ -599,20 +601,14 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v18 = angle1 - (angle2 + angle3)
-    v19 = angle1 - (angle4 - angle2)
-    q1_p = v16 + (v15 + (angle3 + v14))
-    q1_m = v17 + (v15 + (angle4 + v14))
-    q2_p = v16 + (v15 + (angle2 + v14))
-    q2_m = v17 + (v15 + (v14 - angle2))
-    q3_p = (
-        v16 + (v15 + (v14 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <= -half_turn else
-        0.0))))
-    )
-    q3_m = (
-        v17 + (v15 + (v14 + (v19 - (m6 if half_turn < v19 else 0.0) + (m6 if v19 <= -half_turn else
-        0.0))))
-    )
+    v27 = angle1 - (angle2 + angle3)
+    v28 = angle1 - (angle4 - angle2)
+    q1_p = angle3 + v25
+    q1_m = angle4 + v26
+    q2_p = angle2 + v25
+    q2_m = v26 - angle2
+    q3_p = v25 + (v27 - (m9 if half_turn < v27 else 0.0) + (m9 if v27 <= -half_turn else 0.0))
+    q3_m = v26 + (v28 - (m9 if half_turn < v28 else 0.0) + (m9 if v28 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -786,10 +782,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [960, 992, 1024],
-    [1056, 1088, 1120],
+    [896, 928, 960],
+    [992, 1024, 1056],
 ])
-_KINDS = np.array([1152, 1184])
+_KINDS = np.array([1088, 1120])
 _LEFT_OVER = 255
 
 
@@ -800,7 +796,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1216)
+    work = np.empty(1152)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -855,82 +851,76 @@ def _in_tiles(T, q, status):
             v8 = m4 - m5 * factor1
             v9 = Z1_2 * v8
             v10 = Z2_2 * v8
-            v11 = T11 * v2
-            v12 = T21 * v2
-            v13 = math.sqrt(-1.0)
-            v14 = 0.0 if abs(T34) <= pose_slack1 else v13
-            v15 = (
-                0.0 if max(abs(v12 + T12), max(abs(T11 - v11), max(abs(T13), max(abs(T21 - v12),
-                max(abs(T22 - v11), max(abs(T23), max(abs(T31), max(abs(T33 - 1.0), abs(T32)))))))))
-                <= pose_slack else v13
-            )
-            v16 = (
-                0.0 if max(abs(T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p *
-                factor1)))), abs(T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p
-                * factor1))))) <= pose_slack1 else v13
-            )
-            v17 = (
-                0.0 if max(abs(T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m *
-                factor1)))), abs(T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 *
-                (S1_m * factor1))))) <= pose_slack1 else v13
-            )
+            v11 = T33 - 1.0
+            v12 = T11 * v2
+            v13 = T22 - v12
+            v14 = T21 * v2
+            v15 = T21 - v14
+            v16 = T11 - v12
+            v17 = v14 + T12
+            v18 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
+            v19 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
+            v20 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
+            v21 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
+            v22 = v18 * v18 + v20 * v20
+            v23 = v19 * v19 + v21 * v21
+            v24 = math.sqrt(-1.0)
+            v25 = 0.0 if v22 <= m6 else v24
+            v26 = 0.0 if v23 <= m6 else v24
             doubt1 = (
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or (N2 <= doubt_limit_squared2 or v1 <= m1)
+                < longest2_apart)) or (v1 <= m1 or (N2 <= doubt_limit_squared2 or (m6 < T34 * T34 or
+                (m7 < v17 * v17 + (v16 * v16 + (T13 * T13 + (v15 * v15 + (v13 * v13 + (T23 * T23 +
+                (T31 * T31 + (v11 * v11 + T32 * T32))))))) or ((m6 < v22 and v22 <= m8) or (m6 < v23
+                and v23 <= m8))))))
             )
-            work[544 + k] = v14
-            work[576 + k] = v15
-            work[608 + k] = v16
-            work[640 + k] = v17
-            work[672 + k] = doubt1
-            work[704 + k] = T21
-            work[736 + k] = w2
-            work[768 + k] = S1_p
-            work[800 + k] = S1_m
-            work[832 + k] = T11
-            work[864 + k] = N2 - k1
-            work[896 + k] = C1_p
-            work[928 + k] = C1_m
-        for k in range(704, 832):
+            work[544 + k] = v25
+            work[576 + k] = v26
+            work[608 + k] = doubt1
+            work[640 + k] = T21
+            work[672 + k] = w2
+            work[704 + k] = S1_p
+            work[736 + k] = S1_m
+            work[768 + k] = T11
+            work[800 + k] = N2 - k1
+            work[832 + k] = C1_p
+            work[864 + k] = C1_m
+        for k in range(640, 768):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v14 = work[544 + k]
-            v15 = work[576 + k]
-            v16 = work[608 + k]
-            v17 = work[640 + k]
-            doubt1 = work[672 + k] != 0.0
-            angle1 = work[704 + k]
-            angle2 = work[736 + k]
-            angle3 = work[768 + k]
-            angle4 = work[800 + k]
-            v18 = angle1 - (angle2 + angle3)
-            v19 = angle1 - (angle4 - angle2)
-            q1_p = v16 + (v15 + (angle3 + v14))
-            q1_m = v17 + (v15 + (angle4 + v14))
-            q2_p = v16 + (v15 + (angle2 + v14))
-            q2_m = v17 + (v15 + (v14 - angle2))
+            v25 = work[544 + k]
+            v26 = work[576 + k]
+            doubt1 = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle2 = work[672 + k]
+            angle3 = work[704 + k]
+            angle4 = work[736 + k]
+            v27 = angle1 - (angle2 + angle3)
+            v28 = angle1 - (angle4 - angle2)
+            q1_p = angle3 + v25
+            q1_m = angle4 + v26
+            q2_p = angle2 + v25
+            q2_m = v26 - angle2
             q3_p = (
-                v16 + (v15 + (v14 + (v18 - (m6 if half_turn < v18 else 0.0) + (m6 if v18 <=
-                -half_turn else 0.0))))
+                v25 + (v27 - (m9 if half_turn < v27 else 0.0) + (m9 if v27 <= -half_turn else 0.0))
             )
             q3_m = (
-                v17 + (v15 + (v14 + (v19 - (m6 if half_turn < v19 else 0.0) + (m6 if v19 <=
-                -half_turn else 0.0))))
+                v26 + (v28 - (m9 if half_turn < v28 else 0.0) + (m9 if v28 <= -half_turn else 0.0))
             )
-            _960 = q1_p
+            _896 = q1_p
+            work[896 + k] = _896
+            _928 = q2_p
+            work[928 + k] = _928
+            _960 = q3_p
             work[960 + k] = _960
-            _992 = q2_p
+            _992 = q1_m
             work[992 + k] = _992
-            _1024 = q3_p
+            _1024 = q2_m
             work[1024 + k] = _1024
-            _1056 = q1_m
+            _1056 = q3_m
             work[1056 + k] = _1056
-            _1088 = q2_m
-            work[1088 + k] = _1088
-            _1120 = q3_m
-            work[1120 + k] = _1120
-            work[1152 + k] = UNREACHABLE if _960 != _960 else OK
-            work[1184 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1088 + k] = UNREACHABLE if _896 != _896 else OK
+            work[1120 + k] = UNREACHABLE if _992 != _992 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -311,8 +311,7 @@ void planar_rrrr_jacobian(const double q[4], double J[24])
     J[20] = 1.0; J[21] = 1.0; J[22] = 1.0; J[23] = 1.0;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+/* Copies a pose. Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -364,11 +363,6 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
 int planar_rrrr_ik(
     const double T[16], const double *q_seed, double q[1][4], unsigned char status[1])
 {
@@ -390,7 +384,8 @@ int planar_rrrr_ik(
             continue;
         for (int i = 0; i < 4; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = PLANAR_RRRR_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_RRRR_OUT_OF_LIMITS;

@@ -12,8 +12,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -466,7 +469,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -478,11 +481,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -499,109 +502,105 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wx = T14 - d6 * T13;
     const wide v2 = sat2 * wx;
     const wide N1 = v1 * v1 + v2 * v2;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide wz = T34 - d6 * T33;
     const wide Z1 = cat2 * wz - k1;
     const wide D1 = N1 - Z1 * Z1;
-    const wide v3 = abs_wide(Z1) * 2.0;
     const wide w1 = sqrt_wide(D1);
-    const wide v4 = w1 - w1;
+    const wide v3 = w1 - w1;
     const wide inverse1 = 1.0 / N1;
-    const wide v5 = v1 * Z1, v6 = v2 * Z1, v7 = inverse1 * v6, v8 = w1 * (v1 * inverse1);
-    const wide c1_p = v8 - v7;
-    const wide v9 = v7 + v8, v10 = inverse1 * v5, v11 = w1 * (v2 * inverse1), v12 = v10 + v11;
-    const wide v13 = v10 - v11;
+    const wide v4 = v1 * Z1, v5 = v2 * Z1, v6 = inverse1 * v5, v7 = w1 * (v1 * inverse1);
+    const wide c1_p = v7 - v6;
+    const wide v8 = v6 + v7, v9 = inverse1 * v4, v10 = w1 * (v2 * inverse1), v11 = v9 + v10;
+    const wide v12 = v9 - v10;
 
     /* theta3 */
     const wide Z3 = wz - k5;
     const wide D3 = k4 - Z3 * Z3;
-    const wide v14 = 2.0 * abs_wide(Z3);
     const wide w3 = sqrt_wide(D3);
-    const wide v15 = w3 - w3, v16 = m3 * wz - m2, v17 = m1 * w3, v18 = v16 + v17, v19 = v16 - v17;
-    const wide v20 = m1 * wz - m4, v21 = m3 * w3;
-    const wide s3_p = v20 - v21, s3_m = v20 + v21;
+    const wide v13 = w3 - w3, v14 = m3 * wz - m2, v15 = m1 * w3, v16 = v14 + v15, v17 = v14 - v15;
+    const wide v18 = m1 * wz - m4, v19 = m3 * w3;
+    const wide s3_p = v18 - v19, s3_m = v18 + v19;
 
     /* r2 */
-    const wide v22 = a3 * s3_p - d4 * v18, v23 = a3 * s3_m - d4 * v19, v24 = c1_p * -wy - wx * v12;
-    const wide v25 = v9 * -wy + wx * v13;
+    const wide v20 = a3 * s3_p - d4 * v16, v21 = a3 * s3_m - d4 * v17, v22 = c1_p * -wy - wx * v11;
+    const wide v23 = v8 * -wy + wx * v12;
 
     /* theta4 */
-    const wide v26 = cat2 * T13, v27 = cat2 * T23, v28 = v1 * v26 - v2 * v27;
-    const wide v29 = sat2 * T33 + inverse1 * (v5 * v27 + v6 * v26);
-    const wide v30 = w1 * (inverse1 * v28) - v29, v31 = w1 * (inverse1 * -v28) - v29;
-    const wide v32 = T13 * v12 + T23 * c1_p, v33 = T13 * v13 - T23 * v9;
-    const wide X4_pp = v18 * v30 - s3_p * v32, X4_pm = v19 * v30 - s3_m * v32;
-    const wide X4_mp = v18 * v31 - s3_p * v33, X4_mm = v19 * v31 - s3_m * v33;
-    const wide v34 = sat2 * T13, v35 = sat2 * T23, v36 = v1 * v34 - v2 * v35;
-    const wide v37 = cat2 * T33 - inverse1 * (v5 * v35 + v6 * v34);
-    const wide v38 = v37 + w1 * (inverse1 * v36), v39 = v37 + w1 * (inverse1 * -v36);
-    const wide v40 = v38 * v38, v41 = v39 * v39, v42 = v40 + X4_pp * X4_pp;
-    const wide v43 = v40 + X4_pm * X4_pm, v44 = v41 + X4_mp * X4_mp, v45 = v41 + X4_mm * X4_mm;
-    const wide angle1 = atan2_wide(-v38, -X4_pp), angle2 = atan2_wide(-v38, -X4_pm);
-    const wide angle3 = atan2_wide(-v39, -X4_mp), angle4 = atan2_wide(-v39, -X4_mm);
-    const wide v46 = copysign_wide(all_wide(half_turn), -v38) * h1;
-    const wide v47 = copysign_wide(all_wide(half_turn), -v39) * h1;
-    const wide q4_ppm = angle1 - v46, q4_pmm = angle2 - v46, q4_mpm = angle3 - v47;
-    const wide q4_mmm = angle4 - v47;
+    const wide v24 = cat2 * T13, v25 = cat2 * T23, v26 = v1 * v24 - v2 * v25;
+    const wide v27 = sat2 * T33 + inverse1 * (v4 * v25 + v5 * v24);
+    const wide v28 = w1 * (inverse1 * v26) - v27, v29 = w1 * (inverse1 * -v26) - v27;
+    const wide v30 = T13 * v11 + T23 * c1_p, v31 = T13 * v12 - T23 * v8;
+    const wide X4_pp = v16 * v28 - s3_p * v30, X4_pm = v17 * v28 - s3_m * v30;
+    const wide X4_mp = v16 * v29 - s3_p * v31, X4_mm = v17 * v29 - s3_m * v31;
+    const wide v32 = sat2 * T13, v33 = sat2 * T23, v34 = v1 * v32 - v2 * v33;
+    const wide v35 = cat2 * T33 - inverse1 * (v4 * v33 + v5 * v32);
+    const wide v36 = v35 + w1 * (inverse1 * v34), v37 = v35 + w1 * (inverse1 * -v34);
+    const wide v38 = v36 * v36, v39 = v37 * v37, v40 = v38 + X4_pp * X4_pp;
+    const wide v41 = v38 + X4_pm * X4_pm, v42 = v39 + X4_mp * X4_mp, v43 = v39 + X4_mm * X4_mm;
+    const wide angle1 = atan2_wide(-v36, -X4_pp), angle2 = atan2_wide(-v36, -X4_pm);
+    const wide angle3 = atan2_wide(-v37, -X4_mp), angle4 = atan2_wide(-v37, -X4_mm);
+    const wide v44 = copysign_wide(all_wide(half_turn), -v36) * h1;
+    const wide v45 = copysign_wide(all_wide(half_turn), -v37) * h1;
+    const wide q4_ppm = angle1 - v44, q4_pmm = angle2 - v44, q4_mpm = angle3 - v45;
+    const wide q4_mmm = angle4 - v45;
 
     /* theta5 */
-    const wide angle5 = atan2_wide(-sqrt_wide(v42), -(v18 * v32 + s3_p * v30));
-    const wide angle6 = atan2_wide(-sqrt_wide(v43), -(v19 * v32 + s3_m * v30));
-    const wide angle7 = atan2_wide(-sqrt_wide(v44), -(v18 * v33 + s3_p * v31));
-    const wide angle8 = atan2_wide(-sqrt_wide(v45), -(v19 * v33 + s3_m * v31));
+    const wide angle5 = atan2_wide(-sqrt_wide(v40), -(v16 * v30 + s3_p * v28));
+    const wide angle6 = atan2_wide(-sqrt_wide(v41), -(v17 * v30 + s3_m * v28));
+    const wide angle7 = atan2_wide(-sqrt_wide(v42), -(v16 * v31 + s3_p * v29));
+    const wide angle8 = atan2_wide(-sqrt_wide(v43), -(v17 * v31 + s3_m * v29));
 
     /* theta6 */
-    const wide v48 = sat2 * T12, v49 = sat2 * T22, v50 = v1 * v48 - v2 * v49;
-    const wide v51 = cat2 * T32 - inverse1 * (v5 * v49 + v6 * v48);
-    const wide v52 = v51 + w1 * (inverse1 * v50), v53 = v51 + w1 * (inverse1 * -v50);
-    const wide v54 = cat2 * T12, v55 = cat2 * T22, v56 = v1 * v54 - v2 * v55;
-    const wide v57 = sat2 * T32 + inverse1 * (v5 * v55 + v6 * v54);
-    const wide v58 = w1 * (inverse1 * v56) - v57, v59 = w1 * (inverse1 * -v56) - v57;
-    const wide v60 = c1_p * T22 + v12 * T12, v61 = v13 * T12 - v9 * T22, v62 = sat2 * T11;
-    const wide v63 = sat2 * T21, v64 = v1 * v62 - v2 * v63;
-    const wide v65 = cat2 * T31 - inverse1 * (v5 * v63 + v6 * v62);
-    const wide v66 = v65 + w1 * (inverse1 * v64), v67 = v65 + w1 * (inverse1 * -v64);
-    const wide v68 = cat2 * T11, v69 = cat2 * T21, v70 = v1 * v68 - v2 * v69;
-    const wide v71 = sat2 * T31 + inverse1 * (v5 * v69 + v6 * v68);
-    const wide v72 = w1 * (inverse1 * v70) - v71, v73 = w1 * (inverse1 * -v70) - v71;
-    const wide v74 = c1_p * T21 + v12 * T11, v75 = v13 * T11 - v9 * T21;
-    const wide v76 = v38 * (s3_p * v74 - v18 * v72) - -X4_pp * v66;
-    const wide v77 = v38 * (s3_m * v74 - v19 * v72) - -X4_pm * v66;
-    const wide v78 = v39 * (s3_p * v75 - v18 * v73) - -X4_mp * v67;
-    const wide v79 = v39 * (s3_m * v75 - v19 * v73) - -X4_mm * v67;
-    const wide angle9 = atan2_wide(v76, v38 * (s3_p * v60 - v18 * v58) - -X4_pp * v52);
-    const wide angle10 = atan2_wide(v77, v38 * (s3_m * v60 - v19 * v58) - -X4_pm * v52);
-    const wide angle11 = atan2_wide(v78, v39 * (s3_p * v61 - v18 * v59) - -X4_mp * v53);
-    const wide angle12 = atan2_wide(v79, v39 * (s3_m * v61 - v19 * v59) - -X4_mm * v53);
-    const wide q6_ppm = angle9 - h1 * copysign_wide(all_wide(half_turn), v76);
-    const wide q6_pmm = angle10 - h1 * copysign_wide(all_wide(half_turn), v77);
-    const wide q6_mpm = angle11 - h1 * copysign_wide(all_wide(half_turn), v78);
-    const wide q6_mmm = angle12 - h1 * copysign_wide(all_wide(half_turn), v79);
+    const wide v46 = sat2 * T12, v47 = sat2 * T22, v48 = v1 * v46 - v2 * v47;
+    const wide v49 = cat2 * T32 - inverse1 * (v4 * v47 + v5 * v46);
+    const wide v50 = v49 + w1 * (inverse1 * v48), v51 = v49 + w1 * (inverse1 * -v48);
+    const wide v52 = cat2 * T12, v53 = cat2 * T22, v54 = v1 * v52 - v2 * v53;
+    const wide v55 = sat2 * T32 + inverse1 * (v4 * v53 + v5 * v52);
+    const wide v56 = w1 * (inverse1 * v54) - v55, v57 = w1 * (inverse1 * -v54) - v55;
+    const wide v58 = c1_p * T22 + v11 * T12, v59 = v12 * T12 - v8 * T22, v60 = sat2 * T11;
+    const wide v61 = sat2 * T21, v62 = v1 * v60 - v2 * v61;
+    const wide v63 = cat2 * T31 - inverse1 * (v4 * v61 + v5 * v60);
+    const wide v64 = v63 + w1 * (inverse1 * v62), v65 = v63 + w1 * (inverse1 * -v62);
+    const wide v66 = cat2 * T11, v67 = cat2 * T21, v68 = v1 * v66 - v2 * v67;
+    const wide v69 = sat2 * T31 + inverse1 * (v4 * v67 + v5 * v66);
+    const wide v70 = w1 * (inverse1 * v68) - v69, v71 = w1 * (inverse1 * -v68) - v69;
+    const wide v72 = c1_p * T21 + v11 * T11, v73 = v12 * T11 - v8 * T21;
+    const wide v74 = v36 * (s3_p * v72 - v16 * v70) - -X4_pp * v64;
+    const wide v75 = v36 * (s3_m * v72 - v17 * v70) - -X4_pm * v64;
+    const wide v76 = v37 * (s3_p * v73 - v16 * v71) - -X4_mp * v65;
+    const wide v77 = v37 * (s3_m * v73 - v17 * v71) - -X4_mm * v65;
+    const wide angle9 = atan2_wide(v74, v36 * (s3_p * v58 - v16 * v56) - -X4_pp * v50);
+    const wide angle10 = atan2_wide(v75, v36 * (s3_m * v58 - v17 * v56) - -X4_pm * v50);
+    const wide angle11 = atan2_wide(v76, v37 * (s3_p * v59 - v16 * v57) - -X4_mp * v51);
+    const wide angle12 = atan2_wide(v77, v37 * (s3_m * v59 - v17 * v57) - -X4_mm * v51);
+    const wide q6_ppm = angle9 - h1 * copysign_wide(all_wide(half_turn), v74);
+    const wide q6_pmm = angle10 - h1 * copysign_wide(all_wide(half_turn), v75);
+    const wide q6_mpm = angle11 - h1 * copysign_wide(all_wide(half_turn), v76);
+    const wide q6_mmm = angle12 - h1 * copysign_wide(all_wide(half_turn), v77);
 
     /* joint values */
-    const wide angle13 = atan2_wide(-v12, c1_p);
-    const wide q1_ppp = v15 + angle13;
-    const wide angle14 = atan2_wide(-v13, -v9);
-    const wide q1_mpp = v15 + angle14;
-    const wide angle15 = atan2_wide(s3_p, -v18);
-    const wide q3_ppp = v4 + angle15;
-    const wide angle16 = atan2_wide(s3_m, -v19);
-    const wide q3_pmp = v4 + angle16;
-    const wide q2_mpp = v25 - v22, q2_mmp = v25 - v23;
-    const wide_mask doubt1 = ((-(reach_slack1 * (reach_slack1 + v3)) <= D1) & (free1 |
-        ((merge_slack1 * (merge_slack1 + v3) < D1) == 0))) | (free1 | (((-(reach_slack1 *
-        (reach_slack1 + v14)) <= D3) & ((merge_slack1 * (merge_slack1 + v14) < D3) == 0)) | ((v45 <=
-        m5) | ((v44 <= m5) | ((v42 <= m5) | (v43 <= m5))))));
+    const wide angle13 = atan2_wide(-v11, c1_p);
+    const wide q1_ppp = v13 + angle13;
+    const wide angle14 = atan2_wide(-v12, -v8);
+    const wide q1_mpp = v13 + angle14;
+    const wide angle15 = atan2_wide(s3_p, -v16);
+    const wide q3_ppp = v3 + angle15;
+    const wide angle16 = atan2_wide(s3_m, -v17);
+    const wide q3_pmp = v3 + angle16;
+    const wide q2_mpp = v23 - v20, q2_mmp = v23 - v21;
+    const wide_mask doubt1 = (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1))) |
+        ((N1 <= doubt_limit_squared2) | ((abs_wide(D3) <= reach_slack1 * (reach_slack1 + 2.0 *
+        abs_wide(Z3))) | ((v43 <= m5) | ((v42 <= m5) | ((v40 <= m5) | (v41 <= m5))))));
 
-    q[0] = q1_ppp; q[1] = -(v22 + v24); q[2] = q3_ppp; q[3] = angle1; q[4] = angle5; q[5] = angle9;
+    q[0] = q1_ppp; q[1] = -(v20 + v22); q[2] = q3_ppp; q[3] = angle1; q[4] = angle5; q[5] = angle9;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = -(v22 + v24); q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle5;
+    q[6] = q1_ppp; q[7] = -(v20 + v22); q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle5;
     q[11] = q6_ppm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp; q[13] = -(v23 + v24); q[14] = q3_pmp; q[15] = angle2; q[16] = angle6;
+    q[12] = q1_ppp; q[13] = -(v21 + v22); q[14] = q3_pmp; q[15] = angle2; q[16] = angle6;
     q[17] = angle10;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = -(v23 + v24); q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle6;
+    q[18] = q1_ppp; q[19] = -(v21 + v22); q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle6;
     q[23] = q6_pmm;
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = angle7; q[29] = angle11;
@@ -619,6 +618,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 #if LANES > 1
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -633,80 +633,76 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double wx = T14 - d6 * T13;
     const double v2 = sat2 * wx;
     const double N1 = v1 * v1 + v2 * v2;
-    const int free1 = N1 <= doubt_limit_squared2;
     const double wz = T34 - d6 * T33;
     const double Z1 = cat2 * wz - k1;
     const double D1 = N1 - Z1 * Z1;
-    const double v3 = fabs(Z1) * 2.0;
     const double w1 = sqrt(D1);
-    const double v4 = w1 - w1;
+    const double v3 = w1 - w1;
     const double inverse1 = 1.0 / N1;
-    const double v5 = v1 * Z1, v6 = v2 * Z1, v7 = inverse1 * v6;
-    const four c1 = w1 * (inverse1 * (e1 * v1)) - v7;
-    const double v8 = inverse1 * v5;
-    const four v9 = v8 + w1 * (inverse1 * (e1 * v2));
+    const double v4 = v1 * Z1, v5 = v2 * Z1, v6 = inverse1 * v5;
+    const four c1 = w1 * (inverse1 * (e1 * v1)) - v6;
+    const double v7 = inverse1 * v4;
+    const four v8 = v7 + w1 * (inverse1 * (e1 * v2));
 
     /* theta3 */
     const double Z3 = wz - k5;
     const double D3 = k4 - Z3 * Z3;
-    const double v10 = 2.0 * fabs(Z3);
     const double w3 = sqrt(D3);
-    const double v11 = w3 - w3, v12 = m3 * wz - m2;
-    const four v13 = v12 + w3 * (m1 * e2);
-    const double v14 = m1 * wz - m4;
-    const four s3 = v14 - w3 * (m3 * e2);
+    const double v9 = w3 - w3, v10 = m3 * wz - m2;
+    const four v11 = v10 + w3 * (m1 * e2);
+    const double v12 = m1 * wz - m4;
+    const four s3 = v12 - w3 * (m3 * e2);
 
     /* r2 */
-    const four v15 = a3 * s3 - d4 * v13, v16 = c1 * -wy - wx * v9;
+    const four v13 = a3 * s3 - d4 * v11, v14 = c1 * -wy - wx * v8;
 
     /* theta4 */
-    const double v17 = cat2 * T13, v18 = cat2 * T23, v19 = v1 * v17 - v2 * v18;
-    const double v20 = sat2 * T33 + inverse1 * (v5 * v18 + v6 * v17);
-    const four v21 = w1 * (inverse1 * (e1 * v19)) - v20, v22 = T13 * v9 + T23 * c1;
-    const four X4 = v13 * v21 - s3 * v22;
-    const double v23 = sat2 * T13, v24 = sat2 * T23, v25 = v1 * v23 - v2 * v24;
-    const double v26 = cat2 * T33 - inverse1 * (v5 * v24 + v6 * v23);
-    const four v27 = v26 + w1 * (inverse1 * (e1 * v25)), v28 = v27 * v27, v29 = v28 + X4 * X4;
-    const four_mask doubt2 = v29 <= m5;
-    const four v30 = copysign_four(all_four(half_turn), -v27) * h1;
+    const double v15 = cat2 * T13, v16 = cat2 * T23, v17 = v1 * v15 - v2 * v16;
+    const double v18 = sat2 * T33 + inverse1 * (v4 * v16 + v5 * v15);
+    const four v19 = w1 * (inverse1 * (e1 * v17)) - v18, v20 = T13 * v8 + T23 * c1;
+    const four X4 = v11 * v19 - s3 * v20;
+    const double v21 = sat2 * T13, v22 = sat2 * T23, v23 = v1 * v21 - v2 * v22;
+    const double v24 = cat2 * T33 - inverse1 * (v4 * v22 + v5 * v21);
+    const four v25 = v24 + w1 * (inverse1 * (e1 * v23)), v26 = v25 * v25, v27 = v26 + X4 * X4;
+    const four_mask doubt2 = v27 <= m5;
+    const four v28 = copysign_four(all_four(half_turn), -v25) * h1;
 
     /* theta6 */
-    const double v31 = sat2 * T12, v32 = sat2 * T22, v33 = v1 * v31 - v2 * v32;
-    const double v34 = cat2 * T32 - inverse1 * (v5 * v32 + v6 * v31);
-    const four v35 = v34 + w1 * (inverse1 * (e1 * v33));
-    const double v36 = cat2 * T12, v37 = cat2 * T22, v38 = v1 * v36 - v2 * v37;
-    const double v39 = sat2 * T32 + inverse1 * (v5 * v37 + v6 * v36);
-    const four v40 = w1 * (inverse1 * (e1 * v38)) - v39, v41 = c1 * T22 + v9 * T12;
-    const double v42 = sat2 * T11, v43 = sat2 * T21, v44 = v1 * v42 - v2 * v43;
-    const double v45 = cat2 * T31 - inverse1 * (v5 * v43 + v6 * v42);
-    const four v46 = v45 + w1 * (inverse1 * (e1 * v44));
-    const double v47 = cat2 * T11, v48 = cat2 * T21, v49 = v1 * v47 - v2 * v48;
-    const double v50 = sat2 * T31 + inverse1 * (v5 * v48 + v6 * v47);
-    const four v51 = w1 * (inverse1 * (e1 * v49)) - v50, v52 = c1 * T21 + v9 * T11;
-    const four v53 = v27 * (s3 * v52 - v13 * v51) - -X4 * v46;
+    const double v29 = sat2 * T12, v30 = sat2 * T22, v31 = v1 * v29 - v2 * v30;
+    const double v32 = cat2 * T32 - inverse1 * (v4 * v30 + v5 * v29);
+    const four v33 = v32 + w1 * (inverse1 * (e1 * v31));
+    const double v34 = cat2 * T12, v35 = cat2 * T22, v36 = v1 * v34 - v2 * v35;
+    const double v37 = sat2 * T32 + inverse1 * (v4 * v35 + v5 * v34);
+    const four v38 = w1 * (inverse1 * (e1 * v36)) - v37, v39 = c1 * T22 + v8 * T12;
+    const double v40 = sat2 * T11, v41 = sat2 * T21, v42 = v1 * v40 - v2 * v41;
+    const double v43 = cat2 * T31 - inverse1 * (v4 * v41 + v5 * v40);
+    const four v44 = v43 + w1 * (inverse1 * (e1 * v42));
+    const double v45 = cat2 * T11, v46 = cat2 * T21, v47 = v1 * v45 - v2 * v46;
+    const double v48 = sat2 * T31 + inverse1 * (v4 * v46 + v5 * v45);
+    const four v49 = w1 * (inverse1 * (e1 * v47)) - v48, v50 = c1 * T21 + v8 * T11;
+    const four v51 = v25 * (s3 * v50 - v11 * v49) - -X4 * v44;
 
     /* joint values */
-    const int doubt1 = ((-(reach_slack1 * (reach_slack1 + v3)) <= D1) & (free1 | ((merge_slack1 *
-        (merge_slack1 + v3) < D1) == 0))) | (free1 | ((-(reach_slack1 * (reach_slack1 + v10)) <= D3)
-        & ((merge_slack1 * (merge_slack1 + v10) < D3) == 0)));
+    const int doubt1 = (fabs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1))) | ((fabs(D3) <=
+        reach_slack1 * (reach_slack1 + 2.0 * fabs(Z3))) | (N1 <= doubt_limit_squared2));
 
-    const four angle1 = atan2_four(-v27, -X4);
-    const four angle2 = atan2_four(-sqrt_four(v29), -(v13 * v22 + s3 * v21));
-    const four angle3 = atan2_four(v53, v27 * (s3 * v41 - v13 * v40) - -X4 * v35);
-    const four packed4 = atan2_four(-v9, c1);
+    const four angle1 = atan2_four(-v25, -X4);
+    const four angle2 = atan2_four(-sqrt_four(v27), -(v11 * v20 + s3 * v19));
+    const four angle3 = atan2_four(v51, v25 * (s3 * v39 - v11 * v38) - -X4 * v33);
+    const four packed4 = atan2_four(-v8, c1);
     const four angle4 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
-    const four packed5 = atan2_four(s3, -v13);
+    const four packed5 = atan2_four(s3, -v11);
     const four angle5 = __builtin_shufflevector(packed5, packed5, 0, 1, 0, 1);
-    const four q4_m = angle1 - v30;
-    const four q6_m = angle3 - h1 * copysign_four(all_four(half_turn), v53);
-    const four q1_p = v11 + angle4;
-    const four q3_p = v4 + angle5;
+    const four q4_m = angle1 - v28;
+    const four q6_m = angle3 - h1 * copysign_four(all_four(half_turn), v51);
+    const four q1_p = v9 + angle4;
+    const four q3_p = v3 + angle5;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, -(v15 + v16), q3_p, angle1);
+    store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, -(v13 + v14), q3_p, angle1);
     store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle2, angle3);
-    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, -(v15 + v16), q3_p, q4_m);
+    store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, -(v13 + v14), q3_p, q4_m);
     store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], -angle2, q6_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
@@ -922,22 +918,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int prismatic_2_wrist_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
+    status[8])
 {
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
@@ -953,12 +943,20 @@ int prismatic_2_wrist_ik(
             continue;
         for (int i = 0; i < 6; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = PRISMATIC_2_WRIST_OUT_OF_LIMITS;
         }
         count += status[row] != PRISMATIC_2_WRIST_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int prismatic_2_wrist_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6])

@@ -11,8 +11,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -468,7 +471,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -480,11 +483,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -499,7 +502,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide t24 = T24 + D3 * T21 + k1 * T23;
     const wide t14 = T14 + D3 * T11 + k1 * T13;
     const wide N1 = t24 * t24 + t14 * t14;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide D1 = N1 - k2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
@@ -581,7 +583,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle19 = atan2_wide(s1_m, c1_m);
     const wide q1_mpp = v6 + angle19;
     const wide q3_ppp = v1 + angle1, q3_pmp = v1 - angle1;
-    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v31 <= m5) |
+    const wide_mask doubt1 = (abs_wide(D1) <= k3) | ((N1 <= doubt_limit_squared2) | ((v31 <= m5) |
         ((v30 <= m5) | ((v16 <= m2) | ((v29 <= m5) | ((v15 <= m2) | ((v28 <= m5) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v13 <= m2)))))))));
@@ -615,6 +617,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 #if LANES > 1
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -627,7 +630,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double t24 = T24 + D3 * T21 + k1 * T23;
     const double t14 = T14 + D3 * T11 + k1 * T13;
     const double N1 = t24 * t24 + t14 * t14;
-    const int free1 = N1 <= doubt_limit_squared2;
     const double D1 = N1 - k2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
@@ -669,8 +671,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four_mask doubt2 = (v10 <= m2) | (v19 <= m5);
-    const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (((shortest3_reach <=
-        N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
+    const int doubt1 = (fabs(D1) <= k3) | ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2));
 
     const four angle2 = atan2_four(-v7, C2), angle3 = atan2_four(-v17, factor2 * -X4);
     const four angle4 = atan2_four(-sqrt_four(v19), factor2 * (T33 * c23 + s23 * v16));
@@ -884,21 +886,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int puma_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
+    status[8])
 {
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
@@ -914,12 +911,19 @@ int puma_ik(const double T[16], const double *q_seed, double q[8][6], unsigned c
             continue;
         for (int i = 0; i < 6; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = PUMA_OUT_OF_LIMITS;
         }
         count += status[row] != PUMA_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int puma_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int puma_ik_nearest(const double T[16], const double q_seed[6], double q[6])

@@ -555,7 +555,6 @@ def _regular(pose, q, status):
     t24 = T24 + D3 * T21 + k1 * T23
     t14 = T14 + D3 * T11 + k1 * T13
     N1 = t24 * t24 + t14 * t14
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
@@ -639,9 +638,9 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        (-k3 <= D1 and (free1 or not (k4 < D1))) or (free1 or (v31 <= m5 or (v30 <= m5 or (v16 <= m2
-        or (v29 <= m5 or (v15 <= m2 or (v28 <= m5 or ((shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v13 <= m2))))))))
+        abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v31 <= m5 or (v30 <= m5 or (v16 <= m2 or
+        (v29 <= m5 or (v15 <= m2 or (v28 <= m5 or ((shortest3_reach <= N3 and N3 <= longest3_reach
+        and not (shortest3_apart < N3 and N3 < longest3_apart)) or v13 <= m2))))))))
     )
 
     # angles, side by side
@@ -1004,7 +1003,6 @@ def _in_tiles(T, q, status):
             t24 = T24 + D3 * T21 + k1 * T23
             t14 = T14 + D3 * T11 + k1 * T13
             N1 = t24 * t24 + t14 * t14
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
@@ -1076,10 +1074,10 @@ def _in_tiles(T, q, status):
             v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
             v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
             doubt1 = (
-                (-k3 <= D1 and (free1 or not (k4 < D1))) or (free1 or (v31 <= m5 or (v30 <= m5 or
-                (v16 <= m2 or (v29 <= m5 or (v15 <= m2 or (v28 <= m5 or ((shortest3_reach <= N3 and
-                N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v13
-                <= m2))))))))
+                abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v31 <= m5 or (v30 <= m5 or (v16 <=
+                m2 or (v29 <= m5 or (v15 <= m2 or (v28 <= m5 or ((shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v13 <=
+                m2))))))))
             )
             work[544 + k] = v1
             work[576 + k] = v6

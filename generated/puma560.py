@@ -535,7 +535,6 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k1
     w1 = math.sqrt(D1)
     v1 = w1 - w1
@@ -623,7 +622,7 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or ((shortest3_reach <= N3 and N3 <=
+        abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or ((shortest3_reach <= N3 and N3 <=
         longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <=
         doubt_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
     )
@@ -1014,7 +1013,6 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             N1 = T14 * T14 + T24 * T24
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k1
             w1 = math.sqrt(D1)
             v1 = w1 - w1
@@ -1092,8 +1090,8 @@ def _in_tiles(T, q, status):
             v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
             v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
             doubt1 = (
-                (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or ((shortest3_reach <= N3 and N3
-                <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <=
+                abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or ((shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <=
                 doubt_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
             )
             work[544 + k] = v1

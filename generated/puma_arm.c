@@ -11,8 +11,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -348,8 +351,7 @@ void puma_arm_jacobian(const double q[3], double J[18])
     J[15] = 1.0; J[16] = 0.0; J[17] = 0.0;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+/* Copies a pose. Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -369,7 +371,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1, v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
@@ -399,7 +400,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide q1_mp = v6 + angle7;
     const wide q3_pp = v1 + (q3__p + only_wide(q3__p <= -half_turn, m3));
     const wide q3_pm = v1 + (only_wide(-v7 <= -half_turn, m3) - v7);
-    const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((N3 <=
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | ((N1 <= doubt_limit_squared2) | ((N3 <=
         doubt_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
 
@@ -418,6 +419,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 #if LANES > 1
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -428,7 +430,6 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
 
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24;
-    const int free1 = N1 <= doubt_limit_squared2;
     const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1, v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
@@ -445,7 +446,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const four v8 = w3 * (m1 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
 
     /* joint values */
-    const int doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((N3 <=
+    const int doubt1 = (fabs(D1) <= k2) | ((N1 <= doubt_limit_squared2) | ((N3 <=
         doubt_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
 
@@ -606,23 +607,15 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int puma_arm_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[4][3], unsigned char
+    status[4])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
     for (int row = 0; row < 4; row++) {
         status[row] = valid ? PUMA_ARM_UNREACHABLE : PUMA_ARM_INVALID_POSE;
         for (int i = 0; i < 3; i++)
@@ -636,12 +629,19 @@ int puma_arm_ik(const double T[16], const double *q_seed, double q[4][3], unsign
             continue;
         for (int i = 0; i < 3; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = PUMA_ARM_OUT_OF_LIMITS;
         }
         count += status[row] != PUMA_ARM_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int puma_arm_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int puma_arm_ik_nearest(const double T[16], const double q_seed[3], double q[3])

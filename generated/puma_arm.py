@@ -381,7 +381,6 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k1
     w1 = math.sqrt(D1)
     v1 = w1 - w1
@@ -409,7 +408,7 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (N3 <= doubt_limit_squared2 or
+        abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (N3 <= doubt_limit_squared2 or
         (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
         longest3_apart))))
     )
@@ -664,7 +663,6 @@ def _in_tiles(T, q, status):
             T24 = work[224 + k]
             T34 = work[352 + k]
             N1 = T14 * T14 + T24 * T24
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k1
             w1 = math.sqrt(D1)
             v1 = w1 - w1
@@ -686,7 +684,7 @@ def _in_tiles(T, q, status):
             v14 = v8 - v13
             v15 = v8 + v13
             doubt1 = (
-                (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (N3 <= doubt_limit_squared2 or
+                abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (N3 <= doubt_limit_squared2 or
                 (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
                 < longest3_apart))))
             )

@@ -12,8 +12,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -290,6 +293,8 @@ static const double m1 = 1.296e-09; /* doubt_limit_squared2^2 [m^4] */
 static const double m2 = 1e-06; /* doubt_limit^2 */
 static const double m4 = 1e-12; /* doubt_limit_squared^2 */
 static const double m5 = 2.0; /* a coefficient of v12 */
+static const double m6 = 3.600000000000001e-09; /* pose_slack1^2 [m^2] */
+static const double m7 = 1.0000000000000002e-10; /* pose_slack^2 */
 static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const rail_5dof_branches[2] = {
@@ -396,7 +401,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -408,11 +413,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -424,7 +429,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* r1 */
-    const wide wz = T34 - d5 * T33;
+    const wide q1_p = T34 - d5 * T33;
 
     /* theta2 */
     const wide v1 = d3 * (T14 - d5 * T13 - a1);
@@ -433,6 +438,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide w2 = sqrt_wide(v2);
     const wide v3 = 1.0 / v2, v4 = w2 * v3, v5 = C2 * v4;
     const wide s2 = v1 * v4;
+    const wide angle1 = atan2_wide(v1, -C2);
 
     /* theta3 */
     const wide v6 = T23 * s2 - T13 * v5;
@@ -442,50 +448,44 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide v8 = 1.0 / v7;
     const wide factor3 = w3 * v8;
     const wide v9 = X3 * factor3, v10 = T33 * factor3;
-    const wide angle1 = atan2_wide(-T33, -X3);
+    const wide angle2 = atan2_wide(-T33, -X3);
+    const wide q3_m = angle2 - copysign_wide(all_wide(half_turn), -T33) * h1;
 
     /* theta4 */
     const wide v11 = w2 * (v3 * (T13 * v1 + T23 * C2)), v12 = v7 + v11 * v11;
     const wide v13 = sqrt_wide(v12) * (1.0 / v12);
     const wide c4 = v11 * v13;
     const wide s4 = w3 * v13;
-    const wide angle2 = atan2_wide(w3, v11);
+    const wide angle3 = atan2_wide(w3, v11);
 
     /* theta5 */
     const wide C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)));
     const wide S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)));
     const wide v14 = S5 * S5 + C5 * C5, v15 = sqrt_wide(v14) * (1.0 / v14), v16 = C5 * v15;
     const wide v17 = S5 * v15;
-    const wide angle3 = atan2_wide(-S5, -C5);
+    const wide angle4 = atan2_wide(-S5, -C5);
+    const wide q5_m = angle4 - h1 * copysign_wide(all_wide(half_turn), -S5);
 
     /* is the pose one that the arm can take? */
     const wide v18 = v5 * v9, v19 = c4 * v18 + s2 * s4, v20 = v5 * v10, v21 = s2 * v9;
     const wide v22 = c4 * v21 - v5 * s4, v23 = s2 * v10, v24 = v10 * c4;
-    const double v25 = sqrt(-1.0);
-    const wide v26 = pick_wide(maximum_wide(abs_wide(T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) -
-        c4 * (d5 * s2)))), maximum_wide(abs_wide(T34 + (-wz - s4 * (d5 * v10))), abs_wide(T24 - (d3
-        * v5 + (c4 * (d5 * v5) + s4 * (d5 * v21)))))) <= pose_slack1, all_wide(0.0), all_wide(v25));
-    const wide v27 = pick_wide(maximum_wide(abs_wide(T12 - (v16 * v20 + v17 * v19)),
-        maximum_wide(abs_wide(T11 - (v17 * v20 - v16 * v19)), maximum_wide(abs_wide(T13 - (s2 * c4 -
-        s4 * v18)), maximum_wide(abs_wide(T21 + (v17 * v23 - v16 * v22)), maximum_wide(abs_wide(T22
-        + (v17 * v22 + v16 * v23)), maximum_wide(abs_wide(T23 - (v5 * c4 + s4 * v21)),
-        maximum_wide(abs_wide(T31 - (v16 * v24 + v9 * v17)), maximum_wide(abs_wide(T33 - v10 * s4),
-        abs_wide(T32 - (v9 * v16 - v17 * v24)))))))))) <= pose_slack, all_wide(0.0), all_wide(v25));
+    const wide v25 = T34 + (-q1_p - s4 * (d5 * v10)), v26 = T33 - v10 * s4;
+    const wide v27 = T32 - (v9 * v16 - v17 * v24), v28 = T31 - (v16 * v24 + v9 * v17);
+    const wide v29 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v21)));
+    const wide v30 = T23 - (v5 * c4 + s4 * v21), v31 = T22 + (v17 * v22 + v16 * v23);
+    const wide v32 = T21 + (v17 * v23 - v16 * v22);
+    const wide v33 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)));
+    const wide v34 = T13 - (s2 * c4 - s4 * v18), v35 = T11 - (v17 * v20 - v16 * v19);
+    const wide v36 = T12 - (v16 * v20 + v17 * v19);
 
     /* joint values */
-    const wide q1_p = v27 + (wz + v26);
-    const wide angle4 = atan2_wide(v1, -C2);
-    const wide q2_p = v27 + (v26 + angle4);
-    const wide q3_p = v27 + (angle1 + v26);
-    const wide q3_m = v27 + (v26 + (angle1 - copysign_wide(all_wide(half_turn), -T33) * h1));
-    const wide q4_p = v27 + (angle2 + v26), q4_m = v27 + (v26 - angle2);
-    const wide q5_p = v27 + (angle3 + v26);
-    const wide q5_m = v27 + (v26 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -S5)));
-    const wide_mask doubt1 = (v7 <= m2) | ((v2 <= m1) | ((v14 <= m4) | (v12 <= m4)));
+    const wide_mask doubt1 = (v7 <= m2) | ((v2 <= m1) | ((v12 <= m4) | ((v14 <= m4) | ((m7 < v36 *
+        v36 + (v35 * v35 + (v34 * v34 + (v32 * v32 + (v31 * v31 + (v30 * v30 + (v28 * v28 + (v26 *
+        v26 + v27 * v27)))))))) | (m6 < v33 * v33 + (v25 * v25 + v29 * v29))))));
 
-    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p; q[4] = q5_p;
+    q[0] = q1_p; q[1] = angle1; q[2] = angle2; q[3] = angle3; q[4] = angle4;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_p; q[6] = q2_p; q[7] = q3_m; q[8] = q4_m; q[9] = q5_m;
+    q[5] = q1_p; q[6] = angle1; q[7] = q3_m; q[8] = -angle3; q[9] = q5_m;
     kind[1] = kind_of(q[5] != q[5], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -495,6 +495,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
 static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][5], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -503,7 +504,7 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* r1 */
-    const double wz = T34 - d5 * T33;
+    const double q1 = T34 - d5 * T33;
 
     /* theta2 */
     const double v1 = d3 * (T14 - d5 * T13 - a1);
@@ -537,34 +538,33 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
 
     /* is the pose one that the arm can take? */
     const double v21 = v5 * v9, v22 = c4 * v21 + s2 * s4, v23 = v5 * v10, v24 = s2 * v9;
-    const double v25 = c4 * v24 - v5 * s4, v26 = s2 * v10, v27 = v10 * c4, v28 = sqrt(-1.0);
-    const double v29 = (maximum_double(fabs(T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v21) - c4 * (d5
-        * s2)))), maximum_double(fabs(T34 + (-wz - s4 * (d5 * v10))), fabs(T24 - (d3 * v5 + (c4 *
-        (d5 * v5) + s4 * (d5 * v24)))))) <= pose_slack1) ? 0.0 : v28;
-    const double v30 = (maximum_double(fabs(T12 - (v18 * v23 + v19 * v22)), maximum_double(fabs(T11
-        - (v19 * v23 - v18 * v22)), maximum_double(fabs(T13 - (s2 * c4 - s4 * v21)),
-        maximum_double(fabs(T21 + (v19 * v26 - v18 * v25)), maximum_double(fabs(T22 + (v19 * v25 +
-        v18 * v26)), maximum_double(fabs(T23 - (v5 * c4 + s4 * v24)), maximum_double(fabs(T31 - (v18
-        * v27 + v9 * v19)), maximum_double(fabs(T33 - v10 * s4), fabs(T32 - (v9 * v18 - v19 *
-        v27)))))))))) <= pose_slack) ? 0.0 : v28;
+    const double v25 = c4 * v24 - v5 * s4, v26 = s2 * v10, v27 = v10 * c4;
+    const double v28 = T34 + (-q1 - s4 * (d5 * v10)), v29 = T33 - v10 * s4;
+    const double v30 = T32 - (v9 * v18 - v19 * v27), v31 = T31 - (v18 * v27 + v9 * v19);
+    const double v32 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v24)));
+    const double v33 = T23 - (v5 * c4 + s4 * v24), v34 = T22 + (v19 * v25 + v18 * v26);
+    const double v35 = T21 + (v19 * v26 - v18 * v25);
+    const double v36 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v21) - c4 * (d5 * s2)));
+    const double v37 = T13 - (s2 * c4 - s4 * v21), v38 = T11 - (v19 * v23 - v18 * v22);
+    const double v39 = T12 - (v18 * v23 + v19 * v22);
 
     /* joint values */
-    const double q1 = v30 + (wz + v29);
-    const int doubt1 = (v7 <= m2) | ((v2 <= m1) | ((v16 <= m4) | (v14 <= m4)));
+    const int doubt1 = (v7 <= m2) | ((v2 <= m1) | ((v14 <= m4) | ((v16 <= m4) | ((m7 < v39 * v39 +
+        (v38 * v38 + (v37 * v37 + (v35 * v35 + (v34 * v34 + (v33 * v33 + (v31 * v31 + (v29 * v29 +
+        v30 * v30)))))))) | (m6 < v36 * v36 + (v28 * v28 + v32 * v32))))));
 
-    const four packed1 = atan2_four((four){ -T33, w3, -S5, v1 }, (four){ -X3, v13, -C5, -C2 });
+    const four packed1 = atan2_four((four){ v1, -T33, w3, -S5 }, (four){ -C2, -X3, v13, -C5 });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
     const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle4 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four q2 = v30 + (v29 + angle4);
-    const four q3 = v30 + (v29 + (angle1 + v11 * v12));
-    const four q4 = v30 + (v29 + e1 * angle2);
-    const four q5 = v30 + (v29 + (angle3 + v12 * v20));
+    const four q3 = angle2 + v11 * v12;
+    const four q5 = angle4 + v12 * v20;
+    const four q4 = e1 * angle3;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], all_four(q1), q2, q3, q4);
+    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], all_four(q1), angle1, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[0][4], &q[1][4], q5);
     const unsigned long long none1 = (bits_four(all_four(q1) != all_four(q1)) * 0x81ull & 0x101ull);
     const unsigned long long kind1 = none1 * RAIL_5DOF_UNREACHABLE;
@@ -739,21 +739,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][5], unsigned char
+    status[2])
 {
     static const double zeros[5] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -769,12 +764,19 @@ int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsig
             continue;
         for (int i = 0; i < 5; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = RAIL_5DOF_OUT_OF_LIMITS;
         }
         count += status[row] != RAIL_5DOF_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5])

@@ -94,6 +94,8 @@ m1 = 1.296e-09  # doubt_limit_squared2^2 [m^4]
 m2 = 1e-06  # doubt_limit^2
 m4 = 1e-12  # doubt_limit_squared^2
 m5 = 2.0  # a coefficient of v12
+m6 = 3.600000000000001e-09  # pose_slack1^2 [m^2]
+m7 = 1.0000000000000002e-10  # pose_slack^2
 h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
@@ -444,7 +446,7 @@ def _regular(pose, q, status):
     room = carray(_room(16), 16)
 
     # r1, type 1: U0 A5^-1 [3, 4]
-    wz = T34 - d5 * T33
+    q1_p = T34 - d5 * T33
 
     # theta2, type 3: U0 A5^-1 [1, 4] and U0 A5^-1 [2, 4]
     v1 = d3 * (T14 - d5 * T13 - a1)
@@ -489,33 +491,35 @@ def _regular(pose, q, status):
     v22 = c4 * v21 - v5 * s4
     v23 = s2 * v10
     v24 = v10 * c4
-    v25 = math.sqrt(-1.0)
-    v26 = (
-        0.0 if max(abs(T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))),
-        max(abs(T34 + (-wz - s4 * (d5 * v10))), abs(T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 *
-        v21)))))) <= pose_slack1 else v25
-    )
-    v27 = (
-        0.0 if max(abs(T12 - (v16 * v20 + v17 * v19)), max(abs(T11 - (v17 * v20 - v16 * v19)),
-        max(abs(T13 - (s2 * c4 - s4 * v18)), max(abs(T21 + (v17 * v23 - v16 * v22)), max(abs(T22 +
-        (v17 * v22 + v16 * v23)), max(abs(T23 - (v5 * c4 + s4 * v21)), max(abs(T31 - (v16 * v24 + v9
-        * v17)), max(abs(T33 - v10 * s4), abs(T32 - (v9 * v16 - v17 * v24)))))))))) <= pose_slack
-        else v25
-    )
+    v25 = T34 + (-q1_p - s4 * (d5 * v10))
+    v26 = T33 - v10 * s4
+    v27 = T32 - (v9 * v16 - v17 * v24)
+    v28 = T31 - (v16 * v24 + v9 * v17)
+    v29 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v21)))
+    v30 = T23 - (v5 * c4 + s4 * v21)
+    v31 = T22 + (v17 * v22 + v16 * v23)
+    v32 = T21 + (v17 * v23 - v16 * v22)
+    v33 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))
+    v34 = T13 - (s2 * c4 - s4 * v18)
+    v35 = T11 - (v17 * v20 - v16 * v19)
+    v36 = T12 - (v16 * v20 + v17 * v19)
 
     # joint values
-    q1_p = v27 + (wz + v26)
-    doubt1 = v7 <= m2 or (v2 <= m1 or (v14 <= m4 or v12 <= m4))
+    doubt1 = (
+        v7 <= m2 or (v2 <= m1 or (v12 <= m4 or (v14 <= m4 or (m7 < v36 * v36 + (v35 * v35 + (v34 *
+        v34 + (v32 * v32 + (v31 * v31 + (v30 * v30 + (v28 * v28 + (v26 * v26 + v27 * v27))))))) or
+        m6 < v33 * v33 + (v25 * v25 + v29 * v29)))))
+    )
 
     # angles, side by side
-    room[0] = -T33
-    room[1] = w3
-    room[2] = -S5
-    room[3] = v1
-    room[8] = -X3
-    room[9] = v11
-    room[10] = -C5
-    room[11] = -C2
+    room[0] = v1
+    room[1] = -T33
+    room[2] = w3
+    room[3] = -S5
+    room[8] = -C2
+    room[9] = -X3
+    room[10] = v11
+    room[11] = -C5
     for k in range(4, 8):
         room[k] = room[k + 8] = 1.0
     for k in range(8):
@@ -525,28 +529,25 @@ def _regular(pose, q, status):
     angle3 = room[2]
     angle4 = room[3]
 
-    # joint values
-    q2_p = v27 + (v26 + angle4)
-    q3_p = v27 + (angle1 + v26)
-    q3_m = v27 + (v26 + (angle1 - math.copysign(half_turn, -T33) * h1))
-    q4_p = v27 + (angle2 + v26)
-    q4_m = v27 + (v26 - angle2)
-    q5_p = v27 + (angle3 + v26)
-    q5_m = v27 + (v26 + (angle3 - h1 * math.copysign(half_turn, -S5)))
+    # theta3, type 2: U3[2, 3]
+    q3_m = angle2 - math.copysign(half_turn, -T33) * h1
+
+    # theta5, type 3: U3[2, 2] and U3[2, 1]
+    q5_m = angle4 - h1 * math.copysign(half_turn, -S5)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
     q[0, 0] = q1_p
-    q[0, 1] = q2_p
-    q[0, 2] = q3_p
-    q[0, 3] = q4_p
-    q[0, 4] = q5_p
+    q[0, 1] = angle1
+    q[0, 2] = angle2
+    q[0, 3] = angle3
+    q[0, 4] = angle4
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_p
-    q[1, 1] = q2_p
+    q[1, 1] = angle1
     q[1, 2] = q3_m
-    q[1, 3] = q4_m
+    q[1, 3] = -angle3
     q[1, 4] = q5_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     return True
@@ -712,10 +713,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [960, 992, 1024, 1056, 1088],
-    [960, 992, 1120, 1152, 1184],
+    [896, 928, 960, 992, 1024],
+    [896, 928, 1056, 1088, 1120],
 ])
-_KINDS = np.array([1216, 1248])
+_KINDS = np.array([1152, 1184])
 _LEFT_OVER = 255
 
 
@@ -726,7 +727,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1280)
+    work = np.empty(1216)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -762,7 +763,7 @@ def _in_tiles(T, q, status):
             T32 = work[288 + k]
             T33 = work[320 + k]
             T34 = work[352 + k]
-            wz = T34 - d5 * T33
+            q1_p = T34 - d5 * T33
             v1 = d3 * (T14 - d5 * T13 - a1)
             C2 = d3 * (T24 - d5 * T23)
             v2 = v1 * v1 + C2 * C2
@@ -797,72 +798,65 @@ def _in_tiles(T, q, status):
             v22 = c4 * v21 - v5 * s4
             v23 = s2 * v10
             v24 = v10 * c4
-            v25 = math.sqrt(-1.0)
-            v26 = (
-                0.0 if max(abs(T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))),
-                max(abs(T34 + (-wz - s4 * (d5 * v10))), abs(T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 *
-                (d5 * v21)))))) <= pose_slack1 else v25
+            v25 = T34 + (-q1_p - s4 * (d5 * v10))
+            v26 = T33 - v10 * s4
+            v27 = T32 - (v9 * v16 - v17 * v24)
+            v28 = T31 - (v16 * v24 + v9 * v17)
+            v29 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v21)))
+            v30 = T23 - (v5 * c4 + s4 * v21)
+            v31 = T22 + (v17 * v22 + v16 * v23)
+            v32 = T21 + (v17 * v23 - v16 * v22)
+            v33 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))
+            v34 = T13 - (s2 * c4 - s4 * v18)
+            v35 = T11 - (v17 * v20 - v16 * v19)
+            v36 = T12 - (v16 * v20 + v17 * v19)
+            doubt1 = (
+                v7 <= m2 or (v2 <= m1 or (v12 <= m4 or (v14 <= m4 or (m7 < v36 * v36 + (v35 * v35 +
+                (v34 * v34 + (v32 * v32 + (v31 * v31 + (v30 * v30 + (v28 * v28 + (v26 * v26 + v27 *
+                v27))))))) or m6 < v33 * v33 + (v25 * v25 + v29 * v29)))))
             )
-            v27 = (
-                0.0 if max(abs(T12 - (v16 * v20 + v17 * v19)), max(abs(T11 - (v17 * v20 - v16 *
-                v19)), max(abs(T13 - (s2 * c4 - s4 * v18)), max(abs(T21 + (v17 * v23 - v16 * v22)),
-                max(abs(T22 + (v17 * v22 + v16 * v23)), max(abs(T23 - (v5 * c4 + s4 * v21)),
-                max(abs(T31 - (v16 * v24 + v9 * v17)), max(abs(T33 - v10 * s4), abs(T32 - (v9 * v16
-                - v17 * v24)))))))))) <= pose_slack else v25
-            )
-            q1_p = v27 + (wz + v26)
-            doubt1 = v7 <= m2 or (v2 <= m1 or (v14 <= m4 or v12 <= m4))
-            work[544 + k] = S5
-            work[576 + k] = v26
-            work[608 + k] = v27
-            work[640 + k] = q1_p
-            work[672 + k] = doubt1
-            work[704 + k] = -T33
-            work[736 + k] = w3
-            work[768 + k] = -S5
-            work[800 + k] = v1
-            work[832 + k] = -X3
-            work[864 + k] = v11
-            work[896 + k] = -C5
-            work[928 + k] = -C2
-        for k in range(704, 832):
+            work[544 + k] = q1_p
+            work[576 + k] = S5
+            work[608 + k] = doubt1
+            work[640 + k] = v1
+            work[672 + k] = -T33
+            work[704 + k] = w3
+            work[736 + k] = -S5
+            work[768 + k] = -C2
+            work[800 + k] = -X3
+            work[832 + k] = v11
+            work[864 + k] = -C5
+        for k in range(640, 768):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
             T33 = work[320 + k]
-            S5 = work[544 + k]
-            v26 = work[576 + k]
-            v27 = work[608 + k]
-            q1_p = work[640 + k]
-            doubt1 = work[672 + k] != 0.0
-            angle1 = work[704 + k]
-            angle2 = work[736 + k]
-            angle3 = work[768 + k]
-            angle4 = work[800 + k]
-            q2_p = v27 + (v26 + angle4)
-            q3_p = v27 + (angle1 + v26)
-            q3_m = v27 + (v26 + (angle1 - math.copysign(half_turn, -T33) * h1))
-            q4_p = v27 + (angle2 + v26)
-            q4_m = v27 + (v26 - angle2)
-            q5_p = v27 + (angle3 + v26)
-            q5_m = v27 + (v26 + (angle3 - h1 * math.copysign(half_turn, -S5)))
-            _960 = q1_p
+            q1_p = work[544 + k]
+            S5 = work[576 + k]
+            doubt1 = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle2 = work[672 + k]
+            angle3 = work[704 + k]
+            angle4 = work[736 + k]
+            q3_m = angle2 - math.copysign(half_turn, -T33) * h1
+            q5_m = angle4 - h1 * math.copysign(half_turn, -S5)
+            _896 = q1_p
+            work[896 + k] = _896
+            _928 = angle1
+            work[928 + k] = _928
+            _960 = angle2
             work[960 + k] = _960
-            _992 = q2_p
+            _992 = angle3
             work[992 + k] = _992
-            _1024 = q3_p
+            _1024 = angle4
             work[1024 + k] = _1024
-            _1056 = q4_p
+            _1056 = q3_m
             work[1056 + k] = _1056
-            _1088 = q5_p
+            _1088 = -angle3
             work[1088 + k] = _1088
-            _1120 = q3_m
+            _1120 = q5_m
             work[1120 + k] = _1120
-            _1152 = q4_m
-            work[1152 + k] = _1152
-            _1184 = q5_m
-            work[1184 + k] = _1184
-            work[1216 + k] = UNREACHABLE if _960 != _960 else OK
-            work[1248 + k] = UNREACHABLE if _960 != _960 else OK
+            work[1152 + k] = UNREACHABLE if _896 != _896 else OK
+            work[1184 + k] = UNREACHABLE if _896 != _896 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

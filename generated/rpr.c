@@ -11,8 +11,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -312,8 +315,7 @@ void rpr_jacobian(const double q[3], double J[18])
     J[15] = 1.0; J[16] = 0.0; J[17] = 0.0;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+/* Copies a pose. Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -339,19 +341,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     /* theta3 */
     const wide Z3 = T34 - d1;
     const wide D3 = k1 - Z3 * Z3;
-    const wide v2 = 2.0 * abs_wide(Z3);
     const wide w3 = sqrt_wide(D3);
-    const wide v3 = w3 - w3;
+    const wide v2 = w3 - w3;
     const wide angle2 = atan2_wide(-(a3 * w3), -(a3 * Z3));
 
     /* r2 */
     const wide q2_pp = w1 + w3, q2_pm = w1 - w3;
 
     /* joint values */
-    const wide q1_pp = angle1 + v3;
-    const wide q1_mp = v3 + (angle1 - copysign_wide(all_wide(half_turn), -T14) * h1);
-    const wide_mask doubt1 = (v1 <= m1) | ((-(reach_slack1 * (reach_slack1 + v2)) <= D3) &
-        ((merge_slack1 * (merge_slack1 + v2) < D3) == 0));
+    const wide q1_pp = angle1 + v2;
+    const wide q1_mp = v2 + (angle1 - copysign_wide(all_wide(half_turn), -T14) * h1);
+    const wide_mask doubt1 = (v1 <= m1) | (abs_wide(D3) <= reach_slack1 * (reach_slack1 + 2.0 *
+        abs_wide(Z3)));
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = angle2;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -369,6 +370,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -385,24 +387,22 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     /* theta3 */
     const double Z3 = T34 - d1;
     const double D3 = k1 - Z3 * Z3;
-    const double v3 = 2.0 * fabs(Z3);
     const double w3 = sqrt(D3);
-    const double v4 = w3 - w3;
+    const double v3 = w3 - w3;
 
     /* r2 */
-    const four v5 = e1 * w1, v6 = e2 * w3;
-    const four q2 = v5 + v6;
+    const four v4 = e1 * w1, v5 = e2 * w3;
+    const four q2 = v4 + v5;
 
     /* joint values */
-    const int doubt1 = (v1 <= m1) | ((-(reach_slack1 * (reach_slack1 + v3)) <= D3) & ((merge_slack1
-        * (merge_slack1 + v3) < D3) == 0));
+    const int doubt1 = (v1 <= m1) | (fabs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z3)));
 
     const four packed1 = atan2_four((four){ -T14, -(a3 * w3), -T14, -T14 }, (four){ T24, -(a3 * Z3),
         T24, T24 });
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
     const four q3 = e2 * angle2;
-    const four q1 = v4 + (angle1 + v2 * (m2 * (e1 - 1.0)));
+    const four q1 = v3 + (angle1 + v2 * (m2 * (e1 - 1.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -533,23 +533,15 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int rpr_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[4][3], unsigned char
+    status[4])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
     for (int row = 0; row < 4; row++) {
         status[row] = valid ? RPR_UNREACHABLE : RPR_INVALID_POSE;
         for (int i = 0; i < 3; i++)
@@ -563,12 +555,19 @@ int rpr_ik(const double T[16], const double *q_seed, double q[4][3], unsigned ch
             continue;
         for (int i = 0; i < 3; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = RPR_OUT_OF_LIMITS;
         }
         count += status[row] != RPR_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int rpr_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int rpr_ik_nearest(const double T[16], const double q_seed[3], double q[3])

@@ -330,19 +330,15 @@ def _regular(pose, q, status):
     # theta3, type 2: U0[3, 4]
     Z3 = T34 - d1
     D3 = k1 - Z3 * Z3
-    v2 = 2.0 * abs(Z3)
     w3 = math.sqrt(D3)
-    v3 = w3 - w3
+    v2 = w3 - w3
 
     # r2, type 1: U1[3, 4]
     q2_pp = w1 + w3
     q2_pm = w1 - w3
 
     # joint values
-    doubt1 = (
-        v1 <= m1 or (-(reach_slack1 * (reach_slack1 + v2)) <= D3 and not (merge_slack1 *
-        (merge_slack1 + v2) < D3))
-    )
+    doubt1 = v1 <= m1 or abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3))
 
     # angles, side by side
     room[0] = -T14
@@ -357,8 +353,8 @@ def _regular(pose, q, status):
     angle2 = room[1]
 
     # joint values
-    q1_pp = angle1 + v3
-    q1_mp = v3 + (angle1 - math.copysign(half_turn, -T14) * h1)
+    q1_pp = angle1 + v2
+    q1_mp = v2 + (angle1 - math.copysign(half_turn, -T14) * h1)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -578,16 +574,12 @@ def _in_tiles(T, q, status):
             w1 = math.sqrt(v1)
             Z3 = T34 - d1
             D3 = k1 - Z3 * Z3
-            v2 = 2.0 * abs(Z3)
             w3 = math.sqrt(D3)
-            v3 = w3 - w3
+            v2 = w3 - w3
             q2_pp = w1 + w3
             q2_pm = w1 - w3
-            doubt1 = (
-                v1 <= m1 or (-(reach_slack1 * (reach_slack1 + v2)) <= D3 and not (merge_slack1 *
-                (merge_slack1 + v2) < D3))
-            )
-            work[544 + k] = v3
+            doubt1 = v1 <= m1 or abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3))
+            work[544 + k] = v2
             work[576 + k] = q2_pp
             work[608 + k] = q2_pm
             work[640 + k] = doubt1
@@ -599,14 +591,14 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 32):
             T14 = work[96 + k]
-            v3 = work[544 + k]
+            v2 = work[544 + k]
             q2_pp = work[576 + k]
             q2_pm = work[608 + k]
             doubt1 = work[640 + k] != 0.0
             angle1 = work[672 + k]
             angle2 = work[704 + k]
-            q1_pp = angle1 + v3
-            q1_mp = v3 + (angle1 - math.copysign(half_turn, -T14) * h1)
+            q1_pp = angle1 + v2
+            q1_mp = v2 + (angle1 - math.copysign(half_turn, -T14) * h1)
             _800 = q1_pp
             work[800 + k] = _800
             _832 = q2_pp

@@ -17,8 +17,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -313,7 +316,8 @@ static const double high3 = 1e-09; /* highest value of joint 3 */
 static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 1.25; /* a coefficient of S1 */
 static const double m3 = 0.08750000000000001; /* a coefficient of S1 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const scara_branches[2] = {
     "down", "up",
@@ -405,7 +409,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -417,11 +421,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -454,30 +458,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle4 = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
 
     /* is the pose one that the arm can take? */
-    const wide v6 = pick_wide(maximum_wide(abs_wide(s124 + T12), maximum_wide(abs_wide(T11 - c124),
-        maximum_wide(abs_wide(T13), maximum_wide(abs_wide(T21 - s124), maximum_wide(abs_wide(T22 -
-        c124), maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T31), maximum_wide(abs_wide(T33 -
-        1.0), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0), all_wide(sqrt(-1.0)));
+    const wide v6 = T33 - 1.0, v7 = T22 - c124, v8 = T21 - s124, v9 = T11 - c124, v10 = s124 + T12;
 
     /* joint values */
-    const wide v7 = angle1 - (angle2 + angle3), v8 = angle1 - (angle4 - angle2);
-    const wide_mask v9 = (t34 < low3) | (high3 < t34);
-    const wide q1_p = angle3 + v6, q1_m = angle4 + v6;
-    const wide q2_p = angle2 + v6, q2_m = v6 - angle2;
-    const wide q3_p = v6 + (t34 + (w2 - w2));
-    const wide q4_p = v6 + (v7 - only_wide(half_turn < v7, m4) + only_wide(v7 <= -half_turn, m4));
-    const wide q4_m = v6 + (v8 - only_wide(half_turn < v8, m4) + only_wide(v8 <= -half_turn, m4));
-    const wide_mask outside_p = v9 | (((angle3 < low1) | (high1 < angle3)) | ((angle2 < low2) |
+    const wide v11 = angle1 - (angle2 + angle3), v12 = angle1 - (angle4 - angle2);
+    const wide q4_p = v11 - only_wide(half_turn < v11, m5) + only_wide(v11 <= -half_turn, m5);
+    const wide q4_m = v12 - only_wide(half_turn < v12, m5) + only_wide(v12 <= -half_turn, m5);
+    const wide_mask v13 = (t34 < low3) | (high3 < t34);
+    const wide q3_p = t34 + (w2 - w2);
+    const wide_mask outside_p = v13 | (((angle3 < low1) | (high1 < angle3)) | ((angle2 < low2) |
         (high2 < angle2)));
-    const wide_mask outside_m = v9 | (((angle4 < low1) | (high1 < angle4)) | ((-angle2 < low2) |
+    const wide_mask outside_m = v13 | (((angle4 < low1) | (high1 < angle4)) | ((-angle2 < low2) |
         (high2 < -angle2)));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
-        (v1 <= m1));
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((m4 < v10 * v10 +
+        (v9 * v9 + (T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 *
+        T32)))))))) | (N2 <= doubt_limit_squared2)));
 
-    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
+    q[0] = angle3; q[1] = angle2; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], outside_p);
-    q[4] = q1_m; q[5] = q2_m; q[6] = q3_p; q[7] = q4_m;
+    q[4] = angle4; q[5] = -angle2; q[6] = q3_p; q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], outside_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -486,6 +486,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 #if LANES > 1
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -511,16 +512,16 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v3 = m3 + m2 * N2, v4 = t24 * v3, v5 = t14 * v3;
 
     /* is the pose one that the arm can take? */
-    const double v6 = (maximum_double(fabs(s124 + T12), maximum_double(fabs(T11 - c124),
-        maximum_double(fabs(T13), maximum_double(fabs(T21 - s124), maximum_double(fabs(T22 - c124),
-        maximum_double(fabs(T23), maximum_double(fabs(T31), maximum_double(fabs(T33 - 1.0),
-        fabs(T32))))))))) <= pose_slack) ? 0.0 : sqrt(-1.0);
+    const double v6 = T33 - 1.0, v7 = T22 - c124, v8 = T21 - s124, v9 = T11 - c124;
+    const double v10 = s124 + T12;
 
     /* joint values */
-    const int v9 = (t34 < low3) | (high3 < t34);
-    const double q3 = v6 + (t34 + (w2 - w2));
+    const int v12 = (t34 < low3) | (high3 < t34);
+    const double q3 = t34 + (w2 - w2);
     const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) | (v1 <= m1));
+        N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((m4 < v10 * v10 + (v9 * v9 + (T13 * T13
+        + (v8 * v8 + (v7 * v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 * T32)))))))) | (N2 <=
+        doubt_limit_squared2)));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w2 * (m2 *
         (e1 * t14)), all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
@@ -529,17 +530,16 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v7 = e1 * angle2, v8 = angle1 - (angle3 + v7);
-    const four q1 = angle3 + v6;
-    const four q2 = v6 + v7;
-    const four q4 = v6 + (v8 - only_four(half_turn < v8, m4) + only_four(v8 <= -half_turn, m4));
-    const four_mask outside = where_four(v9) | (((angle3 < low1) | (high1 < angle3)) | ((v7 < low2)
-        | (high2 < v7)));
+    const four q2 = e1 * angle2;
+    const four v11 = angle1 - (angle3 + q2);
+    const four q4 = v11 - only_four(half_turn < v11, m5) + only_four(v11 <= -half_turn, m5);
+    const four_mask outside = where_four(v12) | (((angle3 < low1) | (high1 < angle3)) | ((q2 < low2)
+        | (high2 < q2)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], q1, q2, all_four(q3), q4);
-    const unsigned long long none1 = (bits_four(q1 != q1) * 0x81ull & 0x101ull);
+    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], angle3, q2, all_four(q3), q4);
+    const unsigned long long none1 = (bits_four(angle3 != angle3) * 0x81ull & 0x101ull);
     const unsigned long long outside1 = (bits_four(outside) * 0x81ull & 0x101ull);
     const unsigned long long kind1 = none1 * SCARA_UNREACHABLE + (outside1 & ~none1) *
         SCARA_OUT_OF_LIMITS;
@@ -696,21 +696,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int scara_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
+    status[2])
 {
     static const double zeros[4] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -726,12 +721,19 @@ int scara_ik(const double T[16], const double *q_seed, double q[2][4], unsigned 
             continue;
         for (int i = 0; i < 4; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = SCARA_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int scara_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int scara_ik_nearest(const double T[16], const double q_seed[4], double q[4])

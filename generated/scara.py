@@ -106,7 +106,8 @@ high3 = 1e-09  # highest value of joint 3
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.25  # a coefficient of S1
 m3 = 0.08750000000000001  # a coefficient of S1
-m4 = 6.283185307179586  # 2 * half_turn
+m4 = 1.0000000000000002e-10  # pose_slack^2
+m5 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -439,18 +440,19 @@ def _regular(pose, q, status):
     v5 = t14 * v3
 
     # is the pose one that the arm can take?
-    v6 = (
-        0.0 if max(abs(s124 + T12), max(abs(T11 - c124), max(abs(T13), max(abs(T21 - s124),
-        max(abs(T22 - c124), max(abs(T23), max(abs(T31), max(abs(T33 - 1.0), abs(T32))))))))) <=
-        pose_slack else math.sqrt(-1.0)
-    )
+    v6 = T33 - 1.0
+    v7 = T22 - c124
+    v8 = T21 - s124
+    v9 = T11 - c124
+    v10 = s124 + T12
 
     # joint values
-    v9 = t34 < low3 or high3 < t34
-    q3_p = v6 + (t34 + (w2 - w2))
+    v13 = t34 < low3 or high3 < t34
+    q3_p = t34 + (w2 - w2)
     doubt1 = (
         (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or (N2 <= doubt_limit_squared2 or v1 <= m1)
+        longest2_apart)) or (v1 <= m1 or (m4 < v10 * v10 + (v9 * v9 + (T13 * T13 + (v8 * v8 + (v7 *
+        v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 * T32))))))) or N2 <= doubt_limit_squared2))
     )
 
     # angles, side by side
@@ -472,27 +474,23 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v7 = angle1 - (angle2 + angle3)
-    v8 = angle1 - (angle4 - angle2)
-    q1_p = angle3 + v6
-    q1_m = angle4 + v6
-    q2_p = angle2 + v6
-    q2_m = v6 - angle2
-    q4_p = v6 + (v7 - (m4 if half_turn < v7 else 0.0) + (m4 if v7 <= -half_turn else 0.0))
-    q4_m = v6 + (v8 - (m4 if half_turn < v8 else 0.0) + (m4 if v8 <= -half_turn else 0.0))
-    outside_p = v9 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
-    outside_m = v9 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
+    v11 = angle1 - (angle2 + angle3)
+    v12 = angle1 - (angle4 - angle2)
+    q4_p = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
+    q4_m = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
+    outside_p = v13 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
+    outside_m = v13 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
 
     # a joint is free, or branches meet
     if doubt1:
         return False
-    q[0, 0] = q1_p
-    q[0, 1] = q2_p
+    q[0, 0] = angle3
+    q[0, 1] = angle2
     q[0, 2] = q3_p
     q[0, 3] = q4_p
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else (OUT_OF_LIMITS if outside_p else OK)
-    q[1, 0] = q1_m
-    q[1, 1] = q2_m
+    q[1, 0] = angle4
+    q[1, 1] = -angle2
     q[1, 2] = q3_p
     q[1, 3] = q4_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_m else OK)
@@ -659,10 +657,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [928, 960, 992, 1024],
-    [1056, 1088, 992, 1120],
+    [896, 928, 960, 992],
+    [1024, 1056, 960, 1088],
 ])
-_KINDS = np.array([1152, 1184])
+_KINDS = np.array([1120, 1152])
 _LEFT_OVER = 255
 
 
@@ -673,7 +671,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1216)
+    work = np.empty(1184)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -721,68 +719,66 @@ def _in_tiles(T, q, status):
             v3 = m3 + m2 * N2
             v4 = t24 * v3
             v5 = t14 * v3
-            v6 = (
-                0.0 if max(abs(s124 + T12), max(abs(T11 - c124), max(abs(T13), max(abs(T21 - s124),
-                max(abs(T22 - c124), max(abs(T23), max(abs(T31), max(abs(T33 - 1.0),
-                abs(T32))))))))) <= pose_slack else math.sqrt(-1.0)
-            )
-            v9 = t34 < low3 or high3 < t34
-            q3_p = v6 + (t34 + (w2 - w2))
+            v6 = T33 - 1.0
+            v7 = T22 - c124
+            v8 = T21 - s124
+            v9 = T11 - c124
+            v10 = s124 + T12
+            v13 = t34 < low3 or high3 < t34
+            q3_p = t34 + (w2 - w2)
             doubt1 = (
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or (N2 <= doubt_limit_squared2 or v1 <= m1)
+                < longest2_apart)) or (v1 <= m1 or (m4 < v10 * v10 + (v9 * v9 + (T13 * T13 + (v8 *
+                v8 + (v7 * v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 * T32))))))) or N2 <=
+                doubt_limit_squared2))
             )
-            work[544 + k] = v6
-            work[576 + k] = v9
-            work[608 + k] = q3_p
-            work[640 + k] = doubt1
-            work[672 + k] = T21
-            work[704 + k] = w2
-            work[736 + k] = v4 - w2 * (m2 * t14)
-            work[768 + k] = v4 - w2 * (m2 * -t14)
-            work[800 + k] = T11
-            work[832 + k] = N2 - k1
-            work[864 + k] = v5 + w2 * (m2 * t24)
-            work[896 + k] = v5 + w2 * (m2 * -t24)
-        for k in range(672, 800):
+            work[544 + k] = v13
+            work[576 + k] = q3_p
+            work[608 + k] = doubt1
+            work[640 + k] = T21
+            work[672 + k] = w2
+            work[704 + k] = v4 - w2 * (m2 * t14)
+            work[736 + k] = v4 - w2 * (m2 * -t14)
+            work[768 + k] = T11
+            work[800 + k] = N2 - k1
+            work[832 + k] = v5 + w2 * (m2 * t24)
+            work[864 + k] = v5 + w2 * (m2 * -t24)
+        for k in range(640, 768):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v6 = work[544 + k]
-            v9 = work[576 + k] != 0.0
-            q3_p = work[608 + k]
-            doubt1 = work[640 + k] != 0.0
-            angle1 = work[672 + k]
-            angle2 = work[704 + k]
-            angle3 = work[736 + k]
-            angle4 = work[768 + k]
-            v7 = angle1 - (angle2 + angle3)
-            v8 = angle1 - (angle4 - angle2)
-            q1_p = angle3 + v6
-            q1_m = angle4 + v6
-            q2_p = angle2 + v6
-            q2_m = v6 - angle2
-            q4_p = v6 + (v7 - (m4 if half_turn < v7 else 0.0) + (m4 if v7 <= -half_turn else 0.0))
-            q4_m = v6 + (v8 - (m4 if half_turn < v8 else 0.0) + (m4 if v8 <= -half_turn else 0.0))
-            outside_p = v9 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
-            outside_m = (
-                v9 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
+            v13 = work[544 + k] != 0.0
+            q3_p = work[576 + k]
+            doubt1 = work[608 + k] != 0.0
+            angle1 = work[640 + k]
+            angle2 = work[672 + k]
+            angle3 = work[704 + k]
+            angle4 = work[736 + k]
+            v11 = angle1 - (angle2 + angle3)
+            v12 = angle1 - (angle4 - angle2)
+            q4_p = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
+            q4_m = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
+            outside_p = (
+                v13 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
             )
-            _928 = q1_p
+            outside_m = (
+                v13 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
+            )
+            _896 = angle3
+            work[896 + k] = _896
+            _928 = angle2
             work[928 + k] = _928
-            _960 = q2_p
+            _960 = q3_p
             work[960 + k] = _960
-            _992 = q3_p
+            _992 = q4_p
             work[992 + k] = _992
-            _1024 = q4_p
+            _1024 = angle4
             work[1024 + k] = _1024
-            _1056 = q1_m
+            _1056 = -angle2
             work[1056 + k] = _1056
-            _1088 = q2_m
+            _1088 = q4_m
             work[1088 + k] = _1088
-            _1120 = q4_m
-            work[1120 + k] = _1120
-            work[1152 + k] = UNREACHABLE if _928 != _928 else (OUT_OF_LIMITS if outside_p else OK)
-            work[1184 + k] = UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_m else OK)
+            work[1120 + k] = UNREACHABLE if _896 != _896 else (OUT_OF_LIMITS if outside_p else OK)
+            work[1152 + k] = UNREACHABLE if _1024 != _1024 else (OUT_OF_LIMITS if outside_m else OK)
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

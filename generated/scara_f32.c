@@ -17,8 +17,11 @@ static float wrap(float angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -129,7 +132,8 @@ static const float high3 = 2e-06f; /* highest value of joint 3 */
 static const float m1 = 1e-12f; /* doubt_limit_squared^2 */
 static const float m2 = 1.25f; /* a coefficient of S1 */
 static const float m3 = 0.0875f; /* a coefficient of S1 */
-static const float m4 = 6.2831855f; /* 2 * half_turn */
+static const float m4 = 1e-10f; /* pose_slack^2 */
+static const float m5 = 6.2831855f; /* 2 * half_turn */
 
 const char *const scara_f32_branches[2] = {
     "down", "up",
@@ -221,7 +225,7 @@ static void straighten(float T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const float given[16], float T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -233,11 +237,11 @@ static int read_pose(const float given[16], float T[16])
     const float miss = misfit(T);
     if (!(miss <= 1e-09f))
         return 0;
-    if (miss > 1e-12f) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-12f)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -270,30 +274,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle4 = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
 
     /* is the pose one that the arm can take? */
-    const wide v6 = pick_wide(maximum_wide(abs_wide(s124 + T12), maximum_wide(abs_wide(T11 - c124),
-        maximum_wide(abs_wide(T13), maximum_wide(abs_wide(T21 - s124), maximum_wide(abs_wide(T22 -
-        c124), maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T31), maximum_wide(abs_wide(T33 -
-        1.0f), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0f), all_wide(sqrtf(-1.0f)));
+    const wide v6 = T33 - 1.0f, v7 = T22 - c124, v8 = T21 - s124, v9 = T11 - c124, v10 = s124 + T12;
 
     /* joint values */
-    const wide v7 = angle1 - (angle2 + angle3), v8 = angle1 - (angle4 - angle2);
-    const wide_mask v9 = (t34 < low3) | (high3 < t34);
-    const wide q1_p = angle3 + v6, q1_m = angle4 + v6;
-    const wide q2_p = angle2 + v6, q2_m = v6 - angle2;
-    const wide q3_p = v6 + (t34 + (w2 - w2));
-    const wide q4_p = v6 + (v7 - only_wide(half_turn < v7, m4) + only_wide(v7 <= -half_turn, m4));
-    const wide q4_m = v6 + (v8 - only_wide(half_turn < v8, m4) + only_wide(v8 <= -half_turn, m4));
-    const wide_mask outside_p = v9 | (((angle3 < low1) | (high1 < angle3)) | ((angle2 < low2) |
+    const wide v11 = angle1 - (angle2 + angle3), v12 = angle1 - (angle4 - angle2);
+    const wide q4_p = v11 - only_wide(half_turn < v11, m5) + only_wide(v11 <= -half_turn, m5);
+    const wide q4_m = v12 - only_wide(half_turn < v12, m5) + only_wide(v12 <= -half_turn, m5);
+    const wide_mask v13 = (t34 < low3) | (high3 < t34);
+    const wide q3_p = t34 + (w2 - w2);
+    const wide_mask outside_p = v13 | (((angle3 < low1) | (high1 < angle3)) | ((angle2 < low2) |
         (high2 < angle2)));
-    const wide_mask outside_m = v9 | (((angle4 < low1) | (high1 < angle4)) | ((-angle2 < low2) |
+    const wide_mask outside_m = v13 | (((angle4 < low1) | (high1 < angle4)) | ((-angle2 < low2) |
         (high2 < -angle2)));
     const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((N2 <= doubt_limit_squared2) |
-        (v1 <= m1));
+        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((m4 < v10 * v10 +
+        (v9 * v9 + (T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 *
+        T32)))))))) | (N2 <= doubt_limit_squared2)));
 
-    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
+    q[0] = angle3; q[1] = angle2; q[2] = q3_p; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], outside_p);
-    q[4] = q1_m; q[5] = q2_m; q[6] = q3_p; q[7] = q4_m;
+    q[4] = angle4; q[5] = -angle2; q[6] = q3_p; q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], outside_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
@@ -410,21 +410,16 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, float value)
-{
-    return lowest[joint] - 2e-06f <= value && value <= highest[joint] + 2e-06f;
-}
-
-int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const float T[16], const float *q_seed, float q[2][4], unsigned char
+    status[2])
 {
     static const float zeros[4] = { 0.0f };
     const float *seed = q_seed ? q_seed : zeros;
     float pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -440,12 +435,19 @@ int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned
             continue;
         for (int i = 0; i < 4; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 2e-06f <= q[row][i]
+                    && q[row][i] <= highest[i] + 2e-06f))
                 status[row] = SCARA_F32_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_F32_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])

@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -307,7 +310,8 @@ static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 1.6666666666666667; /* a coefficient of S2 */
 static const double m3 = 0.045833333333333316; /* a coefficient of S2 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m5 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const scara_prrr_branches[2] = {
     "down", "up",
@@ -389,7 +393,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -401,11 +405,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -433,26 +437,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
     const wide angle3 = atan2_wide(v4 - v6, v5 + v7), angle4 = atan2_wide(v4 + v6, v5 - v7);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = pick_wide(maximum_wide(abs_wide(T12 - s234), maximum_wide(abs_wide(T11 - c234),
-        maximum_wide(abs_wide(T13), maximum_wide(abs_wide(T21 - s234), maximum_wide(abs_wide(c234 +
-        T22), maximum_wide(abs_wide(T23), maximum_wide(abs_wide(T31), maximum_wide(abs_wide(1.0 +
-        T33), abs_wide(T32))))))))) <= pose_slack, all_wide(0.0), all_wide(sqrt(-1.0)));
+    const wide v8 = 1.0 + T33, v9 = c234 + T22, v10 = T21 - s234, v11 = T11 - c234;
+    const wide v12 = T12 - s234;
 
     /* joint values */
-    const wide v9 = angle1 - (angle2 + angle3), v10 = angle1 - (angle4 - angle2);
-    const wide q1_p = v8 + (w3 - w3 + T34);
-    const wide q2_p = angle3 + v8, q2_m = angle4 + v8;
-    const wide q3_p = angle2 + v8, q3_m = v8 - angle2;
-    const wide q4_p = v8 + (v9 - only_wide(half_turn < v9, m4) + only_wide(v9 <= -half_turn, m4));
-    const wide q4_m = v8 + (v10 - only_wide(half_turn < v10, m4) + only_wide(v10 <= -half_turn,
-        m4));
+    const wide v13 = angle1 - (angle2 + angle3), v14 = angle1 - (angle4 - angle2);
+    const wide q4_p = v13 - only_wide(half_turn < v13, m5) + only_wide(v13 <= -half_turn, m5);
+    const wide q4_m = v14 - only_wide(half_turn < v14, m5) + only_wide(v14 <= -half_turn, m5);
+    const wide q1_p = w3 - w3 + T34;
     const wide_mask doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) |
-        (v1 <= m1));
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v1 <= m1) | ((m4 < v12 * v12 +
+        (v11 * v11 + (T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (T31 * T31 + (v8 * v8 + T32 *
+        T32)))))))) | (N3 <= doubt_limit_squared2)));
 
-    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
+    q[0] = q1_p; q[1] = angle3; q[2] = angle2; q[3] = q4_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_p; q[5] = q2_m; q[6] = q3_m; q[7] = q4_m;
+    q[4] = q1_p; q[5] = angle4; q[6] = -angle2; q[7] = q4_m;
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -461,6 +461,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 #if LANES > 1
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -481,15 +482,15 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v3 = m3 + m2 * N3, v4 = T24 * v3, v5 = T14 * v3;
 
     /* is the pose one that the arm can take? */
-    const double v6 = (maximum_double(fabs(T12 - s234), maximum_double(fabs(T11 - c234),
-        maximum_double(fabs(T13), maximum_double(fabs(T21 - s234), maximum_double(fabs(c234 + T22),
-        maximum_double(fabs(T23), maximum_double(fabs(T31), maximum_double(fabs(1.0 + T33),
-        fabs(T32))))))))) <= pose_slack) ? 0.0 : sqrt(-1.0);
+    const double v6 = 1.0 + T33, v7 = c234 + T22, v8 = T21 - s234, v9 = T11 - c234;
+    const double v10 = T12 - s234;
 
     /* joint values */
-    const double q1 = v6 + (w3 - w3 + T34);
+    const double q1 = w3 - w3 + T34;
     const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) | (v1 <= m1));
+        N3) & (N3 < longest3_apart)) == 0)) | ((v1 <= m1) | ((m4 < v10 * v10 + (v9 * v9 + (T13 * T13
+        + (v8 * v8 + (v7 * v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 * T32)))))))) | (N3 <=
+        doubt_limit_squared2)));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w3 * (m2 *
         (e1 * T14)), all_four(T21), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),
@@ -498,14 +499,13 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v7 = e1 * angle2, v8 = angle1 - (angle3 + v7);
-    const four q2 = angle3 + v6;
-    const four q3 = v6 + v7;
-    const four q4 = v6 + (v8 - only_four(half_turn < v8, m4) + only_four(v8 <= -half_turn, m4));
+    const four q3 = e1 * angle2;
+    const four v11 = angle1 - (angle3 + q3);
+    const four q4 = v11 - only_four(half_turn < v11, m5) + only_four(v11 <= -half_turn, m5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
-    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], all_four(q1), q2, q3, q4);
+    store_4(&q[0][0], &q[1][0], &q[0][0], &q[1][0], all_four(q1), angle3, q3, q4);
     const unsigned long long none1 = (bits_four(all_four(q1) != all_four(q1)) * 0x81ull & 0x101ull);
     const unsigned long long kind1 = none1 * SCARA_PRRR_UNREACHABLE;
     __builtin_memcpy(status + 0, &kind1, 2);
@@ -656,22 +656,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int scara_prrr_ik(
-    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
+    status[2])
 {
     static const double zeros[4] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -687,12 +681,20 @@ int scara_prrr_ik(
             continue;
         for (int i = 0; i < 4; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = SCARA_PRRR_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_PRRR_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int scara_prrr_ik(
+    const double T[16], const double *q_seed, double q[2][4], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int scara_prrr_ik_nearest(const double T[16], const double q_seed[4], double q[4])

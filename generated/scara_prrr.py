@@ -99,7 +99,8 @@ half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.6666666666666667  # a coefficient of S2
 m3 = 0.045833333333333316  # a coefficient of S2
-m4 = 6.283185307179586  # 2 * half_turn
+m4 = 1.0000000000000002e-10  # pose_slack^2
+m5 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -414,17 +415,19 @@ def _regular(pose, q, status):
     v7 = w3 * (m2 * T24)
 
     # is the pose one that the arm can take?
-    v8 = (
-        0.0 if max(abs(T12 - s234), max(abs(T11 - c234), max(abs(T13), max(abs(T21 - s234),
-        max(abs(c234 + T22), max(abs(T23), max(abs(T31), max(abs(1.0 + T33), abs(T32))))))))) <=
-        pose_slack else math.sqrt(-1.0)
-    )
+    v8 = 1.0 + T33
+    v9 = c234 + T22
+    v10 = T21 - s234
+    v11 = T11 - c234
+    v12 = T12 - s234
 
     # joint values
-    q1_p = v8 + (w3 - w3 + T34)
+    q1_p = w3 - w3 + T34
     doubt1 = (
         (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or (N3 <= doubt_limit_squared2 or v1 <= m1)
+        longest3_apart)) or (v1 <= m1 or (m4 < v12 * v12 + (v11 * v11 + (T13 * T13 + (v10 * v10 +
+        (v9 * v9 + (T23 * T23 + (T31 * T31 + (v8 * v8 + T32 * T32))))))) or N3 <=
+        doubt_limit_squared2))
     )
 
     # angles, side by side
@@ -446,26 +449,22 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v9 = angle1 - (angle2 + angle3)
-    v10 = angle1 - (angle4 - angle2)
-    q2_p = angle3 + v8
-    q2_m = angle4 + v8
-    q3_p = angle2 + v8
-    q3_m = v8 - angle2
-    q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
-    q4_m = v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))
+    v13 = angle1 - (angle2 + angle3)
+    v14 = angle1 - (angle4 - angle2)
+    q4_p = v13 - (m5 if half_turn < v13 else 0.0) + (m5 if v13 <= -half_turn else 0.0)
+    q4_m = v14 - (m5 if half_turn < v14 else 0.0) + (m5 if v14 <= -half_turn else 0.0)
 
     # a joint is free, or branches meet
     if doubt1:
         return False
     q[0, 0] = q1_p
-    q[0, 1] = q2_p
-    q[0, 2] = q3_p
+    q[0, 1] = angle3
+    q[0, 2] = angle2
     q[0, 3] = q4_p
     status[0] = UNREACHABLE if q[0, 0] != q[0, 0] else OK
     q[1, 0] = q1_p
-    q[1, 1] = q2_m
-    q[1, 2] = q3_m
+    q[1, 1] = angle4
+    q[1, 2] = -angle2
     q[1, 3] = q4_m
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     return True
@@ -631,10 +630,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [896, 928, 960, 992],
-    [896, 1024, 1056, 1088],
+    [864, 896, 928, 960],
+    [864, 992, 1024, 1056],
 ])
-_KINDS = np.array([1120, 1152])
+_KINDS = np.array([1088, 1120])
 _LEFT_OVER = 255
 
 
@@ -645,7 +644,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(1184)
+    work = np.empty(1152)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -692,63 +691,57 @@ def _in_tiles(T, q, status):
             v5 = T14 * v3
             v6 = w3 * (m2 * T14)
             v7 = w3 * (m2 * T24)
-            v8 = (
-                0.0 if max(abs(T12 - s234), max(abs(T11 - c234), max(abs(T13), max(abs(T21 - s234),
-                max(abs(c234 + T22), max(abs(T23), max(abs(T31), max(abs(1.0 + T33),
-                abs(T32))))))))) <= pose_slack else math.sqrt(-1.0)
-            )
-            q1_p = v8 + (w3 - w3 + T34)
+            v8 = 1.0 + T33
+            v9 = c234 + T22
+            v10 = T21 - s234
+            v11 = T11 - c234
+            v12 = T12 - s234
+            q1_p = w3 - w3 + T34
             doubt1 = (
                 (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart)) or (N3 <= doubt_limit_squared2 or v1 <= m1)
+                < longest3_apart)) or (v1 <= m1 or (m4 < v12 * v12 + (v11 * v11 + (T13 * T13 + (v10
+                * v10 + (v9 * v9 + (T23 * T23 + (T31 * T31 + (v8 * v8 + T32 * T32))))))) or N3 <=
+                doubt_limit_squared2))
             )
-            work[544 + k] = v8
-            work[576 + k] = q1_p
-            work[608 + k] = doubt1
-            work[640 + k] = T21
-            work[672 + k] = w3
-            work[704 + k] = v4 - v6
-            work[736 + k] = v4 + v6
-            work[768 + k] = T11
-            work[800 + k] = N3 - k1
-            work[832 + k] = v5 + v7
-            work[864 + k] = v5 - v7
-        for k in range(640, 768):
+            work[544 + k] = q1_p
+            work[576 + k] = doubt1
+            work[608 + k] = T21
+            work[640 + k] = w3
+            work[672 + k] = v4 - v6
+            work[704 + k] = v4 + v6
+            work[736 + k] = T11
+            work[768 + k] = N3 - k1
+            work[800 + k] = v5 + v7
+            work[832 + k] = v5 - v7
+        for k in range(608, 736):
             work[k] = _atan2(work[k], work[k + 128])
         for k in range(0, 32):
-            v8 = work[544 + k]
-            q1_p = work[576 + k]
-            doubt1 = work[608 + k] != 0.0
-            angle1 = work[640 + k]
-            angle2 = work[672 + k]
-            angle3 = work[704 + k]
-            angle4 = work[736 + k]
-            v9 = angle1 - (angle2 + angle3)
-            v10 = angle1 - (angle4 - angle2)
-            q2_p = angle3 + v8
-            q2_m = angle4 + v8
-            q3_p = angle2 + v8
-            q3_m = v8 - angle2
-            q4_p = v8 + (v9 - (m4 if half_turn < v9 else 0.0) + (m4 if v9 <= -half_turn else 0.0))
-            q4_m = (
-                v8 + (v10 - (m4 if half_turn < v10 else 0.0) + (m4 if v10 <= -half_turn else 0.0))
-            )
-            _896 = q1_p
+            q1_p = work[544 + k]
+            doubt1 = work[576 + k] != 0.0
+            angle1 = work[608 + k]
+            angle2 = work[640 + k]
+            angle3 = work[672 + k]
+            angle4 = work[704 + k]
+            v13 = angle1 - (angle2 + angle3)
+            v14 = angle1 - (angle4 - angle2)
+            q4_p = v13 - (m5 if half_turn < v13 else 0.0) + (m5 if v13 <= -half_turn else 0.0)
+            q4_m = v14 - (m5 if half_turn < v14 else 0.0) + (m5 if v14 <= -half_turn else 0.0)
+            _864 = q1_p
+            work[864 + k] = _864
+            _896 = angle3
             work[896 + k] = _896
-            _928 = q2_p
+            _928 = angle2
             work[928 + k] = _928
-            _960 = q3_p
+            _960 = q4_p
             work[960 + k] = _960
-            _992 = q4_p
+            _992 = angle4
             work[992 + k] = _992
-            _1024 = q2_m
+            _1024 = -angle2
             work[1024 + k] = _1024
-            _1056 = q3_m
+            _1056 = q4_m
             work[1056 + k] = _1056
-            _1088 = q4_m
-            work[1088 + k] = _1088
-            work[1120 + k] = UNREACHABLE if _896 != _896 else OK
-            work[1152 + k] = UNREACHABLE if _896 != _896 else OK
+            work[1088 + k] = UNREACHABLE if _864 != _864 else OK
+            work[1120 + k] = UNREACHABLE if _864 != _864 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

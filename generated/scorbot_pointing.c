@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -290,7 +293,10 @@ static const double m3 = 1e-12; /* doubt_limit_squared^2 */
 static const double m4 = 4.524886877828054; /* a coefficient of Y1_2 */
 static const double m5 = 2.262443438914027; /* a coefficient of Y1_2 */
 static const double m6 = 8.213869404159994e-13; /* doubt_limit_squared2^2 [m^4] */
-static const double m7 = 6.283185307179586; /* 2 * half_turn */
+static const double m7 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m8 = 9.063040000000001e-11; /* pose_slack1^2 [m^2] */
+static const double m9 = 2.718912e-10; /* 3 * pose_slack1^2 [m^2] */
+static const double m10 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const scorbot_pointing_branches[4] = {
@@ -398,7 +404,7 @@ void scorbot_pointing_jacobian(const double q[5], double J[30])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -409,13 +415,13 @@ static int read_pose(const double given[16], double T[16])
     const double miss = (square - 1.0) * (square - 1.0);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        const double length = sqrt(square);
-        T[2] /= length;
-        T[6] /= length;
-        T[10] /= length;
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    const double length = sqrt(square);
+    T[2] /= length;
+    T[6] /= length;
+    T[10] /= length;
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -484,50 +490,54 @@ HELPER wide_mask solve_wide(
     const wide v53 = v50 + w2_pm * (v47 * (a3 * (c3_p * C2_pm - s3_p * v32) + a2 * C2_pm));
     const wide v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40));
     const wide v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41));
-    const wide v56 = d1 + v14;
-    const double v57 = sqrt(-1.0);
-    const wide v58 = pick_wide(maximum_wide(abs_wide(T23 - v11 * (v7 * v8)),
-        maximum_wide(abs_wide(T33 - T33 * v11), abs_wide(T13 - v11 * (v6 * v8)))) <= pose_slack,
-        all_wide(0.0), all_wide(v57));
-    const wide v59 = pick_wide(maximum_wide(abs_wide(T24 + v7 * v52), maximum_wide(abs_wide(T34 +
-        (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp * (a2 * v31)))),
-        abs_wide(T14 + v6 * v52))) <= pose_slack1, all_wide(0.0), all_wide(v57));
-    const wide v60 = pick_wide(maximum_wide(abs_wide(T24 + v7 * v53), maximum_wide(abs_wide(T34 -
-        (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm * (a2 * v32)))),
-        abs_wide(T14 + v6 * v53))) <= pose_slack1, all_wide(0.0), all_wide(v57));
-    const wide v61 = pick_wide(maximum_wide(abs_wide(T24 - v7 * v54), maximum_wide(abs_wide(T34 -
-        (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2 * v34)))),
-        abs_wide(T14 - v6 * v54))) <= pose_slack1, all_wide(0.0), all_wide(v57));
-    const wide v62 = pick_wide(maximum_wide(abs_wide(T24 - v7 * v55), maximum_wide(abs_wide(T34 +
-        (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2 * v35)))),
-        abs_wide(T14 - v6 * v55))) <= pose_slack1, all_wide(0.0), all_wide(v57));
+    const wide v56 = d1 + v14, v57 = T33 - T33 * v11, v58 = T13 - v11 * (v6 * v8);
+    const wide v59 = T23 - v11 * (v7 * v8);
+    const wide v60 = T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp *
+        (a2 * v31)));
+    const wide v61 = T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm *
+        (a2 * v32)));
+    const wide v62 = T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2
+        * v34)));
+    const wide v63 = T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2
+        * v35))), v64 = T14 + v6 * v52, v65 = T14 + v6 * v53, v66 = T14 - v6 * v54;
+    const wide v67 = T14 - v6 * v55, v68 = T24 + v7 * v52, v69 = T24 + v7 * v53;
+    const wide v70 = T24 - v7 * v54, v71 = T24 - v7 * v55;
+    const wide v72 = v68 * v68 + (v60 * v60 + v64 * v64), v73 = v69 * v69 + (v61 * v61 + v65 * v65);
+    const wide v74 = v70 * v70 + (v62 * v62 + v66 * v66), v75 = v71 * v71 + (v63 * v63 + v67 * v67);
+    const double v76 = NAN;
+    const wide v77 = pick_wide(v72 <= m8, all_wide(0.0), all_wide(v76));
+    const wide v78 = pick_wide(v73 <= m8, all_wide(0.0), all_wide(v76));
+    const wide v79 = pick_wide(v74 <= m8, all_wide(0.0), all_wide(v76));
+    const wide v80 = pick_wide(v75 <= m8, all_wide(0.0), all_wide(v76));
 
     /* joint values */
-    const wide v63 = angle2 - (angle3 + angle5) - offset4;
-    const wide v64 = angle2 - (angle6 - angle3) - offset4;
-    const wide v65 = offset4 + (angle2 + (angle4 + angle7));
-    const wide v66 = offset4 + (angle2 + (angle8 - angle4));
-    const wide v67 = v63 - only_wide(half_turn < v63, m7) + only_wide(v63 <= -half_turn, m7);
-    const wide v68 = v64 - only_wide(half_turn < v64, m7) + only_wide(v64 <= -half_turn, m7);
-    const wide v69 = only_wide(-v65 <= -half_turn, m7) - (v65 + only_wide(half_turn < -v65, m7));
-    const wide v70 = only_wide(-v66 <= -half_turn, m7) - (v66 + only_wide(half_turn < -v66, m7));
-    const wide v71 = v58 + (angle1 + v24);
-    const wide v72 = v58 + (v25 + (angle1 - copysign_wide(all_wide(half_turn), -v3) * h1));
-    const wide q1_pp = v59 + v71, q1_pm = v60 + v71, q1_mp = v61 + v72, q1_mm = v62 + v72;
-    const wide q2_pp = v59 + (angle5 + v58), q2_pm = v60 + (angle6 + v58);
-    const wide q2_mp = v61 + (angle7 + v58), q2_mm = v62 + (angle8 + v58);
-    const wide q3_pp = v59 + (angle3 + v58), q3_pm = v60 + (v58 - angle3);
-    const wide q3_mp = v61 + (angle4 + v58), q3_mm = v62 + (v58 - angle4);
-    const wide q4_pp = v59 + (v58 + (v67 + only_wide(v67 <= -half_turn, m7)));
-    const wide q4_pm = v60 + (v58 + (v68 + only_wide(v68 <= -half_turn, m7)));
-    const wide q4_mp = v61 + (v58 + (v69 + only_wide(v69 <= -half_turn, m7)));
-    const wide q4_mm = v62 + (v58 + (v70 + only_wide(v70 <= -half_turn, m7)));
-    const wide v73 = v58 + (v24 + free_joints[0]), v74 = v58 + (v25 + free_joints[0]);
-    const wide q5_pp = v59 + v73, q5_pm = v60 + v73, q5_mp = v61 + v74, q5_mm = v62 + v74;
-    const wide_mask doubt1 = (v9 <= m3) | ((v4 <= m1) | ((v45 <= m6) | ((v44 <= m6) | ((v43 <= m6) |
-        ((v42 <= m6) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart
-        < N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0))))))));
+    const wide v81 = angle2 - (angle3 + angle5) - offset4;
+    const wide v82 = angle2 - (angle6 - angle3) - offset4;
+    const wide v83 = offset4 + (angle2 + (angle4 + angle7));
+    const wide v84 = offset4 + (angle2 + (angle8 - angle4));
+    const wide v85 = v81 - only_wide(half_turn < v81, m10) + only_wide(v81 <= -half_turn, m10);
+    const wide v86 = v82 - only_wide(half_turn < v82, m10) + only_wide(v82 <= -half_turn, m10);
+    const wide v87 = only_wide(-v83 <= -half_turn, m10) - (v83 + only_wide(half_turn < -v83, m10));
+    const wide v88 = only_wide(-v84 <= -half_turn, m10) - (v84 + only_wide(half_turn < -v84, m10));
+    const wide v89 = angle1 + v24;
+    const wide v90 = v25 + (angle1 - copysign_wide(all_wide(half_turn), -v3) * h1);
+    const wide q1_pp = v77 + v89, q1_pm = v78 + v89, q1_mp = v79 + v90, q1_mm = v80 + v90;
+    const wide q2_pp = angle5 + v77, q2_pm = angle6 + v78, q2_mp = angle7 + v79;
+    const wide q2_mm = angle8 + v80;
+    const wide q3_pp = angle3 + v77, q3_pm = v78 - angle3, q3_mp = angle4 + v79;
+    const wide q3_mm = v80 - angle4;
+    const wide q4_pp = v77 + (v85 + only_wide(v85 <= -half_turn, m10));
+    const wide q4_pm = v78 + (v86 + only_wide(v86 <= -half_turn, m10));
+    const wide q4_mp = v79 + (v87 + only_wide(v87 <= -half_turn, m10));
+    const wide q4_mm = v80 + (v88 + only_wide(v88 <= -half_turn, m10));
+    const wide v91 = v24 + free_joints[0], v92 = v25 + free_joints[0];
+    const wide q5_pp = v77 + v91, q5_pm = v78 + v91, q5_mp = v79 + v92, q5_mm = v80 + v92;
+    const wide_mask doubt1 = (v9 <= m3) | ((v4 <= m1) | (((m8 < v75) & (v75 <= m9)) | ((v45 <= m6) |
+        (((m8 < v74) & (v74 <= m9)) | ((v44 <= m6) | (((m8 < v73) & (v73 <= m9)) | ((v43 <= m6) |
+        (((m8 < v72) & (v72 <= m9)) | ((v42 <= m6) | ((m7 < v59 * v59 + (v57 * v57 + v58 * v58)) |
+        ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
+        (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) &
+        (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)))))))))))));
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -545,6 +555,7 @@ HELPER wide_mask solve_wide(
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(
     const double T[16], const double free_joints[1], double q[4][5], unsigned char status[4])
 {
@@ -593,25 +604,25 @@ HELPER int solve_regular(
     const four C2 = v30 - w3 * v31;
     const four v32 = v29 * v29 + C2 * C2;
     const four w2 = sqrt_four(v32);
-    const four_mask doubt3 = v32 <= m6;
     const four v33 = 1.0 / v32;
     const four factor2 = w2 * v33;
 
     /* is the pose one that the arm can take? */
     const four v34 = a1 - v20;
     const four v35 = v34 + w2 * (v33 * (a3 * (c3 * C2 + e2 * (s3 * v29)) + a2 * C2));
-    const double v36 = d1 + v15, v37 = sqrt(-1.0);
-    const double v38 = (maximum_double(fabs(T23 - v12 * (v7 * v9)), maximum_double(fabs(T33 - T33 *
-        v12), fabs(T13 - v12 * (v6 * v9)))) <= pose_slack) ? 0.0 : v37;
-    const four v39 = pick_four(maximum_four(abs_four(T24 + e1 * (v7 * v35)),
-        maximum_four(abs_four(T34 + (factor2 * (a3 * (e2 * (s3 * C2) - c3 * v29)) - (v36 + factor2 *
-        (a2 * v29)))), abs_four(T14 + e1 * (v6 * v35)))) <= pose_slack1, all_four(0.0),
-        all_four(v37));
+    const double v36 = d1 + v15, v37 = T33 - T33 * v12, v38 = T13 - v12 * (v6 * v9);
+    const double v39 = T23 - v12 * (v7 * v9);
+    const four v40 = T34 + (factor2 * (a3 * (e2 * (s3 * C2) - c3 * v29)) - (v36 + factor2 * (a2 *
+        v29))), v41 = T14 + e1 * (v6 * v35), v42 = T24 + e1 * (v7 * v35);
+    const four v43 = v42 * v42 + (v40 * v40 + v41 * v41);
+    const double v44 = NAN;
+    const four v45 = pick_four(v43 <= m8, all_four(0.0), all_four(v44));
 
     /* joint values */
-    const four v45 = v38 + (v24 + free_joints[0]);
-    const four q5 = v39 + v45;
-    const int doubt1 = (v4 <= m1) | (v10 <= m3);
+    const four v51 = v24 + free_joints[0];
+    const four q5 = v45 + v51;
+    const four_mask doubt3 = (v32 <= m6) | ((m8 < v43) & (v43 <= m9));
+    const int doubt1 = (v10 <= m3) | ((m7 < v39 * v39 + (v37 * v37 + v38 * v38)) | (v4 <= m1));
 
     const four angle4 = atan2_four(-v29, C2);
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
@@ -621,13 +632,13 @@ HELPER int solve_regular(
     const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
     const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
     const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v40 = e2 * angle3, v41 = e1 * angle2, v42 = v41 - (angle4 + v40) - offset4;
-    const four v43 = v42 - only_four(half_turn < v42, m7) + only_four(v42 <= -half_turn, m7);
-    const four v44 = v38 + (v24 + (angle1 + v8 * (m2 * (e1 - 1.0))));
-    const four q1 = v39 + v44;
-    const four q2 = v39 + (angle4 + v38);
-    const four q3 = v39 + (v38 + v40);
-    const four q4 = v39 + (v38 + (v43 + only_four(v43 <= -half_turn, m7)));
+    const four v46 = e2 * angle3, v47 = e1 * angle2, v48 = v47 - (angle4 + v46) - offset4;
+    const four v49 = v48 - only_four(half_turn < v48, m10) + only_four(v48 <= -half_turn, m10);
+    const four v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0)));
+    const four q1 = v45 + v50;
+    const four q2 = angle4 + v45;
+    const four q3 = v45 + v46;
+    const four q4 = v45 + (v49 + only_four(v49 <= -half_turn, m10));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
@@ -939,12 +950,8 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int scorbot_pointing_ik(
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(
     const double T[16], const double free_joints[1], const double *q_seed, double q[4][5],
     unsigned char status[4])
 {
@@ -952,10 +959,8 @@ int scorbot_pointing_ik(
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, free_joints, q, status)) >= 0)
-        return count;
-    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
-    if (valid && (count = solve_regular(pose, free_joints, q, status)) >= 0)
+    const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    if (valid == 2 && (count = solve_regular(pose, free_joints, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
@@ -981,12 +986,21 @@ int scorbot_pointing_ik(
             continue;
         for (int i = 0; i < 5; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = SCORBOT_POINTING_OUT_OF_LIMITS;
         }
         count += status[row] != SCORBOT_POINTING_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int scorbot_pointing_ik(
+    const double T[16], const double free_joints[1], const double *q_seed, double q[4][5],
+    unsigned char status[4])
+{
+    const int count = solve_regular(T, free_joints, q, status);
+    return count < 0 ? ik_carefully(T, free_joints, q_seed, q, status) : count;
 }
 
 int scorbot_pointing_ik_nearest(

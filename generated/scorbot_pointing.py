@@ -113,7 +113,10 @@ m3 = 1e-12  # doubt_limit_squared^2
 m4 = 4.524886877828054  # a coefficient of Y1_2
 m5 = 2.262443438914027  # a coefficient of Y1_2
 m6 = 8.213869404159994e-13  # doubt_limit_squared2^2 [m^4]
-m7 = 6.283185307179586  # 2 * half_turn
+m7 = 1.0000000000000002e-10  # pose_slack^2
+m8 = 9.063040000000001e-11  # pose_slack1^2 [m^2]
+m9 = 2.718912e-10  # 3 * pose_slack1^2 [m^2]
+m10 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -704,40 +707,45 @@ def _regular(pose, q_free, q, status):
     v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40))
     v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41))
     v56 = d1 + v14
-    v57 = math.sqrt(-1.0)
-    v58 = (
-        0.0 if max(abs(T23 - v11 * (v7 * v8)), max(abs(T33 - T33 * v11), abs(T13 - v11 * (v6 *
-        v8)))) <= pose_slack else v57
-    )
-    v59 = (
-        0.0 if max(abs(T24 + v7 * v52), max(abs(T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p *
-        v31)) - (v56 + factor2_pp * (a2 * v31)))), abs(T14 + v6 * v52))) <= pose_slack1 else v57
-    )
-    v60 = (
-        0.0 if max(abs(T24 + v7 * v53), max(abs(T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p *
-        v32)) + (v56 + factor2_pm * (a2 * v32)))), abs(T14 + v6 * v53))) <= pose_slack1 else v57
-    )
-    v61 = (
-        0.0 if max(abs(T24 - v7 * v54), max(abs(T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34))
-        + (v56 + factor2_mp * (a2 * v34)))), abs(T14 - v6 * v54))) <= pose_slack1 else v57
-    )
-    v62 = (
-        0.0 if max(abs(T24 - v7 * v55), max(abs(T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35))
-        - (v56 + factor2_mm * (a2 * v35)))), abs(T14 - v6 * v55))) <= pose_slack1 else v57
-    )
+    v57 = T33 - T33 * v11
+    v58 = T13 - v11 * (v6 * v8)
+    v59 = T23 - v11 * (v7 * v8)
+    v60 = T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp * (a2 * v31)))
+    v61 = T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm * (a2 * v32)))
+    v62 = T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2 * v34)))
+    v63 = T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2 * v35)))
+    v64 = T14 + v6 * v52
+    v65 = T14 + v6 * v53
+    v66 = T14 - v6 * v54
+    v67 = T14 - v6 * v55
+    v68 = T24 + v7 * v52
+    v69 = T24 + v7 * v53
+    v70 = T24 - v7 * v54
+    v71 = T24 - v7 * v55
+    v72 = v68 * v68 + (v60 * v60 + v64 * v64)
+    v73 = v69 * v69 + (v61 * v61 + v65 * v65)
+    v74 = v70 * v70 + (v62 * v62 + v66 * v66)
+    v75 = v71 * v71 + (v63 * v63 + v67 * v67)
+    v76 = math.sqrt(-1.0)
+    v77 = 0.0 if v72 <= m8 else v76
+    v78 = 0.0 if v73 <= m8 else v76
+    v79 = 0.0 if v74 <= m8 else v76
+    v80 = 0.0 if v75 <= m8 else v76
 
     # joint values
-    v73 = v58 + (v24 + q_free[0])
-    v74 = v58 + (v25 + q_free[0])
-    q5_pp = v59 + v73
-    q5_pm = v60 + v73
-    q5_mp = v61 + v74
-    q5_mm = v62 + v74
+    v91 = v24 + q_free[0]
+    v92 = v25 + q_free[0]
+    q5_pp = v77 + v91
+    q5_pm = v78 + v91
+    q5_mp = v79 + v92
+    q5_mm = v80 + v92
     doubt1 = (
-        v9 <= m3 or (v4 <= m1 or (v45 <= m6 or (v44 <= m6 or (v43 <= m6 or (v42 <= m6 or
-        ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart))))))))
+        v9 <= m3 or (v4 <= m1 or ((m8 < v75 and v75 <= m9) or (v45 <= m6 or ((m8 < v74 and v74 <=
+        m9) or (v44 <= m6 or ((m8 < v73 and v73 <= m9) or (v43 <= m6 or ((m8 < v72 and v72 <= m9) or
+        (v42 <= m6 or (m7 < v59 * v59 + (v57 * v57 + v58 * v58) or ((shortest3_reach <= N3_p and
+        N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)) or
+        (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m
+        < longest3_apart)))))))))))))
     )
 
     # angles, side by side
@@ -769,32 +777,32 @@ def _regular(pose, q_free, q, status):
     angle8 = room[7]
 
     # joint values
-    v63 = angle2 - (angle3 + angle5) - offset4
-    v64 = angle2 - (angle6 - angle3) - offset4
-    v65 = offset4 + (angle2 + (angle4 + angle7))
-    v66 = offset4 + (angle2 + (angle8 - angle4))
-    v67 = v63 - (m7 if half_turn < v63 else 0.0) + (m7 if v63 <= -half_turn else 0.0)
-    v68 = v64 - (m7 if half_turn < v64 else 0.0) + (m7 if v64 <= -half_turn else 0.0)
-    v69 = (m7 if -v65 <= -half_turn else 0.0) - (v65 + (m7 if half_turn < -v65 else 0.0))
-    v70 = (m7 if -v66 <= -half_turn else 0.0) - (v66 + (m7 if half_turn < -v66 else 0.0))
-    v71 = v58 + (angle1 + v24)
-    v72 = v58 + (v25 + (angle1 - math.copysign(half_turn, -v3) * h1))
-    q1_pp = v59 + v71
-    q1_pm = v60 + v71
-    q1_mp = v61 + v72
-    q1_mm = v62 + v72
-    q2_pp = v59 + (angle5 + v58)
-    q2_pm = v60 + (angle6 + v58)
-    q2_mp = v61 + (angle7 + v58)
-    q2_mm = v62 + (angle8 + v58)
-    q3_pp = v59 + (angle3 + v58)
-    q3_pm = v60 + (v58 - angle3)
-    q3_mp = v61 + (angle4 + v58)
-    q3_mm = v62 + (v58 - angle4)
-    q4_pp = v59 + (v58 + (v67 + (m7 if v67 <= -half_turn else 0.0)))
-    q4_pm = v60 + (v58 + (v68 + (m7 if v68 <= -half_turn else 0.0)))
-    q4_mp = v61 + (v58 + (v69 + (m7 if v69 <= -half_turn else 0.0)))
-    q4_mm = v62 + (v58 + (v70 + (m7 if v70 <= -half_turn else 0.0)))
+    v81 = angle2 - (angle3 + angle5) - offset4
+    v82 = angle2 - (angle6 - angle3) - offset4
+    v83 = offset4 + (angle2 + (angle4 + angle7))
+    v84 = offset4 + (angle2 + (angle8 - angle4))
+    v85 = v81 - (m10 if half_turn < v81 else 0.0) + (m10 if v81 <= -half_turn else 0.0)
+    v86 = v82 - (m10 if half_turn < v82 else 0.0) + (m10 if v82 <= -half_turn else 0.0)
+    v87 = (m10 if -v83 <= -half_turn else 0.0) - (v83 + (m10 if half_turn < -v83 else 0.0))
+    v88 = (m10 if -v84 <= -half_turn else 0.0) - (v84 + (m10 if half_turn < -v84 else 0.0))
+    v89 = angle1 + v24
+    v90 = v25 + (angle1 - math.copysign(half_turn, -v3) * h1)
+    q1_pp = v77 + v89
+    q1_pm = v78 + v89
+    q1_mp = v79 + v90
+    q1_mm = v80 + v90
+    q2_pp = angle5 + v77
+    q2_pm = angle6 + v78
+    q2_mp = angle7 + v79
+    q2_mm = angle8 + v80
+    q3_pp = angle3 + v77
+    q3_pm = v78 - angle3
+    q3_mp = angle4 + v79
+    q3_mm = v80 - angle4
+    q4_pp = v77 + (v85 + (m10 if v85 <= -half_turn else 0.0))
+    q4_pm = v78 + (v86 + (m10 if v86 <= -half_turn else 0.0))
+    q4_mp = v79 + (v87 + (m10 if v87 <= -half_turn else 0.0))
+    q4_mm = v80 + (v88 + (m10 if v88 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -991,12 +999,12 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1504, 1536, 1568, 1600, 1632],
-    [1664, 1696, 1728, 1760, 1792],
-    [1824, 1856, 1888, 1920, 1952],
-    [1984, 2016, 2048, 2080, 2112],
+    [1472, 1504, 1536, 1568, 1600],
+    [1632, 1664, 1696, 1728, 1760],
+    [1792, 1824, 1856, 1888, 1920],
+    [1952, 1984, 2016, 2048, 2080],
 ])
-_KINDS = np.array([2144, 2176, 2208, 2240])
+_KINDS = np.array([2112, 2144, 2176, 2208])
 _LEFT_OVER = 255
 
 
@@ -1007,7 +1015,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2272)
+    work = np.empty(2240)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1117,166 +1125,177 @@ def _in_tiles(T, q_free, q, status):
             v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40))
             v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41))
             v56 = d1 + v14
-            v57 = math.sqrt(-1.0)
-            v58 = (
-                0.0 if max(abs(T23 - v11 * (v7 * v8)), max(abs(T33 - T33 * v11), abs(T13 - v11 * (v6
-                * v8)))) <= pose_slack else v57
-            )
-            v59 = (
-                0.0 if max(abs(T24 + v7 * v52), max(abs(T34 + (factor2_pp * (a3 * (s3_p * C2_pp -
-                c3_p * v31)) - (v56 + factor2_pp * (a2 * v31)))), abs(T14 + v6 * v52))) <=
-                pose_slack1 else v57
-            )
+            v57 = T33 - T33 * v11
+            v58 = T13 - v11 * (v6 * v8)
+            v59 = T23 - v11 * (v7 * v8)
             v60 = (
-                0.0 if max(abs(T24 + v7 * v53), max(abs(T34 - (factor2_pm * (a3 * (s3_p * C2_pm +
-                c3_p * v32)) + (v56 + factor2_pm * (a2 * v32)))), abs(T14 + v6 * v53))) <=
-                pose_slack1 else v57
+                T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp * (a2 *
+                v31)))
             )
             v61 = (
-                0.0 if max(abs(T24 - v7 * v54), max(abs(T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m
-                * v34)) + (v56 + factor2_mp * (a2 * v34)))), abs(T14 - v6 * v54))) <= pose_slack1
-                else v57
+                T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm * (a2 *
+                v32)))
             )
             v62 = (
-                0.0 if max(abs(T24 - v7 * v55), max(abs(T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m
-                * v35)) - (v56 + factor2_mm * (a2 * v35)))), abs(T14 - v6 * v55))) <= pose_slack1
-                else v57
+                T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2 *
+                v34)))
             )
-            v73 = v58 + (v24 + given1)
-            v74 = v58 + (v25 + given1)
-            q5_pp = v59 + v73
-            q5_pm = v60 + v73
-            q5_mp = v61 + v74
-            q5_mm = v62 + v74
+            v63 = (
+                T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2 *
+                v35)))
+            )
+            v64 = T14 + v6 * v52
+            v65 = T14 + v6 * v53
+            v66 = T14 - v6 * v54
+            v67 = T14 - v6 * v55
+            v68 = T24 + v7 * v52
+            v69 = T24 + v7 * v53
+            v70 = T24 - v7 * v54
+            v71 = T24 - v7 * v55
+            v72 = v68 * v68 + (v60 * v60 + v64 * v64)
+            v73 = v69 * v69 + (v61 * v61 + v65 * v65)
+            v74 = v70 * v70 + (v62 * v62 + v66 * v66)
+            v75 = v71 * v71 + (v63 * v63 + v67 * v67)
+            v76 = math.sqrt(-1.0)
+            v77 = 0.0 if v72 <= m8 else v76
+            v78 = 0.0 if v73 <= m8 else v76
+            v79 = 0.0 if v74 <= m8 else v76
+            v80 = 0.0 if v75 <= m8 else v76
+            v91 = v24 + given1
+            v92 = v25 + given1
+            q5_pp = v77 + v91
+            q5_pm = v78 + v91
+            q5_mp = v79 + v92
+            q5_mm = v80 + v92
             doubt1 = (
-                v9 <= m3 or (v4 <= m1 or (v45 <= m6 or (v44 <= m6 or (v43 <= m6 or (v42 <= m6 or
+                v9 <= m3 or (v4 <= m1 or ((m8 < v75 and v75 <= m9) or (v45 <= m6 or ((m8 < v74 and
+                v74 <= m9) or (v44 <= m6 or ((m8 < v73 and v73 <= m9) or (v43 <= m6 or ((m8 < v72
+                and v72 <= m9) or (v42 <= m6 or (m7 < v59 * v59 + (v57 * v57 + v58 * v58) or
                 ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p
                 and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart))))))))
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart)))))))))))))
             )
             work[576 + k] = v3
             work[608 + k] = v24
             work[640 + k] = v25
-            work[672 + k] = v58
-            work[704 + k] = v59
-            work[736 + k] = v60
-            work[768 + k] = v61
-            work[800 + k] = v62
-            work[832 + k] = q5_pp
-            work[864 + k] = q5_pm
-            work[896 + k] = q5_mp
-            work[928 + k] = q5_mm
-            work[960 + k] = doubt1
-            work[992 + k] = -v3
-            work[1024 + k] = -v8
-            work[1056 + k] = w3_p
-            work[1088 + k] = w3_m
-            work[1120 + k] = -v31
-            work[1152 + k] = -v32
-            work[1184 + k] = -v34
-            work[1216 + k] = -v35
-            work[1248 + k] = -v2
-            work[1280 + k] = T33
-            work[1312 + k] = K3_p
-            work[1344 + k] = K3_m
-            work[1376 + k] = C2_pp
-            work[1408 + k] = C2_pm
-            work[1440 + k] = -v40
-            work[1472 + k] = -v41
-        for k in range(992, 1248):
+            work[672 + k] = v77
+            work[704 + k] = v78
+            work[736 + k] = v79
+            work[768 + k] = v80
+            work[800 + k] = q5_pp
+            work[832 + k] = q5_pm
+            work[864 + k] = q5_mp
+            work[896 + k] = q5_mm
+            work[928 + k] = doubt1
+            work[960 + k] = -v3
+            work[992 + k] = -v8
+            work[1024 + k] = w3_p
+            work[1056 + k] = w3_m
+            work[1088 + k] = -v31
+            work[1120 + k] = -v32
+            work[1152 + k] = -v34
+            work[1184 + k] = -v35
+            work[1216 + k] = -v2
+            work[1248 + k] = T33
+            work[1280 + k] = K3_p
+            work[1312 + k] = K3_m
+            work[1344 + k] = C2_pp
+            work[1376 + k] = C2_pm
+            work[1408 + k] = -v40
+            work[1440 + k] = -v41
+        for k in range(960, 1216):
             work[k] = _atan2(work[k], work[k + 256])
         for k in range(0, 32):
             v3 = work[576 + k]
             v24 = work[608 + k]
             v25 = work[640 + k]
-            v58 = work[672 + k]
-            v59 = work[704 + k]
-            v60 = work[736 + k]
-            v61 = work[768 + k]
-            v62 = work[800 + k]
-            q5_pp = work[832 + k]
-            q5_pm = work[864 + k]
-            q5_mp = work[896 + k]
-            q5_mm = work[928 + k]
-            doubt1 = work[960 + k] != 0.0
-            angle1 = work[992 + k]
-            angle2 = work[1024 + k]
-            angle3 = work[1056 + k]
-            angle4 = work[1088 + k]
-            angle5 = work[1120 + k]
-            angle6 = work[1152 + k]
-            angle7 = work[1184 + k]
-            angle8 = work[1216 + k]
-            v63 = angle2 - (angle3 + angle5) - offset4
-            v64 = angle2 - (angle6 - angle3) - offset4
-            v65 = offset4 + (angle2 + (angle4 + angle7))
-            v66 = offset4 + (angle2 + (angle8 - angle4))
-            v67 = v63 - (m7 if half_turn < v63 else 0.0) + (m7 if v63 <= -half_turn else 0.0)
-            v68 = v64 - (m7 if half_turn < v64 else 0.0) + (m7 if v64 <= -half_turn else 0.0)
-            v69 = (m7 if -v65 <= -half_turn else 0.0) - (v65 + (m7 if half_turn < -v65 else 0.0))
-            v70 = (m7 if -v66 <= -half_turn else 0.0) - (v66 + (m7 if half_turn < -v66 else 0.0))
-            v71 = v58 + (angle1 + v24)
-            v72 = v58 + (v25 + (angle1 - math.copysign(half_turn, -v3) * h1))
-            q1_pp = v59 + v71
-            q1_pm = v60 + v71
-            q1_mp = v61 + v72
-            q1_mm = v62 + v72
-            q2_pp = v59 + (angle5 + v58)
-            q2_pm = v60 + (angle6 + v58)
-            q2_mp = v61 + (angle7 + v58)
-            q2_mm = v62 + (angle8 + v58)
-            q3_pp = v59 + (angle3 + v58)
-            q3_pm = v60 + (v58 - angle3)
-            q3_mp = v61 + (angle4 + v58)
-            q3_mm = v62 + (v58 - angle4)
-            q4_pp = v59 + (v58 + (v67 + (m7 if v67 <= -half_turn else 0.0)))
-            q4_pm = v60 + (v58 + (v68 + (m7 if v68 <= -half_turn else 0.0)))
-            q4_mp = v61 + (v58 + (v69 + (m7 if v69 <= -half_turn else 0.0)))
-            q4_mm = v62 + (v58 + (v70 + (m7 if v70 <= -half_turn else 0.0)))
-            _1504 = q1_pp
+            v77 = work[672 + k]
+            v78 = work[704 + k]
+            v79 = work[736 + k]
+            v80 = work[768 + k]
+            q5_pp = work[800 + k]
+            q5_pm = work[832 + k]
+            q5_mp = work[864 + k]
+            q5_mm = work[896 + k]
+            doubt1 = work[928 + k] != 0.0
+            angle1 = work[960 + k]
+            angle2 = work[992 + k]
+            angle3 = work[1024 + k]
+            angle4 = work[1056 + k]
+            angle5 = work[1088 + k]
+            angle6 = work[1120 + k]
+            angle7 = work[1152 + k]
+            angle8 = work[1184 + k]
+            v81 = angle2 - (angle3 + angle5) - offset4
+            v82 = angle2 - (angle6 - angle3) - offset4
+            v83 = offset4 + (angle2 + (angle4 + angle7))
+            v84 = offset4 + (angle2 + (angle8 - angle4))
+            v85 = v81 - (m10 if half_turn < v81 else 0.0) + (m10 if v81 <= -half_turn else 0.0)
+            v86 = v82 - (m10 if half_turn < v82 else 0.0) + (m10 if v82 <= -half_turn else 0.0)
+            v87 = (m10 if -v83 <= -half_turn else 0.0) - (v83 + (m10 if half_turn < -v83 else 0.0))
+            v88 = (m10 if -v84 <= -half_turn else 0.0) - (v84 + (m10 if half_turn < -v84 else 0.0))
+            v89 = angle1 + v24
+            v90 = v25 + (angle1 - math.copysign(half_turn, -v3) * h1)
+            q1_pp = v77 + v89
+            q1_pm = v78 + v89
+            q1_mp = v79 + v90
+            q1_mm = v80 + v90
+            q2_pp = angle5 + v77
+            q2_pm = angle6 + v78
+            q2_mp = angle7 + v79
+            q2_mm = angle8 + v80
+            q3_pp = angle3 + v77
+            q3_pm = v78 - angle3
+            q3_mp = angle4 + v79
+            q3_mm = v80 - angle4
+            q4_pp = v77 + (v85 + (m10 if v85 <= -half_turn else 0.0))
+            q4_pm = v78 + (v86 + (m10 if v86 <= -half_turn else 0.0))
+            q4_mp = v79 + (v87 + (m10 if v87 <= -half_turn else 0.0))
+            q4_mm = v80 + (v88 + (m10 if v88 <= -half_turn else 0.0))
+            _1472 = q1_pp
+            work[1472 + k] = _1472
+            _1504 = q2_pp
             work[1504 + k] = _1504
-            _1536 = q2_pp
+            _1536 = q3_pp
             work[1536 + k] = _1536
-            _1568 = q3_pp
+            _1568 = q4_pp
             work[1568 + k] = _1568
-            _1600 = q4_pp
+            _1600 = q5_pp
             work[1600 + k] = _1600
-            _1632 = q5_pp
+            _1632 = q1_pm
             work[1632 + k] = _1632
-            _1664 = q1_pm
+            _1664 = q2_pm
             work[1664 + k] = _1664
-            _1696 = q2_pm
+            _1696 = q3_pm
             work[1696 + k] = _1696
-            _1728 = q3_pm
+            _1728 = q4_pm
             work[1728 + k] = _1728
-            _1760 = q4_pm
+            _1760 = q5_pm
             work[1760 + k] = _1760
-            _1792 = q5_pm
+            _1792 = q1_mp
             work[1792 + k] = _1792
-            _1824 = q1_mp
+            _1824 = q2_mp
             work[1824 + k] = _1824
-            _1856 = q2_mp
+            _1856 = q3_mp
             work[1856 + k] = _1856
-            _1888 = q3_mp
+            _1888 = q4_mp
             work[1888 + k] = _1888
-            _1920 = q4_mp
+            _1920 = q5_mp
             work[1920 + k] = _1920
-            _1952 = q5_mp
+            _1952 = q1_mm
             work[1952 + k] = _1952
-            _1984 = q1_mm
+            _1984 = q2_mm
             work[1984 + k] = _1984
-            _2016 = q2_mm
+            _2016 = q3_mm
             work[2016 + k] = _2016
-            _2048 = q3_mm
+            _2048 = q4_mm
             work[2048 + k] = _2048
-            _2080 = q4_mm
+            _2080 = q5_mm
             work[2080 + k] = _2080
-            _2112 = q5_mm
-            work[2112 + k] = _2112
-            work[2144 + k] = UNREACHABLE if _1504 != _1504 else OK
-            work[2176 + k] = UNREACHABLE if _1664 != _1664 else OK
-            work[2208 + k] = UNREACHABLE if _1824 != _1824 else OK
-            work[2240 + k] = UNREACHABLE if _1984 != _1984 else OK
+            work[2112 + k] = UNREACHABLE if _1472 != _1472 else OK
+            work[2144 + k] = UNREACHABLE if _1632 != _1632 else OK
+            work[2176 + k] = UNREACHABLE if _1792 != _1792 else OK
+            work[2208 + k] = UNREACHABLE if _1952 != _1952 else OK
             work[544 + k] = 1.0 if doubt1 else work[544 + k]
         for k in range(count):
             if work[544 + k] != 0.0:

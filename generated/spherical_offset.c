@@ -12,8 +12,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -317,8 +320,7 @@ void spherical_offset_jacobian(const double q[3], double J[18])
     J[15] = 1.0; J[16] = 0.0; J[17] = 0.0;
 }
 
-/* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+/* Copies a pose. Returns 0 for what is no pose. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -338,7 +340,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1, v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
@@ -352,7 +353,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 
     /* joint values */
     const wide q3_pp = v1 + w3, q3_pm = v1 - w3;
-    const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | (v6 <= m1));
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | ((v6 <= m1) | (N1 <= doubt_limit_squared2));
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -370,6 +371,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[4][3], unsigned char status[4])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -380,7 +382,6 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
 
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24;
-    const int free1 = N1 <= doubt_limit_squared2;
     const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1, v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
@@ -392,7 +393,7 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
 
     /* joint values */
     const four q3 = v1 + e2 * w3;
-    const int doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | (v6 <= m1));
+    const int doubt1 = (fabs(D1) <= k2) | ((v6 <= m1) | (N1 <= doubt_limit_squared2));
 
     const four packed1 = atan2_four(__builtin_shufflevector(-(v2 + e1 * v5), all_four(-w1), 0, 5, 2,
         3), __builtin_shufflevector(v3 - e1 * v4, all_four(T34), 0, 5, 2, 3));
@@ -533,24 +534,15 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int spherical_offset_ik(
-    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[4][3], unsigned char
+    status[4])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
-        return count;
-    count = 0;
     for (int row = 0; row < 4; row++) {
         status[row] = valid ? SPHERICAL_OFFSET_UNREACHABLE : SPHERICAL_OFFSET_INVALID_POSE;
         for (int i = 0; i < 3; i++)
@@ -564,12 +556,20 @@ int spherical_offset_ik(
             continue;
         for (int i = 0; i < 3; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = SPHERICAL_OFFSET_OUT_OF_LIMITS;
         }
         count += status[row] != SPHERICAL_OFFSET_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int spherical_offset_ik(
+    const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int spherical_offset_ik_nearest(const double T[16], const double q_seed[3], double q[3])

@@ -334,7 +334,6 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k1
     w1 = math.sqrt(D1)
     v1 = w1 - w1
@@ -350,7 +349,7 @@ def _regular(pose, q, status):
     # joint values
     q3_pp = v1 + w3
     q3_pm = v1 - w3
-    doubt1 = (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or v6 <= m1)
+    doubt1 = abs(D1) <= k2 or (v6 <= m1 or N1 <= doubt_limit_squared2)
 
     # angles, side by side
     room[0] = -(v2 + v5)
@@ -585,7 +584,6 @@ def _in_tiles(T, q, status):
             T24 = work[224 + k]
             T34 = work[352 + k]
             N1 = T14 * T14 + T24 * T24
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k1
             w1 = math.sqrt(D1)
             v1 = w1 - w1
@@ -597,7 +595,7 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(v6)
             q3_pp = v1 + w3
             q3_pm = v1 - w3
-            doubt1 = (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or v6 <= m1)
+            doubt1 = abs(D1) <= k2 or (v6 <= m1 or N1 <= doubt_limit_squared2)
             work[544 + k] = w1
             work[576 + k] = q3_pp
             work[608 + k] = q3_pm

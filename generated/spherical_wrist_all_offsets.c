@@ -13,8 +13,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -484,7 +487,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -496,11 +499,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -515,7 +518,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide wx = T14 - d6 * T13;
     const wide Y1 = d6 * T23 - T24;
     const wide N1 = wx * wx + Y1 * Y1;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide D1 = N1 - k2;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
@@ -611,8 +613,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
         <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
         <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((-k3 <= D1) & (free1 | ((k4
-        < D1) == 0))) | (free1 | ((v36 <= m7) | ((v35 <= m7) | ((v33 <= m7) | (v34 <= m7)))))))));
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((abs_wide(D1) <= k3) | ((N1
+        <= doubt_limit_squared2) | ((v36 <= m7) | ((v35 <= m7) | ((v33 <= m7) | (v34 <= m7)))))))));
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = q3_ppp; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -643,6 +645,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 #if LANES > 1
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -655,7 +658,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double wx = T14 - d6 * T13;
     const double Y1 = d6 * T23 - T24;
     const double N1 = wx * wx + Y1 * Y1;
-    const int free1 = N1 <= doubt_limit_squared2;
     const double D1 = N1 - k2;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
@@ -696,7 +698,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v24 = s1 * T21 - v2 * T11;
 
     /* joint values */
-    const int doubt1 = free1 | ((-k3 <= D1) & (free1 | ((k4 < D1) == 0)));
+    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k3);
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
@@ -917,22 +919,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int spherical_wrist_all_offsets_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
+    status[8])
 {
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
@@ -949,12 +945,20 @@ int spherical_wrist_all_offsets_ik(
             continue;
         for (int i = 0; i < 6; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS;
         }
         count += status[row] != SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int spherical_wrist_all_offsets_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int spherical_wrist_all_offsets_ik_nearest(const double T[16], const double q_seed[6], double q[6])

@@ -565,7 +565,6 @@ def _regular(pose, q, status):
     wx = T14 - d6 * T13
     Y1 = d6 * T23 - T24
     N1 = wx * wx + Y1 * Y1
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k2
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
@@ -650,8 +649,8 @@ def _regular(pose, q, status):
         N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not
         (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or
         ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or ((-k3 <= D1 and (free1 or not (k4 < D1))) or (free1 or (v36 <= m7
-        or (v35 <= m7 or (v33 <= m7 or v34 <= m7))))))))
+        N3_p < longest3_apart)) or (abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v36 <= m7 or
+        (v35 <= m7 or (v33 <= m7 or v34 <= m7))))))))
     )
 
     # angles, side by side
@@ -1035,7 +1034,6 @@ def _in_tiles(T, q, status):
             wx = T14 - d6 * T13
             Y1 = d6 * T23 - T24
             N1 = wx * wx + Y1 * Y1
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k2
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
@@ -1110,8 +1108,8 @@ def _in_tiles(T, q, status):
                 N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
                 doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or ((-k3 <= D1 and (free1 or not
-                (k4 < D1))) or (free1 or (v36 <= m7 or (v35 <= m7 or (v33 <= m7 or v34 <= m7))))))))
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (abs(D1) <= k3 or (N1 <=
+                doubt_limit_squared2 or (v36 <= m7 or (v35 <= m7 or (v33 <= m7 or v34 <= m7))))))))
             )
             work[544 + k] = w3_p
             work[576 + k] = w3_m

@@ -11,8 +11,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -428,7 +431,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -440,11 +443,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -457,7 +460,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide D1 = N1 - k2;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
@@ -535,7 +537,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         low4) | (high4 < -angle5))));
     const wide_mask outside_mmm = v32 | (((-q5_mmp < low5) | (high5 < -q5_mmp)) | (v29 | ((-q4_mpm <
         low4) | (high4 < -q4_mpm))));
-    const wide_mask doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | ((v10 <= m1) |
+    const wide_mask doubt1 = (abs_wide(D1) <= k3) | ((N1 <= doubt_limit_squared2) | ((v10 <= m1) |
         ((v15 <= m3) | (v16 <= m3))));
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_ppp; q[3] = angle4; q[4] = angle6; q[5] = angle8;
@@ -566,6 +568,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 static const double m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -576,7 +579,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta1 */
     const double N1 = T14 * T14 + T24 * T24;
-    const int free1 = N1 <= doubt_limit_squared2;
     const double D1 = N1 - k2;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
@@ -618,7 +620,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v24 = e2 * w3;
     const four_mask v26 = (v24 < low3) | (high3 < v24);
     const four q3_p = v1 + v24;
-    const int doubt1 = ((-k3 <= D1) & (free1 | ((k4 < D1) == 0))) | (free1 | (v7 <= m1));
+    const int doubt1 = (fabs(D1) <= k3) | ((v7 <= m1) | (N1 <= doubt_limit_squared2));
 
     const four packed1 = atan2_four(__builtin_shufflevector(-v6, v13, 0, 5, 2, 7),
         __builtin_shufflevector(c1, c4, 0, 5, 2, 7));
@@ -829,21 +831,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int stanford_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
+    status[8])
 {
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
@@ -859,12 +856,19 @@ int stanford_ik(const double T[16], const double *q_seed, double q[8][6], unsign
             continue;
         for (int i = 0; i < 6; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = STANFORD_OUT_OF_LIMITS;
         }
         count += status[row] != STANFORD_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int stanford_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int stanford_ik_nearest(const double T[16], const double q_seed[6], double q[6])

@@ -478,7 +478,6 @@ def _regular(pose, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k2
     w1 = math.sqrt(D1)
     v1 = w1 - w1
@@ -529,8 +528,7 @@ def _regular(pose, q, status):
     q3_ppp = v1 + w3
     q3_pmp = v1 - w3
     doubt1 = (
-        (-k3 <= D1 and (free1 or not (k4 < D1))) or (free1 or (v10 <= m1 or (v15 <= m3 or v16 <=
-        m3)))
+        abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v10 <= m1 or (v15 <= m3 or v16 <= m3)))
     )
 
     # angles, side by side
@@ -896,7 +894,6 @@ def _in_tiles(T, q, status):
             T33 = work[320 + k]
             T34 = work[352 + k]
             N1 = T14 * T14 + T24 * T24
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k2
             w1 = math.sqrt(D1)
             v1 = w1 - w1
@@ -937,8 +934,8 @@ def _in_tiles(T, q, status):
             q3_ppp = v1 + w3
             q3_pmp = v1 - w3
             doubt1 = (
-                (-k3 <= D1 and (free1 or not (k4 < D1))) or (free1 or (v10 <= m1 or (v15 <= m3 or
-                v16 <= m3)))
+                abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v10 <= m1 or (v15 <= m3 or v16 <=
+                m3)))
             )
             work[544 + k] = w1
             work[576 + k] = v13

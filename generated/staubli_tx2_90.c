@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -494,7 +497,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -506,11 +509,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -525,7 +528,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide t14 = T14 - d6 * T11;
     const wide Y1 = d6 * T21 - T24;
     const wide N1 = t14 * t14 + Y1 * Y1;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
@@ -664,10 +666,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide_mask outside_mmp = v83 | ((q5_mmp < low5) | (high5 < q5_mmp));
     const wide_mask outside_mmm = v83 | ((q5_mmm < low5) | (high5 < q5_mmm));
     const wide_mask doubt1 = (v45 <= m5) | ((v27 <= m4) | ((v44 <= m5) | ((v26 <= m4) | ((v43 <= m5)
-        | ((v25 <= m4) | ((v42 <= m5) | ((v24 <= m4) | (((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) |
-        (free1 | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart <
-        N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) & (N3_m <=
-        longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0))))))))))));
+        | ((v25 <= m4) | ((v42 <= m5) | ((v24 <= m4) | ((abs_wide(D1) <= k2) | ((N1 <=
+        doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) &
+        (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) ==
+        0))))))))))));
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = angle1;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
@@ -693,6 +696,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 static const double m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -705,7 +709,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double t14 = T14 - d6 * T11;
     const double Y1 = d6 * T21 - T24;
     const double N1 = t14 * t14 + Y1 * Y1;
-    const int free1 = N1 <= doubt_limit_squared2;
     const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
@@ -748,7 +751,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* joint values */
     const four v24 = copysign_four(all_four(half_turn), s3), v25 = m6 * (1.0 - e2);
     const four v27 = h1 * copysign_four(all_four(half_turn), -v16);
-    const int doubt1 = free1 | ((-k2 <= D1) & (free1 | ((k3 < D1) == 0)));
+    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
     const four_mask doubt3 = (v12 <= m4) | (v18 <= m5);
 
     const four angle1 = atan2_four(-(v21 * -X4 + v16 * (v13 * v22 - v14 * T33)), v19 * -X4 + v16 *
@@ -992,22 +995,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int staubli_tx2_90_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
+    status[8])
 {
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
@@ -1023,12 +1020,20 @@ int staubli_tx2_90_ik(
             continue;
         for (int i = 0; i < 6; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = STAUBLI_TX2_90_OUT_OF_LIMITS;
         }
         count += status[row] != STAUBLI_TX2_90_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int staubli_tx2_90_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int staubli_tx2_90_ik_nearest(const double T[16], const double q_seed[6], double q[6])

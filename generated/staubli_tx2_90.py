@@ -586,7 +586,6 @@ def _regular(pose, q, status):
     t14 = T14 - d6 * T11
     Y1 = d6 * T21 - T24
     N1 = t14 * t14 + Y1 * Y1
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k1
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
@@ -679,10 +678,10 @@ def _regular(pose, q, status):
     v63 = h1 * math.copysign(half_turn, -v39)
     doubt1 = (
         v45 <= m5 or (v27 <= m4 or (v44 <= m5 or (v26 <= m4 or (v43 <= m5 or (v25 <= m4 or (v42 <=
-        m5 or (v24 <= m4 or ((-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or ((shortest3_reach
-        <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-        longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart))))))))))))
+        m5 or (v24 <= m4 or (abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or ((shortest3_reach <=
+        N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))
+        or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and
+        N3_m < longest3_apart))))))))))))
     )
 
     # angles, side by side
@@ -1100,7 +1099,6 @@ def _in_tiles(T, q, status):
             t14 = T14 - d6 * T11
             Y1 = d6 * T21 - T24
             N1 = t14 * t14 + Y1 * Y1
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k1
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
@@ -1183,7 +1181,7 @@ def _in_tiles(T, q, status):
             v63 = h1 * math.copysign(half_turn, -v39)
             doubt1 = (
                 v45 <= m5 or (v27 <= m4 or (v44 <= m5 or (v26 <= m4 or (v43 <= m5 or (v25 <= m4 or
-                (v42 <= m5 or (v24 <= m4 or ((-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or
+                (v42 <= m5 or (v24 <= m4 or (abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or
                 ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p
                 and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart))))))))))))

@@ -18,8 +18,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -486,7 +489,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -498,11 +501,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -517,7 +520,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide X1 = d6 * T13 - T14;
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide v1 = w1 - w1;
@@ -634,7 +636,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide q1_mpp = v6 + (v41 + only_wide(v41 <= -half_turn, m7));
     const wide q3_ppp = v1 + (v46 + only_wide(v46 <= -half_turn, m7));
     const wide q3_pmp = v1 + (v47 + only_wide(v47 <= -half_turn, m7));
-    const wide_mask doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | ((v31 <= m5) |
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | ((N1 <= doubt_limit_squared2) | ((v31 <= m5) |
         ((v18 <= m2) | ((v30 <= m5) | ((v17 <= m2) | ((v29 <= m5) | ((v16 <= m2) | ((v28 <= m5) |
         ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v14 <= m2))))))))));
@@ -663,6 +665,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 static const double m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[8][6], unsigned char status[8])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -675,7 +678,6 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double X1 = d6 * T13 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const int free1 = N1 <= doubt_limit_squared2;
     const double D1 = N1 - k1;
     const double w1 = sqrt(D1);
     const double v1 = w1 - w1;
@@ -721,8 +723,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v27 = copysign(half_turn, v6);
     const four v29 = h1 * copysign_four(all_four(half_turn), Y4);
     const four_mask doubt2 = (v11 <= m2) | (v20 <= m5);
-    const int doubt1 = ((-k2 <= D1) & (free1 | ((k3 < D1) == 0))) | (free1 | (((shortest3_reach <=
-        N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)));
+    const int doubt1 = (fabs(D1) <= k2) | ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2));
 
     const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v12 * v22) - v21 * -X4);
     const four angle3 = atan2_four(S2, C2), angle5 = atan2_four(Y4, factor2 * -X4);
@@ -955,22 +957,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int staubli_tx40_ik(
-    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
+    status[8])
 {
     static const double zeros[6] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
@@ -986,12 +982,20 @@ int staubli_tx40_ik(
             continue;
         for (int i = 0; i < 6; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = STAUBLI_TX40_OUT_OF_LIMITS;
         }
         count += status[row] != STAUBLI_TX40_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int staubli_tx40_ik(
+    const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int staubli_tx40_ik_nearest(const double T[16], const double q_seed[6], double q[6])

@@ -584,7 +584,6 @@ def _regular(pose, q, status):
     X1 = d6 * T13 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k1
     w1 = math.sqrt(D1)
     v1 = w1 - w1
@@ -671,8 +670,8 @@ def _regular(pose, q, status):
     v58 = T33 * S2_pm
     v59 = T33 * S2_pp
     doubt1 = (
-        (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (v31 <= m5 or (v18 <= m2 or (v30 <= m5
-        or (v17 <= m2 or (v29 <= m5 or (v16 <= m2 or (v28 <= m5 or ((shortest3_reach <= N3 and N3 <=
+        abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v31 <= m5 or (v18 <= m2 or (v30 <= m5 or
+        (v17 <= m2 or (v29 <= m5 or (v16 <= m2 or (v28 <= m5 or ((shortest3_reach <= N3 and N3 <=
         longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v14 <= m2)))))))))
     )
 
@@ -1074,7 +1073,6 @@ def _in_tiles(T, q, status):
             X1 = d6 * T13 - T14
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k1
             w1 = math.sqrt(D1)
             v1 = w1 - w1
@@ -1151,10 +1149,10 @@ def _in_tiles(T, q, status):
             v58 = T33 * S2_pm
             v59 = T33 * S2_pp
             doubt1 = (
-                (-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (v31 <= m5 or (v18 <= m2 or
-                (v30 <= m5 or (v17 <= m2 or (v29 <= m5 or (v16 <= m2 or (v28 <= m5 or
-                ((shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and
-                N3 < longest3_apart)) or v14 <= m2)))))))))
+                abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v31 <= m5 or (v18 <= m2 or (v30 <=
+                m5 or (v17 <= m2 or (v29 <= m5 or (v16 <= m2 or (v28 <= m5 or ((shortest3_reach <=
+                N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart))
+                or v14 <= m2)))))))))
             )
             work[544 + k] = v1
             work[576 + k] = v6

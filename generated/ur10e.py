@@ -684,7 +684,6 @@ def _regular(pose, q, status):
     X1 = d6 * T13 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    free1 = N1 <= doubt_limit_squared2
     D1 = N1 - k1
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
@@ -786,8 +785,8 @@ def _regular(pose, q, status):
         and N3_mp < longest3_apart)) or (N3_pm <= doubt_limit_squared2 or ((shortest3_reach <= N3_pm
         and N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
         (N3_pp <= doubt_limit_squared2 or ((shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
-        not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or ((-k2 <= D1 and (free1 or not
-        (k3 < D1))) or (free1 or (v9 <= m1 or v10 <= m1))))))))))
+        not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or (abs(D1) <= k2 or (N1 <=
+        doubt_limit_squared2 or (v9 <= m1 or v10 <= m1))))))))))
     )
 
     # angles, side by side
@@ -1169,7 +1168,6 @@ def _in_tiles(T, q, status):
             X1 = d6 * T13 - T14
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
-            free1 = N1 <= doubt_limit_squared2
             D1 = N1 - k1
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
@@ -1261,8 +1259,7 @@ def _in_tiles(T, q, status):
                 longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
                 (N3_pp <= doubt_limit_squared2 or ((shortest3_reach <= N3_pp and N3_pp <=
                 longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or
-                ((-k2 <= D1 and (free1 or not (k3 < D1))) or (free1 or (v9 <= m1 or v10 <=
-                m1))))))))))
+                (abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v9 <= m1 or v10 <= m1))))))))))
             )
             work[544 + k] = v7
             work[576 + k] = v8

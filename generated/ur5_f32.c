@@ -17,8 +17,11 @@ static float wrap(float angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -294,7 +297,7 @@ static void straighten(float T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const float given[16], float T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -306,11 +309,11 @@ static int read_pose(const float given[16], float T[16])
     const float miss = misfit(T);
     if (!(miss <= 1e-09f))
         return 0;
-    if (miss > 1e-12f) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-12f)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -325,7 +328,6 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide X1 = d6 * T13 - T14;
     const wide wy = T24 - d6 * T23;
     const wide N1 = X1 * X1 + wy * wy;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide D1 = N1 - k1;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0f / N1;
@@ -421,8 +423,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         <= doubt_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
         (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((N3_pp <=
         doubt_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
-        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (((-k2 <= D1) & (free1 |
-        ((k3 < D1) == 0))) | (free1 | ((v9 <= m1) | (v10 <= m1)))))))))));
+        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | ((abs_wide(D1) <= k2) |
+        ((N1 <= doubt_limit_squared2) | ((v9 <= m1) | (v10 <= m1)))))))))));
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -714,21 +716,16 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, float value)
-{
-    return lowest[joint] - 2e-06f <= value && value <= highest[joint] + 2e-06f;
-}
-
-int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned char status[8])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], unsigned char
+    status[8])
 {
     static const float zeros[6] = { 0.0f };
     const float *seed = q_seed ? q_seed : zeros;
     float pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 8; row++) {
@@ -753,12 +750,19 @@ int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned c
             continue;
         for (int i = 0; i < 6; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 2e-06f <= q[row][i]
+                    && q[row][i] <= highest[i] + 2e-06f))
                 status[row] = UR5_F32_OUT_OF_LIMITS;
         }
         count += status[row] != UR5_F32_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned char status[8])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])

@@ -3104,7 +3104,7 @@ void welding_5r_jacobian(const double q[5], double J[30])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -3115,13 +3115,13 @@ static int read_pose(const double given[16], double T[16])
     const double miss = (square - 1.0) * (square - 1.0);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        const double length = sqrt(square);
-        T[2] /= length;
-        T[6] /= length;
-        T[10] /= length;
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    const double length = sqrt(square);
+    T[2] /= length;
+    T[6] /= length;
+    T[10] /= length;
+    return 2;
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
@@ -3168,11 +3168,6 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
 int welding_5r_ik(
     const double T[16], const double *q_seed, double q[16][5], unsigned char status[16])
 {
@@ -3194,7 +3189,8 @@ int welding_5r_ik(
             continue;
         for (int i = 0; i < 5; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = WELDING_5R_OUT_OF_LIMITS;
         }
         count += status[row] != WELDING_5R_OUT_OF_LIMITS;

@@ -12,8 +12,11 @@ static const double turn = 6.283185307179586;
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -307,6 +310,10 @@ static const double m1 = 0.383022221559489; /* a coefficient of S3 */
 static const double m2 = 1e-12; /* doubt_limit_squared^2 */
 static const double m3 = 0.6634139481689384; /* a coefficient of v11 */
 static const double m4 = 1.2855752193730787; /* a coefficient of v19 */
+static const double m5 = 1.0000000000000004e-12; /* pose_slack1^2 [m^2] */
+static const double m6 = 3.000000000000001e-12; /* 3 * pose_slack1^2 [m^2] */
+static const double m7 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m8 = 9.000000000000001e-10; /* 9 * pose_slack^2 */
 
 const char *const wrist_oblique_branches[2] = {
     "left", "right",
@@ -410,7 +417,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -422,11 +429,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -441,98 +448,106 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide v1 = k1 * (sqrt3 * T14);
     const wide Y1 = k1 * (sqrt3 * T24);
     const wide N1 = v1 * v1 + Y1 * Y1;
-    const wide_mask free1 = N1 <= doubt_limit_squared2;
     const wide Z1 = k1 * (T34 - k2);
     const wide D1 = N1 - Z1 * Z1;
-    const wide v2 = abs_wide(Z1) * 2.0;
     const wide w1 = sqrt_wide(D1);
     const wide inverse1 = 1.0 / N1;
-    const wide v3 = v1 * Z1, v4 = Y1 * Z1, v5 = v1 * inverse1, v6 = inverse1 * v4, v7 = w1 * v5;
-    const wide c1_p = v6 + v7, c1_m = v6 - v7;
-    const wide v8 = Y1 * inverse1, v9 = inverse1 * v3, v10 = w1 * v8;
-    const wide s1_p = v10 - v9;
-    const wide v11 = v9 + v10;
+    const wide v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * inverse1, v5 = inverse1 * v3, v6 = w1 * v4;
+    const wide c1_p = v5 + v6, c1_m = v5 - v6;
+    const wide v7 = Y1 * inverse1, v8 = inverse1 * v2, v9 = w1 * v7;
+    const wide s1_p = v9 - v8;
+    const wide v10 = v8 + v9;
 
     /* theta3 */
-    const wide v12 = sqrt3 * T22, v13 = sqrt3 * T12, v14 = sqrt3 * T21, v15 = sqrt3 * T11;
-    const wide v16 = Y1 * v15 - v1 * v14, v17 = m1 * (T31 - inverse1 * (v3 * v15 + v4 * v14));
-    const wide S3_p = v17 + w1 * (m1 * (inverse1 * v16));
-    const wide S3_m = v17 + w1 * (m1 * (inverse1 * -v16));
-    const wide v18 = Y1 * v13 - v1 * v12, v19 = m1 * (T32 - inverse1 * (v3 * v13 + v4 * v12));
-    const wide C3_p = v19 + w1 * (m1 * (inverse1 * v18));
-    const wide C3_m = v19 + w1 * (m1 * (inverse1 * -v18));
-    const wide v20 = S3_p * S3_p + C3_p * C3_p, v21 = S3_m * S3_m + C3_m * C3_m;
-    const wide w3_p = sqrt_wide(v20), w3_m = sqrt_wide(v21);
-    const wide v22 = 1.0 / v20, v23 = 1.0 / v21, v24 = w3_p * v22, v25 = w3_m * v23;
-    const wide v26 = C3_p * v24, v27 = C3_m * v25, v28 = S3_p * v24, v29 = S3_m * v25;
+    const wide v11 = sqrt3 * T22, v12 = sqrt3 * T12, v13 = sqrt3 * T21, v14 = sqrt3 * T11;
+    const wide v15 = Y1 * v14 - v1 * v13, v16 = m1 * (T31 - inverse1 * (v2 * v14 + v3 * v13));
+    const wide S3_p = v16 + w1 * (m1 * (inverse1 * v15));
+    const wide S3_m = v16 + w1 * (m1 * (inverse1 * -v15));
+    const wide v17 = Y1 * v12 - v1 * v11, v18 = m1 * (T32 - inverse1 * (v2 * v12 + v3 * v11));
+    const wide C3_p = v18 + w1 * (m1 * (inverse1 * v17));
+    const wide C3_m = v18 + w1 * (m1 * (inverse1 * -v17));
+    const wide v19 = S3_p * S3_p + C3_p * C3_p, v20 = S3_m * S3_m + C3_m * C3_m;
+    const wide w3_p = sqrt_wide(v19), w3_m = sqrt_wide(v20);
+    const wide v21 = 1.0 / v19, v22 = 1.0 / v20, v23 = w3_p * v21, v24 = w3_m * v22;
+    const wide v25 = C3_p * v23, v26 = C3_m * v24, v27 = S3_p * v23, v28 = S3_m * v24;
 
     /* theta2 */
-    const wide v30 = w3_p * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))) -
-        T31 * (sa2 * (k1 * (T32 + (s1_p * v13 - c1_p * v12)))))));
-    const wide v31 = w3_m * (m3 * (v23 * (T32 * (sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)))) -
-        T31 * (sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)))))));
-    const wide v32 = k5 * (k1 * (2.0 * T33 - ca2));
-    const double v33 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const wide v34 = v32 * v32, v35 = v34 + v30 * v30, v36 = v34 + v31 * v31;
-    const wide factor2_p = v33 / sqrt_wide(v35), factor2_m = v33 / sqrt_wide(v36);
-    const wide v37 = v32 * factor2_p, v38 = v32 * factor2_m, v39 = v30 * factor2_p;
-    const wide v40 = v31 * factor2_m;
+    const wide v29 = w3_p * (m3 * (v21 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v14 - c1_p * v13)))) -
+        T31 * (sa2 * (k1 * (T32 + (s1_p * v12 - c1_p * v11)))))));
+    const wide v30 = w3_m * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 - (v10 * v14 + c1_m * v13)))) -
+        T31 * (sa2 * (k1 * (T32 - (v10 * v12 + c1_m * v11)))))));
+    const wide v31 = k5 * (k1 * (2.0 * T33 - ca2));
+    const double v32 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const wide v33 = v31 * v31, v34 = v33 + v29 * v29, v35 = v33 + v30 * v30;
+    const wide factor2_p = v32 / sqrt_wide(v34), factor2_m = v32 / sqrt_wide(v35);
+    const wide v36 = v31 * factor2_p, v37 = v31 * factor2_m, v38 = v29 * factor2_p;
+    const wide v39 = v30 * factor2_m;
 
     /* is the pose one that the arm can take? */
-    const wide v41 = 2.0 * c1_p, v42 = 2.0 * c1_m, v43 = ca2 * s1_p, v44 = ca2 * v11;
-    const wide v45 = s1_p * v26, v46 = v11 * v27, v47 = ca2 * c1_p, v48 = ca2 * c1_m, v49 = m4 * v6;
-    const wide v50 = w1 * (m4 * v5), v51 = v49 + v50, v52 = v49 - v50, v53 = s1_p * v28;
-    const wide v54 = v11 * v29, v55 = sa2 * s1_p, v56 = sa2 * v11, v57 = sa2 * c1_p;
-    const wide v58 = sa2 * c1_m, v59 = v37 * v55 + v39 * (2.0 * v57) + ca2 * (sqrt3 * s1_p);
-    const wide v60 = v40 * (2.0 * v58) - v38 * v56 - ca2 * (sqrt3 * v11), v61 = 2.0 * s1_p;
-    const wide v62 = 2.0 * v11, v63 = c1_p * v26, v64 = c1_m * v27, v65 = m4 * v9;
-    const wide v66 = w1 * (m4 * v8), v67 = v66 - v65, v68 = v65 + v66, v69 = c1_p * v28;
-    const wide v70 = c1_m * v29, v71 = v39 * (2.0 * v55) - v37 * v57 - ca2 * (sqrt3 * c1_p);
-    const wide v72 = v40 * (2.0 * v56) + v38 * v58 + ca2 * (sqrt3 * c1_m), v73 = sqrt3 * v28;
-    const wide v74 = sqrt3 * v29, v75 = sqrt3 * v26, v76 = sqrt3 * v27, v77 = ca2 - k3 * v37;
-    const wide v78 = ca2 - k3 * v38;
-    const double v79 = sqrt(-1.0);
-    const wide v80 = pick_wide(maximum_wide(abs_wide(T14 - k1 * (d3 * v59)),
-        maximum_wide(abs_wide(T34 - k1 * (d3 * v77)), abs_wide(T24 - k1 * (d3 * v71)))) <=
-        pose_slack1, all_wide(0.0), all_wide(v79));
-    const wide v81 = pick_wide(maximum_wide(abs_wide(T14 - k1 * (d3 * v60)),
-        maximum_wide(abs_wide(T34 - k1 * (d3 * v78)), abs_wide(T24 + k1 * (d3 * v72)))) <=
-        pose_slack1, all_wide(0.0), all_wide(v79));
-    const wide v82 = pick_wide(maximum_wide(abs_wide(T12 + k1 * (v37 * (v26 * v43 + v28 * v41) - v39
-        * (v53 - v26 * v51) - sa2 * (sqrt3 * v45))), maximum_wide(abs_wide(T11 - k1 * (sa2 * (sqrt3
-        * v53) - (v37 * (v28 * v43 - v26 * v41) + v39 * (v45 + v28 * v51)))),
-        maximum_wide(abs_wide(T13 - k1 * v59), maximum_wide(abs_wide(T21 - k1 * (v37 * (v26 * v61 +
-        v28 * v47) - v39 * (v28 * v67 - v63) - sa2 * (sqrt3 * v69))), maximum_wide(abs_wide(T22 + k1
-        * (v37 * (v28 * v61 - v26 * v47) + v39 * (v69 + v26 * v67) + sa2 * (sqrt3 * v63))),
-        maximum_wide(abs_wide(T23 - k1 * v71), maximum_wide(abs_wide(T31 - k1 * (v37 * (ca2 * v73) +
-        v39 * v75 + sa2 * v28)), maximum_wide(abs_wide(T33 - k1 * v77), abs_wide(T32 - k1 * (v37 *
-        (ca2 * v75) - v39 * v73 + sa2 * v26)))))))))) <= pose_slack, all_wide(0.0), all_wide(v79));
-    const wide v83 = pick_wide(maximum_wide(abs_wide(T12 + k1 * (v38 * (v29 * v42 - v27 * v44) + v40
-        * (v54 + v27 * v52) + sa2 * (sqrt3 * v46))), maximum_wide(abs_wide(T11 + k1 * (sa2 * (sqrt3
-        * v54) + (v40 * (v29 * v52 - v46) - v38 * (v29 * v44 + v27 * v42)))),
-        maximum_wide(abs_wide(T13 - k1 * v60), maximum_wide(abs_wide(T21 - k1 * (v38 * (v29 * v48 -
-        v27 * v62) + v40 * (v64 + v29 * v68) - sa2 * (sqrt3 * v70))), maximum_wide(abs_wide(T22 + k1
-        * (v40 * (v70 - v27 * v68) - v38 * (v29 * v62 + v27 * v48) + sa2 * (sqrt3 * v64))),
-        maximum_wide(abs_wide(T23 + k1 * v72), maximum_wide(abs_wide(T31 - k1 * (v38 * (ca2 * v74) +
-        v40 * v76 + sa2 * v29)), maximum_wide(abs_wide(T33 - k1 * v78), abs_wide(T32 - k1 * (v38 *
-        (ca2 * v76) - v40 * v74 + sa2 * v27)))))))))) <= pose_slack, all_wide(0.0), all_wide(v79));
+    const wide v40 = c1_p * 2.0, v41 = c1_m * 2.0, v42 = ca2 * s1_p, v43 = ca2 * v10;
+    const wide v44 = s1_p * v25, v45 = v10 * v26, v46 = ca2 * c1_p, v47 = ca2 * c1_m, v48 = m4 * v5;
+    const wide v49 = w1 * (m4 * v4), v50 = v48 + v49, v51 = v48 - v49, v52 = s1_p * v27;
+    const wide v53 = v10 * v28, v54 = sa2 * s1_p, v55 = sa2 * v10, v56 = sa2 * c1_p;
+    const wide v57 = sa2 * c1_m, v58 = v36 * v54 + v38 * (2.0 * v56) + ca2 * (sqrt3 * s1_p);
+    const wide v59 = v39 * (2.0 * v57) - v37 * v55 - ca2 * (sqrt3 * v10), v60 = s1_p * 2.0;
+    const wide v61 = v10 * 2.0, v62 = c1_p * v25, v63 = c1_m * v26, v64 = m4 * v8;
+    const wide v65 = w1 * (m4 * v7), v66 = v65 - v64, v67 = v64 + v65, v68 = c1_p * v27;
+    const wide v69 = c1_m * v28, v70 = v38 * (2.0 * v54) - v36 * v56 - ca2 * (sqrt3 * c1_p);
+    const wide v71 = v39 * (2.0 * v55) + v37 * v57 + ca2 * (sqrt3 * c1_m), v72 = sqrt3 * v27;
+    const wide v73 = sqrt3 * v28, v74 = sqrt3 * v25, v75 = sqrt3 * v26, v76 = ca2 - k3 * v36;
+    const wide v77 = ca2 - k3 * v37, v78 = T34 - k1 * (d3 * v76), v79 = T34 - k1 * (d3 * v77);
+    const wide v80 = T33 - k1 * v76, v81 = T33 - k1 * v77;
+    const wide v82 = T32 - k1 * (v36 * (ca2 * v74) - v38 * v72 + sa2 * v25);
+    const wide v83 = T32 - k1 * (v37 * (ca2 * v75) - v39 * v73 + sa2 * v26);
+    const wide v84 = T31 - k1 * (v36 * (ca2 * v72) + v38 * v74 + sa2 * v27);
+    const wide v85 = T31 - k1 * (v37 * (ca2 * v73) + v39 * v75 + sa2 * v28);
+    const wide v86 = T24 - k1 * (d3 * v70), v87 = T24 + k1 * (d3 * v71), v88 = T23 - k1 * v70;
+    const wide v89 = T23 + k1 * v71;
+    const wide v90 = T22 + k1 * (v36 * (v27 * v60 - v25 * v46) + v38 * (v68 + v25 * v66) + sa2 *
+        (sqrt3 * v62));
+    const wide v91 = T22 + k1 * (v39 * (v69 - v26 * v67) - v37 * (v28 * v61 + v26 * v47) + sa2 *
+        (sqrt3 * v63));
+    const wide v92 = T21 - k1 * (v36 * (v25 * v60 + v27 * v46) - v38 * (v27 * v66 - v62) - sa2 *
+        (sqrt3 * v68));
+    const wide v93 = T21 - k1 * (v37 * (v28 * v47 - v26 * v61) + v39 * (v63 + v28 * v67) - sa2 *
+        (sqrt3 * v69)), v94 = T14 - k1 * (d3 * v58), v95 = T14 - k1 * (d3 * v59);
+    const wide v96 = T13 - k1 * v58, v97 = T13 - k1 * v59;
+    const wide v98 = T11 - k1 * (sa2 * (sqrt3 * v52) - (v36 * (v27 * v42 - v25 * v40) + v38 * (v44 +
+        v27 * v50)));
+    const wide v99 = T11 + k1 * (sa2 * (sqrt3 * v53) + (v39 * (v28 * v51 - v45) - v37 * (v28 * v43 +
+        v26 * v41)));
+    const wide v100 = T12 + k1 * (v36 * (v25 * v42 + v27 * v40) - v38 * (v52 - v25 * v50) - sa2 *
+        (sqrt3 * v44));
+    const wide v101 = T12 + k1 * (v37 * (v28 * v41 - v26 * v43) + v39 * (v53 + v26 * v51) + sa2 *
+        (sqrt3 * v45)), v102 = v94 * v94 + (v78 * v78 + v86 * v86);
+    const wide v103 = v95 * v95 + (v79 * v79 + v87 * v87);
+    const double v104 = NAN;
+    const wide v105 = pick_wide(v102 <= m5, all_wide(0.0), all_wide(v104));
+    const wide v106 = pick_wide(v103 <= m5, all_wide(0.0), all_wide(v104));
+    const wide v107 = v100 * v100 + (v98 * v98 + (v96 * v96 + (v92 * v92 + (v90 * v90 + (v88 * v88 +
+        (v84 * v84 + (v80 * v80 + v82 * v82)))))));
+    const wide v108 = v101 * v101 + (v99 * v99 + (v97 * v97 + (v93 * v93 + (v91 * v91 + (v89 * v89 +
+        (v85 * v85 + (v81 * v81 + v83 * v83)))))));
+    const wide v109 = pick_wide(v107 <= m7, all_wide(0.0), all_wide(v104));
+    const wide v110 = pick_wide(v108 <= m7, all_wide(0.0), all_wide(v104));
 
     /* joint values */
     const wide angle1 = atan2_wide(s1_p, c1_p);
-    const wide q1_p = v82 + (v80 + angle1);
-    const wide angle2 = atan2_wide(-v11, c1_m);
-    const wide q1_m = v83 + (v81 + angle2);
-    const wide angle3 = atan2_wide(-v39, -v37);
-    const wide q2_p = v82 + (v80 + angle3);
-    const wide angle4 = atan2_wide(-v40, -v38);
-    const wide q2_m = v83 + (v81 + angle4);
+    const wide q1_p = v109 + (v105 + angle1);
+    const wide angle2 = atan2_wide(-v10, c1_m);
+    const wide q1_m = v110 + (v106 + angle2);
+    const wide angle3 = atan2_wide(-v38, -v36);
+    const wide q2_p = v109 + (v105 + angle3);
+    const wide angle4 = atan2_wide(-v39, -v37);
+    const wide q2_m = v110 + (v106 + angle4);
     const wide angle5 = atan2_wide(-S3_p, -C3_p);
-    const wide q3_p = v82 + (v80 + angle5);
+    const wide q3_p = v109 + (v105 + angle5);
     const wide angle6 = atan2_wide(-S3_m, -C3_m);
-    const wide q3_m = v83 + (v81 + angle6);
-    const wide_mask doubt1 = (v36 <= m2) | ((v21 <= m2) | ((v35 <= m2) | ((free1 | ((-(reach_slack1
-        * (reach_slack1 + v2)) <= D1) & (free1 | ((merge_slack1 * (merge_slack1 + v2) < D1) == 0))))
-        | (v20 <= m2))));
+    const wide q3_m = v110 + (v106 + angle6);
+    const wide_mask doubt1 = (v35 <= m2) | ((v20 <= m2) | ((v34 <= m2) | ((v19 <= m2) | (((m5 <
+        v103) & (v103 <= m6)) | (((m5 < v102) & (v102 <= m6)) | (((m7 < v108) & (v108 <= m8)) |
+        (((N1 <= doubt_limit_squared2) | (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 *
+        abs_wide(Z1)))) | ((m7 < v107) & (v107 <= m8)))))))));
 
     q[0] = q1_p; q[1] = q2_p; q[2] = q3_p;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -545,6 +560,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
 #if LANES > 1
 /* One regular pose, 1 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
@@ -556,77 +572,79 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double v1 = k1 * (sqrt3 * T14);
     const double Y1 = k1 * (sqrt3 * T24);
     const double N1 = v1 * v1 + Y1 * Y1;
-    const int free1 = N1 <= doubt_limit_squared2;
     const double Z1 = k1 * (T34 - k2);
     const double D1 = N1 - Z1 * Z1;
-    const double v2 = fabs(Z1) * 2.0;
     const double w1 = sqrt(D1);
     const double inverse1 = 1.0 / N1;
-    const double v3 = v1 * Z1, v4 = Y1 * Z1;
-    const four v5 = inverse1 * (e1 * v1);
-    const double v6 = inverse1 * v4;
-    const four c1 = v6 + w1 * v5;
-    const four v7 = inverse1 * (e1 * Y1);
-    const double v8 = inverse1 * v3;
-    const four s1 = w1 * v7 - v8;
+    const double v2 = v1 * Z1, v3 = Y1 * Z1;
+    const four v4 = inverse1 * (e1 * v1);
+    const double v5 = inverse1 * v3;
+    const four c1 = v5 + w1 * v4;
+    const four v6 = inverse1 * (e1 * Y1);
+    const double v7 = inverse1 * v2;
+    const four s1 = w1 * v6 - v7;
 
     /* theta3 */
-    const double v9 = sqrt3 * T22, v10 = sqrt3 * T12, v11 = sqrt3 * T21, v12 = sqrt3 * T11;
-    const double v13 = Y1 * v12 - v1 * v11, v14 = m1 * (T31 - inverse1 * (v3 * v12 + v4 * v11));
-    const four S3 = v14 + w1 * (m1 * (inverse1 * (e1 * v13)));
-    const double v15 = Y1 * v10 - v1 * v9, v16 = m1 * (T32 - inverse1 * (v3 * v10 + v4 * v9));
-    const four C3 = v16 + w1 * (m1 * (inverse1 * (e1 * v15)));
-    const four v17 = S3 * S3 + C3 * C3;
-    const four w3 = sqrt_four(v17);
-    const four v18 = 1.0 / v17, v19 = w3 * v18, v20 = C3 * v19, v21 = S3 * v19;
+    const double v8 = sqrt3 * T22, v9 = sqrt3 * T12, v10 = sqrt3 * T21, v11 = sqrt3 * T11;
+    const double v12 = Y1 * v11 - v1 * v10, v13 = m1 * (T31 - inverse1 * (v2 * v11 + v3 * v10));
+    const four S3 = v13 + w1 * (m1 * (inverse1 * (e1 * v12)));
+    const double v14 = Y1 * v9 - v1 * v8, v15 = m1 * (T32 - inverse1 * (v2 * v9 + v3 * v8));
+    const four C3 = v15 + w1 * (m1 * (inverse1 * (e1 * v14)));
+    const four v16 = S3 * S3 + C3 * C3;
+    const four w3 = sqrt_four(v16);
+    const four v17 = 1.0 / v16, v18 = w3 * v17, v19 = C3 * v18, v20 = S3 * v18;
 
     /* theta2 */
-    const four v22 = w3 * (m3 * (v18 * (T32 * (sa2 * (k1 * (T31 + (s1 * v12 - c1 * v11)))) - T31 *
-        (sa2 * (k1 * (T32 + (s1 * v10 - c1 * v9)))))));
-    const double v23 = k5 * (k1 * (2.0 * T33 - ca2)), v24 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const double v25 = v23 * v23;
-    const four v26 = v25 + v22 * v22;
-    const four factor2 = v24 / sqrt_four(v26);
-    const four v27 = v23 * factor2, v28 = v22 * factor2;
+    const four v21 = w3 * (m3 * (v17 * (T32 * (sa2 * (k1 * (T31 + (s1 * v11 - c1 * v10)))) - T31 *
+        (sa2 * (k1 * (T32 + (s1 * v9 - c1 * v8)))))));
+    const double v22 = k5 * (k1 * (2.0 * T33 - ca2)), v23 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const double v24 = v22 * v22;
+    const four v25 = v24 + v21 * v21;
+    const four factor2 = v23 / sqrt_four(v25);
+    const four v26 = v22 * factor2, v27 = v21 * factor2;
 
     /* is the pose one that the arm can take? */
-    const four v29 = 2.0 * c1, v30 = ca2 * s1, v31 = s1 * v20, v32 = ca2 * c1;
-    const double v33 = m4 * v6;
-    const four v34 = v33 + w1 * (m4 * v5), v35 = s1 * v21, v36 = sa2 * s1, v37 = sa2 * c1;
-    const four v38 = v27 * v36 + v28 * (2.0 * v37) + ca2 * (sqrt3 * s1), v39 = 2.0 * s1;
-    const four v40 = c1 * v20;
-    const double v41 = m4 * v8;
-    const four v42 = w1 * (m4 * v7) - v41, v43 = c1 * v21;
-    const four v44 = v28 * (2.0 * v36) - v27 * v37 - ca2 * (sqrt3 * c1), v45 = sqrt3 * v21;
-    const four v46 = sqrt3 * v20, v47 = ca2 - k3 * v27;
-    const double v48 = sqrt(-1.0);
-    const four v49 = pick_four(maximum_four(abs_four(T14 - k1 * (d3 * v38)),
-        maximum_four(abs_four(T34 - k1 * (d3 * v47)), abs_four(T24 - k1 * (d3 * v44)))) <=
-        pose_slack1, all_four(0.0), all_four(v48));
-    const four v50 = pick_four(maximum_four(abs_four(T12 + k1 * (v27 * (v20 * v30 + v21 * v29) - v28
-        * (v35 - v20 * v34) - sa2 * (sqrt3 * v31))), maximum_four(abs_four(T11 - k1 * (sa2 * (sqrt3
-        * v35) - (v27 * (v21 * v30 - v20 * v29) + v28 * (v31 + v21 * v34)))),
-        maximum_four(abs_four(T13 - k1 * v38), maximum_four(abs_four(T21 - k1 * (v27 * (v20 * v39 +
-        v21 * v32) - v28 * (v21 * v42 - v40) - sa2 * (sqrt3 * v43))), maximum_four(abs_four(T22 + k1
-        * (v27 * (v21 * v39 - v20 * v32) + v28 * (v43 + v20 * v42) + sa2 * (sqrt3 * v40))),
-        maximum_four(abs_four(T23 - k1 * v44), maximum_four(abs_four(T31 - k1 * (v27 * (ca2 * v45) +
-        v28 * v46 + sa2 * v21)), maximum_four(abs_four(T33 - k1 * v47), abs_four(T32 - k1 * (v27 *
-        (ca2 * v46) - v28 * v45 + sa2 * v20)))))))))) <= pose_slack, all_four(0.0), all_four(v48));
+    const four v28 = c1 * 2.0, v29 = ca2 * s1, v30 = s1 * v19, v31 = ca2 * c1;
+    const double v32 = m4 * v5;
+    const four v33 = v32 + w1 * (m4 * v4), v34 = s1 * v20, v35 = sa2 * s1, v36 = sa2 * c1;
+    const four v37 = v26 * v35 + v27 * (2.0 * v36) + ca2 * (sqrt3 * s1), v38 = s1 * 2.0;
+    const four v39 = c1 * v19;
+    const double v40 = m4 * v7;
+    const four v41 = w1 * (m4 * v6) - v40, v42 = c1 * v20;
+    const four v43 = v27 * (2.0 * v35) - v26 * v36 - ca2 * (sqrt3 * c1), v44 = sqrt3 * v20;
+    const four v45 = sqrt3 * v19, v46 = ca2 - k3 * v26, v47 = T34 - k1 * (d3 * v46);
+    const four v48 = T33 - k1 * v46, v49 = T32 - k1 * (v26 * (ca2 * v45) - v27 * v44 + sa2 * v19);
+    const four v50 = T31 - k1 * (v26 * (ca2 * v44) + v27 * v45 + sa2 * v20);
+    const four v51 = T24 - k1 * (d3 * v43), v52 = T23 - k1 * v43;
+    const four v53 = T22 + k1 * (v26 * (v20 * v38 - v19 * v31) + v27 * (v42 + v19 * v41) + sa2 *
+        (sqrt3 * v39));
+    const four v54 = T21 - k1 * (v26 * (v19 * v38 + v20 * v31) - v27 * (v20 * v41 - v39) - sa2 *
+        (sqrt3 * v42)), v55 = T14 - k1 * (d3 * v37), v56 = T13 - k1 * v37;
+    const four v57 = T11 - k1 * (sa2 * (sqrt3 * v34) - (v26 * (v20 * v29 - v19 * v28) + v27 * (v30 +
+        v20 * v33)));
+    const four v58 = T12 + k1 * (v26 * (v19 * v29 + v20 * v28) - v27 * (v34 - v19 * v33) - sa2 *
+        (sqrt3 * v30)), v59 = v55 * v55 + (v47 * v47 + v51 * v51);
+    const double v60 = NAN;
+    const four v61 = pick_four(v59 <= m5, all_four(0.0), all_four(v60));
+    const four v62 = v58 * v58 + (v57 * v57 + (v56 * v56 + (v54 * v54 + (v53 * v53 + (v52 * v52 +
+        (v50 * v50 + (v48 * v48 + v49 * v49)))))));
+    const four v63 = pick_four(v62 <= m7, all_four(0.0), all_four(v60));
 
     /* joint values */
-    const int doubt1 = free1 | ((-(reach_slack1 * (reach_slack1 + v2)) <= D1) & (free1 |
-        ((merge_slack1 * (merge_slack1 + v2) < D1) == 0)));
-    const four_mask doubt2 = (v17 <= m2) | (v26 <= m2);
+    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= reach_slack1 * (reach_slack1 +
+        2.0 * fabs(Z1)));
+    const four_mask doubt2 = (v25 <= m2) | ((v16 <= m2) | (((m7 < v62) & (v62 <= m8)) | ((m5 < v59)
+        & (v59 <= m6))));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(s1, -v28, 0, 1, 6, 7),
-        __builtin_shufflevector(c1, -v27, 0, 1, 6, 7));
+    const four packed1 = atan2_four(__builtin_shufflevector(s1, -v27, 0, 1, 6, 7),
+        __builtin_shufflevector(c1, -v26, 0, 1, 6, 7));
     const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
     const four angle2 = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
     const four packed2 = atan2_four(-S3, -C3);
     const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
-    const four q1 = v50 + (v49 + angle1);
-    const four q2 = v50 + (v49 + angle2);
-    const four q3 = v50 + (v49 + angle3);
+    const four q1 = v63 + (v61 + angle1);
+    const four q2 = v63 + (v61 + angle2);
+    const four q3 = v63 + (v61 + angle3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -805,22 +823,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int wrist_oblique_ik(
-    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[2][3], unsigned char
+    status[2])
 {
     static const double zeros[3] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 2; row++) {
@@ -836,12 +848,20 @@ int wrist_oblique_ik(
             continue;
         for (int i = 0; i < 3; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = WRIST_OBLIQUE_OUT_OF_LIMITS;
         }
         count += status[row] != WRIST_OBLIQUE_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int wrist_oblique_ik(
+    const double T[16], const double *q_seed, double q[2][3], unsigned char status[2])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int wrist_oblique_ik_nearest(const double T[16], const double q_seed[3], double q[3])

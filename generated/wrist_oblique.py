@@ -108,6 +108,10 @@ m1 = 0.383022221559489  # a coefficient of S3
 m2 = 1e-12  # doubt_limit_squared^2
 m3 = 0.6634139481689384  # a coefficient of v11
 m4 = 1.2855752193730787  # a coefficient of v19
+m5 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
+m6 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
+m7 = 1.0000000000000002e-10  # pose_slack^2
+m8 = 9.000000000000001e-10  # 9 * pose_slack^2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -458,158 +462,176 @@ def _regular(pose, q, status):
     v1 = k1 * (sqrt3 * T14)
     Y1 = k1 * (sqrt3 * T24)
     N1 = v1 * v1 + Y1 * Y1
-    free1 = N1 <= doubt_limit_squared2
     Z1 = k1 * (T34 - k2)
     D1 = N1 - Z1 * Z1
-    v2 = abs(Z1) * 2.0
     w1 = math.sqrt(D1)
     inverse1 = 1.0 / N1
-    v3 = v1 * Z1
-    v4 = Y1 * Z1
-    v5 = v1 * inverse1
-    v6 = inverse1 * v4
-    v7 = w1 * v5
-    c1_p = v6 + v7
-    c1_m = v6 - v7
-    v8 = Y1 * inverse1
-    v9 = inverse1 * v3
-    v10 = w1 * v8
-    s1_p = v10 - v9
-    v11 = v9 + v10
+    v2 = v1 * Z1
+    v3 = Y1 * Z1
+    v4 = v1 * inverse1
+    v5 = inverse1 * v3
+    v6 = w1 * v4
+    c1_p = v5 + v6
+    c1_m = v5 - v6
+    v7 = Y1 * inverse1
+    v8 = inverse1 * v2
+    v9 = w1 * v7
+    s1_p = v9 - v8
+    v10 = v8 + v9
 
     # theta3, type 3: U1[3, 2] and U1[3, 1]
-    v12 = sqrt3 * T22
-    v13 = sqrt3 * T12
-    v14 = sqrt3 * T21
-    v15 = sqrt3 * T11
-    v16 = Y1 * v15 - v1 * v14
-    v17 = m1 * (T31 - inverse1 * (v3 * v15 + v4 * v14))
-    S3_p = v17 + w1 * (m1 * (inverse1 * v16))
-    S3_m = v17 + w1 * (m1 * (inverse1 * -v16))
-    v18 = Y1 * v13 - v1 * v12
-    v19 = m1 * (T32 - inverse1 * (v3 * v13 + v4 * v12))
-    C3_p = v19 + w1 * (m1 * (inverse1 * v18))
-    C3_m = v19 + w1 * (m1 * (inverse1 * -v18))
-    v20 = S3_p * S3_p + C3_p * C3_p
-    v21 = S3_m * S3_m + C3_m * C3_m
-    w3_p = math.sqrt(v20)
-    w3_m = math.sqrt(v21)
+    v11 = sqrt3 * T22
+    v12 = sqrt3 * T12
+    v13 = sqrt3 * T21
+    v14 = sqrt3 * T11
+    v15 = Y1 * v14 - v1 * v13
+    v16 = m1 * (T31 - inverse1 * (v2 * v14 + v3 * v13))
+    S3_p = v16 + w1 * (m1 * (inverse1 * v15))
+    S3_m = v16 + w1 * (m1 * (inverse1 * -v15))
+    v17 = Y1 * v12 - v1 * v11
+    v18 = m1 * (T32 - inverse1 * (v2 * v12 + v3 * v11))
+    C3_p = v18 + w1 * (m1 * (inverse1 * v17))
+    C3_m = v18 + w1 * (m1 * (inverse1 * -v17))
+    v19 = S3_p * S3_p + C3_p * C3_p
+    v20 = S3_m * S3_m + C3_m * C3_m
+    w3_p = math.sqrt(v19)
+    w3_m = math.sqrt(v20)
+    v21 = 1.0 / v19
     v22 = 1.0 / v20
-    v23 = 1.0 / v21
-    v24 = w3_p * v22
-    v25 = w3_m * v23
-    v26 = C3_p * v24
-    v27 = C3_m * v25
-    v28 = S3_p * v24
-    v29 = S3_m * v25
+    v23 = w3_p * v21
+    v24 = w3_m * v22
+    v25 = C3_p * v23
+    v26 = C3_m * v24
+    v27 = S3_p * v23
+    v28 = S3_m * v24
 
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
+    v29 = (
+        w3_p * (m3 * (v21 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v14 - c1_p * v13)))) - T31 * (sa2 *
+        (k1 * (T32 + (s1_p * v12 - c1_p * v11)))))))
+    )
     v30 = (
-        w3_p * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))) - T31 * (sa2 *
-        (k1 * (T32 + (s1_p * v13 - c1_p * v12)))))))
+        w3_m * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 - (v10 * v14 + c1_m * v13)))) - T31 * (sa2 *
+        (k1 * (T32 - (v10 * v12 + c1_m * v11)))))))
     )
-    v31 = (
-        w3_m * (m3 * (v23 * (T32 * (sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)))) - T31 * (sa2 *
-        (k1 * (T32 - (v11 * v13 + c1_m * v12)))))))
-    )
-    v32 = k5 * (k1 * (2.0 * T33 - ca2))
-    v33 = -1.0 if -k6 < 0.0 else 1.0
-    v34 = v32 * v32
-    v35 = v34 + v30 * v30
-    v36 = v34 + v31 * v31
-    factor2_p = v33 / math.sqrt(v35)
-    factor2_m = v33 / math.sqrt(v36)
-    v37 = v32 * factor2_p
-    v38 = v32 * factor2_m
-    v39 = v30 * factor2_p
-    v40 = v31 * factor2_m
+    v31 = k5 * (k1 * (2.0 * T33 - ca2))
+    v32 = -1.0 if -k6 < 0.0 else 1.0
+    v33 = v31 * v31
+    v34 = v33 + v29 * v29
+    v35 = v33 + v30 * v30
+    factor2_p = v32 / math.sqrt(v34)
+    factor2_m = v32 / math.sqrt(v35)
+    v36 = v31 * factor2_p
+    v37 = v31 * factor2_m
+    v38 = v29 * factor2_p
+    v39 = v30 * factor2_m
 
     # is the pose one that the arm can take?
-    v41 = 2.0 * c1_p
-    v42 = 2.0 * c1_m
-    v43 = ca2 * s1_p
-    v44 = ca2 * v11
-    v45 = s1_p * v26
-    v46 = v11 * v27
-    v47 = ca2 * c1_p
-    v48 = ca2 * c1_m
-    v49 = m4 * v6
-    v50 = w1 * (m4 * v5)
-    v51 = v49 + v50
-    v52 = v49 - v50
-    v53 = s1_p * v28
-    v54 = v11 * v29
-    v55 = sa2 * s1_p
-    v56 = sa2 * v11
-    v57 = sa2 * c1_p
-    v58 = sa2 * c1_m
-    v59 = v37 * v55 + v39 * (2.0 * v57) + ca2 * (sqrt3 * s1_p)
-    v60 = v40 * (2.0 * v58) - v38 * v56 - ca2 * (sqrt3 * v11)
-    v61 = 2.0 * s1_p
-    v62 = 2.0 * v11
-    v63 = c1_p * v26
-    v64 = c1_m * v27
-    v65 = m4 * v9
-    v66 = w1 * (m4 * v8)
-    v67 = v66 - v65
-    v68 = v65 + v66
-    v69 = c1_p * v28
-    v70 = c1_m * v29
-    v71 = v39 * (2.0 * v55) - v37 * v57 - ca2 * (sqrt3 * c1_p)
-    v72 = v40 * (2.0 * v56) + v38 * v58 + ca2 * (sqrt3 * c1_m)
+    v40 = c1_p * 2.0
+    v41 = c1_m * 2.0
+    v42 = ca2 * s1_p
+    v43 = ca2 * v10
+    v44 = s1_p * v25
+    v45 = v10 * v26
+    v46 = ca2 * c1_p
+    v47 = ca2 * c1_m
+    v48 = m4 * v5
+    v49 = w1 * (m4 * v4)
+    v50 = v48 + v49
+    v51 = v48 - v49
+    v52 = s1_p * v27
+    v53 = v10 * v28
+    v54 = sa2 * s1_p
+    v55 = sa2 * v10
+    v56 = sa2 * c1_p
+    v57 = sa2 * c1_m
+    v58 = v36 * v54 + v38 * (2.0 * v56) + ca2 * (sqrt3 * s1_p)
+    v59 = v39 * (2.0 * v57) - v37 * v55 - ca2 * (sqrt3 * v10)
+    v60 = s1_p * 2.0
+    v61 = v10 * 2.0
+    v62 = c1_p * v25
+    v63 = c1_m * v26
+    v64 = m4 * v8
+    v65 = w1 * (m4 * v7)
+    v66 = v65 - v64
+    v67 = v64 + v65
+    v68 = c1_p * v27
+    v69 = c1_m * v28
+    v70 = v38 * (2.0 * v54) - v36 * v56 - ca2 * (sqrt3 * c1_p)
+    v71 = v39 * (2.0 * v55) + v37 * v57 + ca2 * (sqrt3 * c1_m)
+    v72 = sqrt3 * v27
     v73 = sqrt3 * v28
-    v74 = sqrt3 * v29
+    v74 = sqrt3 * v25
     v75 = sqrt3 * v26
-    v76 = sqrt3 * v27
+    v76 = ca2 - k3 * v36
     v77 = ca2 - k3 * v37
-    v78 = ca2 - k3 * v38
-    v79 = math.sqrt(-1.0)
-    v80 = (
-        0.0 if max(abs(T14 - k1 * (d3 * v59)), max(abs(T34 - k1 * (d3 * v77)), abs(T24 - k1 * (d3 *
-        v71)))) <= pose_slack1 else v79
+    v78 = T34 - k1 * (d3 * v76)
+    v79 = T34 - k1 * (d3 * v77)
+    v80 = T33 - k1 * v76
+    v81 = T33 - k1 * v77
+    v82 = T32 - k1 * (v36 * (ca2 * v74) - v38 * v72 + sa2 * v25)
+    v83 = T32 - k1 * (v37 * (ca2 * v75) - v39 * v73 + sa2 * v26)
+    v84 = T31 - k1 * (v36 * (ca2 * v72) + v38 * v74 + sa2 * v27)
+    v85 = T31 - k1 * (v37 * (ca2 * v73) + v39 * v75 + sa2 * v28)
+    v86 = T24 - k1 * (d3 * v70)
+    v87 = T24 + k1 * (d3 * v71)
+    v88 = T23 - k1 * v70
+    v89 = T23 + k1 * v71
+    v90 = T22 + k1 * (v36 * (v27 * v60 - v25 * v46) + v38 * (v68 + v25 * v66) + sa2 * (sqrt3 * v62))
+    v91 = T22 + k1 * (v39 * (v69 - v26 * v67) - v37 * (v28 * v61 + v26 * v47) + sa2 * (sqrt3 * v63))
+    v92 = T21 - k1 * (v36 * (v25 * v60 + v27 * v46) - v38 * (v27 * v66 - v62) - sa2 * (sqrt3 * v68))
+    v93 = T21 - k1 * (v37 * (v28 * v47 - v26 * v61) + v39 * (v63 + v28 * v67) - sa2 * (sqrt3 * v69))
+    v94 = T14 - k1 * (d3 * v58)
+    v95 = T14 - k1 * (d3 * v59)
+    v96 = T13 - k1 * v58
+    v97 = T13 - k1 * v59
+    v98 = (
+        T11 - k1 * (sa2 * (sqrt3 * v52) - (v36 * (v27 * v42 - v25 * v40) + v38 * (v44 + v27 * v50)))
     )
-    v81 = (
-        0.0 if max(abs(T14 - k1 * (d3 * v60)), max(abs(T34 - k1 * (d3 * v78)), abs(T24 + k1 * (d3 *
-        v72)))) <= pose_slack1 else v79
+    v99 = (
+        T11 + k1 * (sa2 * (sqrt3 * v53) + (v39 * (v28 * v51 - v45) - v37 * (v28 * v43 + v26 * v41)))
     )
-    v82 = (
-        0.0 if max(abs(T12 + k1 * (v37 * (v26 * v43 + v28 * v41) - v39 * (v53 - v26 * v51) - sa2 *
-        (sqrt3 * v45))), max(abs(T11 - k1 * (sa2 * (sqrt3 * v53) - (v37 * (v28 * v43 - v26 * v41) +
-        v39 * (v45 + v28 * v51)))), max(abs(T13 - k1 * v59), max(abs(T21 - k1 * (v37 * (v26 * v61 +
-        v28 * v47) - v39 * (v28 * v67 - v63) - sa2 * (sqrt3 * v69))), max(abs(T22 + k1 * (v37 * (v28
-        * v61 - v26 * v47) + v39 * (v69 + v26 * v67) + sa2 * (sqrt3 * v63))), max(abs(T23 - k1 *
-        v71), max(abs(T31 - k1 * (v37 * (ca2 * v73) + v39 * v75 + sa2 * v28)), max(abs(T33 - k1 *
-        v77), abs(T32 - k1 * (v37 * (ca2 * v75) - v39 * v73 + sa2 * v26)))))))))) <= pose_slack else
-        v79
+    v100 = (
+        T12 + k1 * (v36 * (v25 * v42 + v27 * v40) - v38 * (v52 - v25 * v50) - sa2 * (sqrt3 * v44))
     )
-    v83 = (
-        0.0 if max(abs(T12 + k1 * (v38 * (v29 * v42 - v27 * v44) + v40 * (v54 + v27 * v52) + sa2 *
-        (sqrt3 * v46))), max(abs(T11 + k1 * (sa2 * (sqrt3 * v54) + (v40 * (v29 * v52 - v46) - v38 *
-        (v29 * v44 + v27 * v42)))), max(abs(T13 - k1 * v60), max(abs(T21 - k1 * (v38 * (v29 * v48 -
-        v27 * v62) + v40 * (v64 + v29 * v68) - sa2 * (sqrt3 * v70))), max(abs(T22 + k1 * (v40 * (v70
-        - v27 * v68) - v38 * (v29 * v62 + v27 * v48) + sa2 * (sqrt3 * v64))), max(abs(T23 + k1 *
-        v72), max(abs(T31 - k1 * (v38 * (ca2 * v74) + v40 * v76 + sa2 * v29)), max(abs(T33 - k1 *
-        v78), abs(T32 - k1 * (v38 * (ca2 * v76) - v40 * v74 + sa2 * v27)))))))))) <= pose_slack else
-        v79
+    v101 = (
+        T12 + k1 * (v37 * (v28 * v41 - v26 * v43) + v39 * (v53 + v26 * v51) + sa2 * (sqrt3 * v45))
     )
+    v102 = v94 * v94 + (v78 * v78 + v86 * v86)
+    v103 = v95 * v95 + (v79 * v79 + v87 * v87)
+    v104 = math.sqrt(-1.0)
+    v105 = 0.0 if v102 <= m5 else v104
+    v106 = 0.0 if v103 <= m5 else v104
+    v107 = (
+        v100 * v100 + (v98 * v98 + (v96 * v96 + (v92 * v92 + (v90 * v90 + (v88 * v88 + (v84 * v84 +
+        (v80 * v80 + v82 * v82)))))))
+    )
+    v108 = (
+        v101 * v101 + (v99 * v99 + (v97 * v97 + (v93 * v93 + (v91 * v91 + (v89 * v89 + (v85 * v85 +
+        (v81 * v81 + v83 * v83)))))))
+    )
+    v109 = 0.0 if v107 <= m7 else v104
+    v110 = 0.0 if v108 <= m7 else v104
 
     # joint values
     doubt1 = (
-        v36 <= m2 or (v21 <= m2 or (v35 <= m2 or (free1 or (-(reach_slack1 * (reach_slack1 + v2)) <=
-        D1 and (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1))) or v20 <= m2)))
+        v35 <= m2 or (v20 <= m2 or (v34 <= m2 or (v19 <= m2 or ((m5 < v103 and v103 <= m6) or ((m5 <
+        v102 and v102 <= m6) or ((m7 < v108 and v108 <= m8) or (N1 <= doubt_limit_squared2 or
+        abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m7 < v107 and v107 <=
+        m8))))))))
     )
 
     # angles, side by side
     room[0] = s1_p
-    room[1] = -v11
-    room[2] = -v39
-    room[3] = -v40
+    room[1] = -v10
+    room[2] = -v38
+    room[3] = -v39
     room[4] = -S3_p
     room[5] = -S3_m
     room[8] = c1_p
     room[9] = c1_m
-    room[10] = -v37
-    room[11] = -v38
+    room[10] = -v36
+    room[11] = -v37
     room[12] = -C3_p
     room[13] = -C3_m
     for k in range(6, 8):
@@ -624,12 +646,12 @@ def _regular(pose, q, status):
     angle6 = room[5]
 
     # joint values
-    q1_p = v82 + (v80 + angle1)
-    q1_m = v83 + (v81 + angle2)
-    q2_p = v82 + (v80 + angle3)
-    q2_m = v83 + (v81 + angle4)
-    q3_p = v82 + (v80 + angle5)
-    q3_m = v83 + (v81 + angle6)
+    q1_p = v109 + (v105 + angle1)
+    q1_m = v110 + (v106 + angle2)
+    q2_p = v109 + (v105 + angle3)
+    q2_m = v110 + (v106 + angle4)
+    q3_p = v109 + (v105 + angle5)
+    q3_m = v110 + (v106 + angle6)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -856,163 +878,196 @@ def _in_tiles(T, q, status):
             v1 = k1 * (sqrt3 * T14)
             Y1 = k1 * (sqrt3 * T24)
             N1 = v1 * v1 + Y1 * Y1
-            free1 = N1 <= doubt_limit_squared2
             Z1 = k1 * (T34 - k2)
             D1 = N1 - Z1 * Z1
-            v2 = abs(Z1) * 2.0
             w1 = math.sqrt(D1)
             inverse1 = 1.0 / N1
-            v3 = v1 * Z1
-            v4 = Y1 * Z1
-            v5 = v1 * inverse1
-            v6 = inverse1 * v4
-            v7 = w1 * v5
-            c1_p = v6 + v7
-            c1_m = v6 - v7
-            v8 = Y1 * inverse1
-            v9 = inverse1 * v3
-            v10 = w1 * v8
-            s1_p = v10 - v9
-            v11 = v9 + v10
-            v12 = sqrt3 * T22
-            v13 = sqrt3 * T12
-            v14 = sqrt3 * T21
-            v15 = sqrt3 * T11
-            v16 = Y1 * v15 - v1 * v14
-            v17 = m1 * (T31 - inverse1 * (v3 * v15 + v4 * v14))
-            S3_p = v17 + w1 * (m1 * (inverse1 * v16))
-            S3_m = v17 + w1 * (m1 * (inverse1 * -v16))
-            v18 = Y1 * v13 - v1 * v12
-            v19 = m1 * (T32 - inverse1 * (v3 * v13 + v4 * v12))
-            C3_p = v19 + w1 * (m1 * (inverse1 * v18))
-            C3_m = v19 + w1 * (m1 * (inverse1 * -v18))
-            v20 = S3_p * S3_p + C3_p * C3_p
-            v21 = S3_m * S3_m + C3_m * C3_m
-            w3_p = math.sqrt(v20)
-            w3_m = math.sqrt(v21)
+            v2 = v1 * Z1
+            v3 = Y1 * Z1
+            v4 = v1 * inverse1
+            v5 = inverse1 * v3
+            v6 = w1 * v4
+            c1_p = v5 + v6
+            c1_m = v5 - v6
+            v7 = Y1 * inverse1
+            v8 = inverse1 * v2
+            v9 = w1 * v7
+            s1_p = v9 - v8
+            v10 = v8 + v9
+            v11 = sqrt3 * T22
+            v12 = sqrt3 * T12
+            v13 = sqrt3 * T21
+            v14 = sqrt3 * T11
+            v15 = Y1 * v14 - v1 * v13
+            v16 = m1 * (T31 - inverse1 * (v2 * v14 + v3 * v13))
+            S3_p = v16 + w1 * (m1 * (inverse1 * v15))
+            S3_m = v16 + w1 * (m1 * (inverse1 * -v15))
+            v17 = Y1 * v12 - v1 * v11
+            v18 = m1 * (T32 - inverse1 * (v2 * v12 + v3 * v11))
+            C3_p = v18 + w1 * (m1 * (inverse1 * v17))
+            C3_m = v18 + w1 * (m1 * (inverse1 * -v17))
+            v19 = S3_p * S3_p + C3_p * C3_p
+            v20 = S3_m * S3_m + C3_m * C3_m
+            w3_p = math.sqrt(v19)
+            w3_m = math.sqrt(v20)
+            v21 = 1.0 / v19
             v22 = 1.0 / v20
-            v23 = 1.0 / v21
-            v24 = w3_p * v22
-            v25 = w3_m * v23
-            v26 = C3_p * v24
-            v27 = C3_m * v25
-            v28 = S3_p * v24
-            v29 = S3_m * v25
+            v23 = w3_p * v21
+            v24 = w3_m * v22
+            v25 = C3_p * v23
+            v26 = C3_m * v24
+            v27 = S3_p * v23
+            v28 = S3_m * v24
+            v29 = (
+                w3_p * (m3 * (v21 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v14 - c1_p * v13)))) - T31 *
+                (sa2 * (k1 * (T32 + (s1_p * v12 - c1_p * v11)))))))
+            )
             v30 = (
-                w3_p * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v15 - c1_p * v14)))) - T31 *
-                (sa2 * (k1 * (T32 + (s1_p * v13 - c1_p * v12)))))))
+                w3_m * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 - (v10 * v14 + c1_m * v13)))) - T31 *
+                (sa2 * (k1 * (T32 - (v10 * v12 + c1_m * v11)))))))
             )
-            v31 = (
-                w3_m * (m3 * (v23 * (T32 * (sa2 * (k1 * (T31 - (v11 * v15 + c1_m * v14)))) - T31 *
-                (sa2 * (k1 * (T32 - (v11 * v13 + c1_m * v12)))))))
-            )
-            v32 = k5 * (k1 * (2.0 * T33 - ca2))
-            v33 = -1.0 if -k6 < 0.0 else 1.0
-            v34 = v32 * v32
-            v35 = v34 + v30 * v30
-            v36 = v34 + v31 * v31
-            factor2_p = v33 / math.sqrt(v35)
-            factor2_m = v33 / math.sqrt(v36)
-            v37 = v32 * factor2_p
-            v38 = v32 * factor2_m
-            v39 = v30 * factor2_p
-            v40 = v31 * factor2_m
-            v41 = 2.0 * c1_p
-            v42 = 2.0 * c1_m
-            v43 = ca2 * s1_p
-            v44 = ca2 * v11
-            v45 = s1_p * v26
-            v46 = v11 * v27
-            v47 = ca2 * c1_p
-            v48 = ca2 * c1_m
-            v49 = m4 * v6
-            v50 = w1 * (m4 * v5)
-            v51 = v49 + v50
-            v52 = v49 - v50
-            v53 = s1_p * v28
-            v54 = v11 * v29
-            v55 = sa2 * s1_p
-            v56 = sa2 * v11
-            v57 = sa2 * c1_p
-            v58 = sa2 * c1_m
-            v59 = v37 * v55 + v39 * (2.0 * v57) + ca2 * (sqrt3 * s1_p)
-            v60 = v40 * (2.0 * v58) - v38 * v56 - ca2 * (sqrt3 * v11)
-            v61 = 2.0 * s1_p
-            v62 = 2.0 * v11
-            v63 = c1_p * v26
-            v64 = c1_m * v27
-            v65 = m4 * v9
-            v66 = w1 * (m4 * v8)
-            v67 = v66 - v65
-            v68 = v65 + v66
-            v69 = c1_p * v28
-            v70 = c1_m * v29
-            v71 = v39 * (2.0 * v55) - v37 * v57 - ca2 * (sqrt3 * c1_p)
-            v72 = v40 * (2.0 * v56) + v38 * v58 + ca2 * (sqrt3 * c1_m)
+            v31 = k5 * (k1 * (2.0 * T33 - ca2))
+            v32 = -1.0 if -k6 < 0.0 else 1.0
+            v33 = v31 * v31
+            v34 = v33 + v29 * v29
+            v35 = v33 + v30 * v30
+            factor2_p = v32 / math.sqrt(v34)
+            factor2_m = v32 / math.sqrt(v35)
+            v36 = v31 * factor2_p
+            v37 = v31 * factor2_m
+            v38 = v29 * factor2_p
+            v39 = v30 * factor2_m
+            v40 = c1_p * 2.0
+            v41 = c1_m * 2.0
+            v42 = ca2 * s1_p
+            v43 = ca2 * v10
+            v44 = s1_p * v25
+            v45 = v10 * v26
+            v46 = ca2 * c1_p
+            v47 = ca2 * c1_m
+            v48 = m4 * v5
+            v49 = w1 * (m4 * v4)
+            v50 = v48 + v49
+            v51 = v48 - v49
+            v52 = s1_p * v27
+            v53 = v10 * v28
+            v54 = sa2 * s1_p
+            v55 = sa2 * v10
+            v56 = sa2 * c1_p
+            v57 = sa2 * c1_m
+            v58 = v36 * v54 + v38 * (2.0 * v56) + ca2 * (sqrt3 * s1_p)
+            v59 = v39 * (2.0 * v57) - v37 * v55 - ca2 * (sqrt3 * v10)
+            v60 = s1_p * 2.0
+            v61 = v10 * 2.0
+            v62 = c1_p * v25
+            v63 = c1_m * v26
+            v64 = m4 * v8
+            v65 = w1 * (m4 * v7)
+            v66 = v65 - v64
+            v67 = v64 + v65
+            v68 = c1_p * v27
+            v69 = c1_m * v28
+            v70 = v38 * (2.0 * v54) - v36 * v56 - ca2 * (sqrt3 * c1_p)
+            v71 = v39 * (2.0 * v55) + v37 * v57 + ca2 * (sqrt3 * c1_m)
+            v72 = sqrt3 * v27
             v73 = sqrt3 * v28
-            v74 = sqrt3 * v29
+            v74 = sqrt3 * v25
             v75 = sqrt3 * v26
-            v76 = sqrt3 * v27
+            v76 = ca2 - k3 * v36
             v77 = ca2 - k3 * v37
-            v78 = ca2 - k3 * v38
-            v79 = math.sqrt(-1.0)
-            v80 = (
-                0.0 if max(abs(T14 - k1 * (d3 * v59)), max(abs(T34 - k1 * (d3 * v77)), abs(T24 - k1
-                * (d3 * v71)))) <= pose_slack1 else v79
+            v78 = T34 - k1 * (d3 * v76)
+            v79 = T34 - k1 * (d3 * v77)
+            v80 = T33 - k1 * v76
+            v81 = T33 - k1 * v77
+            v82 = T32 - k1 * (v36 * (ca2 * v74) - v38 * v72 + sa2 * v25)
+            v83 = T32 - k1 * (v37 * (ca2 * v75) - v39 * v73 + sa2 * v26)
+            v84 = T31 - k1 * (v36 * (ca2 * v72) + v38 * v74 + sa2 * v27)
+            v85 = T31 - k1 * (v37 * (ca2 * v73) + v39 * v75 + sa2 * v28)
+            v86 = T24 - k1 * (d3 * v70)
+            v87 = T24 + k1 * (d3 * v71)
+            v88 = T23 - k1 * v70
+            v89 = T23 + k1 * v71
+            v90 = (
+                T22 + k1 * (v36 * (v27 * v60 - v25 * v46) + v38 * (v68 + v25 * v66) + sa2 * (sqrt3 *
+                v62))
             )
-            v81 = (
-                0.0 if max(abs(T14 - k1 * (d3 * v60)), max(abs(T34 - k1 * (d3 * v78)), abs(T24 + k1
-                * (d3 * v72)))) <= pose_slack1 else v79
+            v91 = (
+                T22 + k1 * (v39 * (v69 - v26 * v67) - v37 * (v28 * v61 + v26 * v47) + sa2 * (sqrt3 *
+                v63))
             )
-            v82 = (
-                0.0 if max(abs(T12 + k1 * (v37 * (v26 * v43 + v28 * v41) - v39 * (v53 - v26 * v51) -
-                sa2 * (sqrt3 * v45))), max(abs(T11 - k1 * (sa2 * (sqrt3 * v53) - (v37 * (v28 * v43 -
-                v26 * v41) + v39 * (v45 + v28 * v51)))), max(abs(T13 - k1 * v59), max(abs(T21 - k1 *
-                (v37 * (v26 * v61 + v28 * v47) - v39 * (v28 * v67 - v63) - sa2 * (sqrt3 * v69))),
-                max(abs(T22 + k1 * (v37 * (v28 * v61 - v26 * v47) + v39 * (v69 + v26 * v67) + sa2 *
-                (sqrt3 * v63))), max(abs(T23 - k1 * v71), max(abs(T31 - k1 * (v37 * (ca2 * v73) +
-                v39 * v75 + sa2 * v28)), max(abs(T33 - k1 * v77), abs(T32 - k1 * (v37 * (ca2 * v75)
-                - v39 * v73 + sa2 * v26)))))))))) <= pose_slack else v79
+            v92 = (
+                T21 - k1 * (v36 * (v25 * v60 + v27 * v46) - v38 * (v27 * v66 - v62) - sa2 * (sqrt3 *
+                v68))
             )
-            v83 = (
-                0.0 if max(abs(T12 + k1 * (v38 * (v29 * v42 - v27 * v44) + v40 * (v54 + v27 * v52) +
-                sa2 * (sqrt3 * v46))), max(abs(T11 + k1 * (sa2 * (sqrt3 * v54) + (v40 * (v29 * v52 -
-                v46) - v38 * (v29 * v44 + v27 * v42)))), max(abs(T13 - k1 * v60), max(abs(T21 - k1 *
-                (v38 * (v29 * v48 - v27 * v62) + v40 * (v64 + v29 * v68) - sa2 * (sqrt3 * v70))),
-                max(abs(T22 + k1 * (v40 * (v70 - v27 * v68) - v38 * (v29 * v62 + v27 * v48) + sa2 *
-                (sqrt3 * v64))), max(abs(T23 + k1 * v72), max(abs(T31 - k1 * (v38 * (ca2 * v74) +
-                v40 * v76 + sa2 * v29)), max(abs(T33 - k1 * v78), abs(T32 - k1 * (v38 * (ca2 * v76)
-                - v40 * v74 + sa2 * v27)))))))))) <= pose_slack else v79
+            v93 = (
+                T21 - k1 * (v37 * (v28 * v47 - v26 * v61) + v39 * (v63 + v28 * v67) - sa2 * (sqrt3 *
+                v69))
             )
+            v94 = T14 - k1 * (d3 * v58)
+            v95 = T14 - k1 * (d3 * v59)
+            v96 = T13 - k1 * v58
+            v97 = T13 - k1 * v59
+            v98 = (
+                T11 - k1 * (sa2 * (sqrt3 * v52) - (v36 * (v27 * v42 - v25 * v40) + v38 * (v44 + v27
+                * v50)))
+            )
+            v99 = (
+                T11 + k1 * (sa2 * (sqrt3 * v53) + (v39 * (v28 * v51 - v45) - v37 * (v28 * v43 + v26
+                * v41)))
+            )
+            v100 = (
+                T12 + k1 * (v36 * (v25 * v42 + v27 * v40) - v38 * (v52 - v25 * v50) - sa2 * (sqrt3 *
+                v44))
+            )
+            v101 = (
+                T12 + k1 * (v37 * (v28 * v41 - v26 * v43) + v39 * (v53 + v26 * v51) + sa2 * (sqrt3 *
+                v45))
+            )
+            v102 = v94 * v94 + (v78 * v78 + v86 * v86)
+            v103 = v95 * v95 + (v79 * v79 + v87 * v87)
+            v104 = math.sqrt(-1.0)
+            v105 = 0.0 if v102 <= m5 else v104
+            v106 = 0.0 if v103 <= m5 else v104
+            v107 = (
+                v100 * v100 + (v98 * v98 + (v96 * v96 + (v92 * v92 + (v90 * v90 + (v88 * v88 + (v84
+                * v84 + (v80 * v80 + v82 * v82)))))))
+            )
+            v108 = (
+                v101 * v101 + (v99 * v99 + (v97 * v97 + (v93 * v93 + (v91 * v91 + (v89 * v89 + (v85
+                * v85 + (v81 * v81 + v83 * v83)))))))
+            )
+            v109 = 0.0 if v107 <= m7 else v104
+            v110 = 0.0 if v108 <= m7 else v104
             doubt1 = (
-                v36 <= m2 or (v21 <= m2 or (v35 <= m2 or (free1 or (-(reach_slack1 * (reach_slack1 +
-                v2)) <= D1 and (free1 or not (merge_slack1 * (merge_slack1 + v2) < D1))) or v20 <=
-                m2)))
+                v35 <= m2 or (v20 <= m2 or (v34 <= m2 or (v19 <= m2 or ((m5 < v103 and v103 <= m6)
+                or ((m5 < v102 and v102 <= m6) or ((m7 < v108 and v108 <= m8) or (N1 <=
+                doubt_limit_squared2 or abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or
+                (m7 < v107 and v107 <= m8))))))))
             )
-            work[544 + k] = v80
-            work[576 + k] = v81
-            work[608 + k] = v82
-            work[640 + k] = v83
+            work[544 + k] = v105
+            work[576 + k] = v106
+            work[608 + k] = v109
+            work[640 + k] = v110
             work[672 + k] = doubt1
             work[704 + k] = s1_p
-            work[736 + k] = -v11
-            work[768 + k] = -v39
-            work[800 + k] = -v40
+            work[736 + k] = -v10
+            work[768 + k] = -v38
+            work[800 + k] = -v39
             work[832 + k] = -S3_p
             work[864 + k] = -S3_m
             work[896 + k] = c1_p
             work[928 + k] = c1_m
-            work[960 + k] = -v37
-            work[992 + k] = -v38
+            work[960 + k] = -v36
+            work[992 + k] = -v37
             work[1024 + k] = -C3_p
             work[1056 + k] = -C3_m
         for k in range(704, 896):
             work[k] = _atan2(work[k], work[k + 192])
         for k in range(0, 32):
-            v80 = work[544 + k]
-            v81 = work[576 + k]
-            v82 = work[608 + k]
-            v83 = work[640 + k]
+            v105 = work[544 + k]
+            v106 = work[576 + k]
+            v109 = work[608 + k]
+            v110 = work[640 + k]
             doubt1 = work[672 + k] != 0.0
             angle1 = work[704 + k]
             angle2 = work[736 + k]
@@ -1020,12 +1075,12 @@ def _in_tiles(T, q, status):
             angle4 = work[800 + k]
             angle5 = work[832 + k]
             angle6 = work[864 + k]
-            q1_p = v82 + (v80 + angle1)
-            q1_m = v83 + (v81 + angle2)
-            q2_p = v82 + (v80 + angle3)
-            q2_m = v83 + (v81 + angle4)
-            q3_p = v82 + (v80 + angle5)
-            q3_m = v83 + (v81 + angle6)
+            q1_p = v109 + (v105 + angle1)
+            q1_m = v110 + (v106 + angle2)
+            q2_p = v109 + (v105 + angle3)
+            q2_m = v110 + (v106 + angle4)
+            q3_p = v109 + (v105 + angle5)
+            q3_m = v110 + (v106 + angle6)
             _1088 = q1_p
             work[1088 + k] = _1088
             _1120 = q2_p

@@ -17,8 +17,11 @@ static double wrap(double angle)
 
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
+#define APART __attribute__((noinline)) static
+#define INLINED __attribute__((always_inline))
 #else
 #define HELPER static inline
+#define APART static
 #endif
 
 #define maximum_double(a, b) ((a) > (b) ? (a) : (b))
@@ -320,7 +323,10 @@ static const double m6 = 1.727195576168653; /* a coefficient of S2 */
 static const double m7 = 0.06824295773100271; /* a coefficient of S2 */
 static const double m8 = 1.4238523749857612; /* a coefficient of c23 */
 static const double m9 = 0.05625761134525573; /* a coefficient of c23 */
-static const double m10 = 6.283185307179586; /* 2 * half_turn */
+static const double m10 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m11 = 1.167797105524862e-10; /* pose_slack1^2 [m^2] */
+static const double m12 = 3.5033913165745856e-10; /* 3 * pose_slack1^2 [m^2] */
+static const double m13 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const xarm5_branches[4] = {
@@ -464,7 +470,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -476,11 +482,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -543,66 +549,71 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     /* is the pose one that the arm can take? */
     const wide v32 = c1 * T33, v33 = Z1_3_p * (m8 + m9 * factor2_p);
     const wide v34 = Z1_3_m * (m8 + m9 * factor2_m), v35 = v20 + Z2_3_p, v36 = v21 - v22;
-    const wide v37 = s1 * T33, v38 = d1 + v15, v39 = d1 + v16;
-    const double v40 = sqrt(-1.0);
-    const wide v41 = pick_wide(maximum_wide(abs_wide(T12 - (s1 * v10 + factor234 * (v11 * v32))),
-        maximum_wide(abs_wide(T11 - (s1 * v11 - factor234 * (v10 * v32))), maximum_wide(abs_wide(T13
-        - factor234 * (c1 * Z2_234)), maximum_wide(abs_wide(T21 + (c1 * v11 + factor234 * (v10 *
-        v37))), maximum_wide(abs_wide(T22 - (factor234 * (v11 * v37) - c1 * v10)),
-        maximum_wide(abs_wide(T23 - factor234 * (s1 * Z2_234)), maximum_wide(abs_wide(T31 -
-        factor234 * (Z2_234 * v10)), maximum_wide(abs_wide(T33 - T33 * factor234), abs_wide(T32 +
-        factor234 * (Z2_234 * v11)))))))))) <= pose_slack, all_wide(0.0), all_wide(v40));
-    const wide v42 = abs_wide(T14 - c1 * v35), v43 = abs_wide(T14 + c1 * v36);
-    const wide v44 = abs_wide(T24 - s1 * v35), v45 = abs_wide(T24 + s1 * v36);
-    const wide v46 = pick_wide(maximum_wide(v44, maximum_wide(v42, abs_wide(T34 - (a3 * (v33 + w3_p
-        * (m8 * (Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pp * factor2_p)))))) <= pose_slack1,
-        all_wide(0.0), all_wide(v40));
-    const wide v47 = pick_wide(maximum_wide(v44, maximum_wide(v42, abs_wide(T34 - (a3 * (v33 + w3_p
-        * (m8 * (-Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pm * factor2_p)))))) <= pose_slack1,
-        all_wide(0.0), all_wide(v40)), v48 = w3_m * (m8 * (v22 * factor2_m));
-    const wide v49 = pick_wide(maximum_wide(v45, maximum_wide(v43, abs_wide(T34 - (a3 * (v34 - v48)
-        + (v39 + a2 * (S2_mp * factor2_m)))))) <= pose_slack1, all_wide(0.0), all_wide(v40));
-    const wide v50 = pick_wide(maximum_wide(v45, maximum_wide(v43, abs_wide(T34 - (a3 * (v34 + v48)
-        + (v39 + a2 * (S2_mm * factor2_m)))))) <= pose_slack1, all_wide(0.0), all_wide(v40));
+    const wide v37 = s1 * T33, v38 = d1 + v15, v39 = d1 + v16, v40 = T33 - T33 * factor234;
+    const wide v41 = T32 + factor234 * (Z2_234 * v11), v42 = T31 - factor234 * (Z2_234 * v10);
+    const wide v43 = T23 - factor234 * (s1 * Z2_234);
+    const wide v44 = T22 - (factor234 * (v11 * v37) - c1 * v10);
+    const wide v45 = T21 + (c1 * v11 + factor234 * (v10 * v37));
+    const wide v46 = T13 - factor234 * (c1 * Z2_234);
+    const wide v47 = T11 - (s1 * v11 - factor234 * (v10 * v32));
+    const wide v48 = T12 - (s1 * v10 + factor234 * (v11 * v32));
+    const wide v49 = T34 - (a3 * (v33 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pp *
+        factor2_p)));
+    const wide v50 = T34 - (a3 * (v33 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pm *
+        factor2_p))), v51 = w3_m * (m8 * (v22 * factor2_m));
+    const wide v52 = T34 - (a3 * (v34 - v51) + (v39 + a2 * (S2_mp * factor2_m)));
+    const wide v53 = T34 - (a3 * (v34 + v51) + (v39 + a2 * (S2_mm * factor2_m)));
+    const wide v54 = T14 - c1 * v35, v55 = T14 + c1 * v36, v56 = v54 * v54, v57 = v55 * v55;
+    const wide v58 = T24 - s1 * v35, v59 = T24 + s1 * v36, v60 = v58 * v58, v61 = v59 * v59;
+    const wide v62 = v60 + (v56 + v49 * v49), v63 = v60 + (v56 + v50 * v50);
+    const wide v64 = v61 + (v57 + v52 * v52), v65 = v61 + (v57 + v53 * v53);
+    const double v66 = NAN;
+    const wide v67 = pick_wide(v62 <= m11, all_wide(0.0), all_wide(v66));
+    const wide v68 = pick_wide(v63 <= m11, all_wide(0.0), all_wide(v66));
+    const wide v69 = pick_wide(v64 <= m11, all_wide(0.0), all_wide(v66));
+    const wide v70 = pick_wide(v65 <= m11, all_wide(0.0), all_wide(v66));
 
     /* joint values */
     const wide angle9 = atan2_wide(v3, v2);
-    const wide v51 = angle9 - offset1;
-    const wide v52 = angle9 - h1 * copysign_wide(all_wide(half_turn), v3) - offset1;
-    const wide v53 = angle5 - offset2, v54 = angle6 - offset2, v55 = angle7 - offset2;
-    const wide v56 = angle8 - offset2, v57 = angle3 - offset3, v58 = offset3 + angle3;
-    const wide v59 = angle4 - offset3, v60 = offset3 + angle4;
-    const wide v61 = angle1 - (angle3 + angle5) - offset4;
-    const wide v62 = angle1 - (angle6 - angle3) - offset4;
-    const wide v63 = offset4 + (angle1 + (angle4 + angle7));
-    const wide v64 = offset4 + (angle1 + (angle8 - angle4));
-    const wide v65 = v61 - only_wide(half_turn < v61, m10) + only_wide(v61 <= -half_turn, m10);
-    const wide v66 = v62 - only_wide(half_turn < v62, m10) + only_wide(v62 <= -half_turn, m10);
-    const wide v67 = only_wide(-v63 <= -half_turn, m10) - (v63 + only_wide(half_turn < -v63, m10));
-    const wide v68 = only_wide(-v64 <= -half_turn, m10) - (v64 + only_wide(half_turn < -v64, m10));
-    const wide v69 = v41 + (v23 + (v51 + only_wide(v51 <= -half_turn, m10)));
-    const wide v70 = v41 + (v24 + (v52 + only_wide(v52 <= -half_turn, m10)));
-    const wide q1_pp = v46 + v69, q1_pm = v47 + v69, q1_mp = v49 + v70, q1_mm = v50 + v70;
-    const wide q2_pp = v46 + (v41 + (v53 + only_wide(v53 <= -half_turn, m10)));
-    const wide q2_pm = v47 + (v41 + (v54 + only_wide(v54 <= -half_turn, m10)));
-    const wide q2_mp = v49 + (v41 + (v55 + only_wide(v55 <= -half_turn, m10)));
-    const wide q2_mm = v50 + (v41 + (v56 + only_wide(v56 <= -half_turn, m10)));
-    const wide q3_pp = v46 + (v41 + (v57 + only_wide(v57 <= -half_turn, m10)));
-    const wide q3_pm = v47 + (v41 + (only_wide(-v58 <= -half_turn, m10) - v58));
-    const wide q3_mp = v49 + (v41 + (v59 + only_wide(v59 <= -half_turn, m10)));
-    const wide q3_mm = v50 + (v41 + (only_wide(-v60 <= -half_turn, m10) - v60));
-    const wide q4_pp = v46 + (v41 + (v65 - only_wide(half_turn < v65, m10)));
-    const wide q4_pm = v47 + (v41 + (v66 - only_wide(half_turn < v66, m10)));
-    const wide q4_mp = v49 + (v41 + (v67 - only_wide(half_turn < v67, m10)));
-    const wide q4_mm = v50 + (v41 + (v68 - only_wide(half_turn < v68, m10)));
-    const wide v71 = v41 + (angle2 + v23);
-    const wide v72 = v41 + (v24 + (angle2 - copysign_wide(all_wide(half_turn), -Z2_5) * h1));
-    const wide q5_pp = v46 + v71, q5_pm = v47 + v71, q5_mp = v49 + v72, q5_mm = v50 + v72;
-    const wide_mask doubt1 = (v7 <= m2) | ((v4 <= m1) | ((N3_m <= doubt_limit_squared2) |
-        ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) &
-        (N3_m < longest3_apart)) == 0)) | ((N3_p <= doubt_limit_squared2) | ((v8 <= m2) |
-        (((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) & (N3_p
-        < longest3_apart)) == 0)))))));
+    const wide v71 = angle9 - offset1;
+    const wide v72 = angle9 - h1 * copysign_wide(all_wide(half_turn), v3) - offset1;
+    const wide v73 = angle5 - offset2, v74 = angle6 - offset2, v75 = angle7 - offset2;
+    const wide v76 = angle8 - offset2, v77 = angle3 - offset3, v78 = offset3 + angle3;
+    const wide v79 = angle4 - offset3, v80 = offset3 + angle4;
+    const wide v81 = angle1 - (angle3 + angle5) - offset4;
+    const wide v82 = angle1 - (angle6 - angle3) - offset4;
+    const wide v83 = offset4 + (angle1 + (angle4 + angle7));
+    const wide v84 = offset4 + (angle1 + (angle8 - angle4));
+    const wide v85 = v81 - only_wide(half_turn < v81, m13) + only_wide(v81 <= -half_turn, m13);
+    const wide v86 = v82 - only_wide(half_turn < v82, m13) + only_wide(v82 <= -half_turn, m13);
+    const wide v87 = only_wide(-v83 <= -half_turn, m13) - (v83 + only_wide(half_turn < -v83, m13));
+    const wide v88 = only_wide(-v84 <= -half_turn, m13) - (v84 + only_wide(half_turn < -v84, m13));
+    const wide v89 = v23 + (v71 + only_wide(v71 <= -half_turn, m13));
+    const wide v90 = v24 + (v72 + only_wide(v72 <= -half_turn, m13));
+    const wide q1_pp = v67 + v89, q1_pm = v68 + v89, q1_mp = v69 + v90, q1_mm = v70 + v90;
+    const wide q2_pp = v67 + (v73 + only_wide(v73 <= -half_turn, m13));
+    const wide q2_pm = v68 + (v74 + only_wide(v74 <= -half_turn, m13));
+    const wide q2_mp = v69 + (v75 + only_wide(v75 <= -half_turn, m13));
+    const wide q2_mm = v70 + (v76 + only_wide(v76 <= -half_turn, m13));
+    const wide q3_pp = v67 + (v77 + only_wide(v77 <= -half_turn, m13));
+    const wide q3_pm = v68 + (only_wide(-v78 <= -half_turn, m13) - v78);
+    const wide q3_mp = v69 + (v79 + only_wide(v79 <= -half_turn, m13));
+    const wide q3_mm = v70 + (only_wide(-v80 <= -half_turn, m13) - v80);
+    const wide q4_pp = v67 + (v85 - only_wide(half_turn < v85, m13));
+    const wide q4_pm = v68 + (v86 - only_wide(half_turn < v86, m13));
+    const wide q4_mp = v69 + (v87 - only_wide(half_turn < v87, m13));
+    const wide q4_mm = v70 + (v88 - only_wide(half_turn < v88, m13));
+    const wide v91 = angle2 + v23;
+    const wide v92 = v24 + (angle2 - copysign_wide(all_wide(half_turn), -Z2_5) * h1);
+    const wide q5_pp = v67 + v91, q5_pm = v68 + v91, q5_mp = v69 + v92, q5_mm = v70 + v92;
+    const wide_mask doubt1 = (v7 <= m2) | ((v4 <= m1) | ((v8 <= m2) | ((N3_m <=
+        doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) &
+        (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
+        doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((m10 < v48 * v48 + (v47 *
+        v47 + (v46 * v46 + (v45 * v45 + (v44 * v44 + (v43 * v43 + (v42 * v42 + (v40 * v40 + v41 *
+        v41)))))))) | (((m11 < v65) & (v65 <= m12)) | (((m11 < v64) & (v64 <= m12)) | (((m11 < v62)
+        & (v62 <= m12)) | ((m11 < v63) & (v63 <= m12))))))))))));
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -620,6 +631,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
 static const double m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
+INLINED
 HELPER int solve_regular(const double T[16], double q[4][5], unsigned char status[4])
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
@@ -674,24 +686,27 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four v27 = Z1_3 * (m8 + m9 * factor2), v28 = v20 + Z2_3;
     const double v29 = s1 * T33;
     const four v30 = d1 + v17;
-    const double v31 = sqrt(-1.0);
-    const double v32 = (maximum_double(fabs(T12 - (s1 * v10 + factor234 * (v11 * v26))),
-        maximum_double(fabs(T11 - (s1 * v11 - factor234 * (v10 * v26))), maximum_double(fabs(T13 -
-        factor234 * (c1 * Z2_234)), maximum_double(fabs(T21 + (c1 * v11 + factor234 * (v10 * v29))),
-        maximum_double(fabs(T22 - (factor234 * (v11 * v29) - c1 * v10)), maximum_double(fabs(T23 -
-        factor234 * (s1 * Z2_234)), maximum_double(fabs(T31 - factor234 * (Z2_234 * v10)),
-        maximum_double(fabs(T33 - T33 * factor234), fabs(T32 + factor234 * (Z2_234 * v11))))))))))
-        <= pose_slack) ? 0.0 : v31;
-    const four v33 = abs_four(T14 - e1 * (c1 * v28)), v34 = abs_four(T24 - e1 * (s1 * v28));
-    const four v35 = pick_four(maximum_four(v34, maximum_four(v33, abs_four(T34 - (a3 * (v27 + w3 *
-        (m8 * (v22 * factor2))) + (v30 + a2 * (S2 * factor2)))))) <= pose_slack1, all_four(0.0),
-        all_four(v31));
+    const double v31 = T33 - T33 * factor234, v32 = T32 + factor234 * (Z2_234 * v11);
+    const double v33 = T31 - factor234 * (Z2_234 * v10), v34 = T23 - factor234 * (s1 * Z2_234);
+    const double v35 = T22 - (factor234 * (v11 * v29) - c1 * v10);
+    const double v36 = T21 + (c1 * v11 + factor234 * (v10 * v29));
+    const double v37 = T13 - factor234 * (c1 * Z2_234);
+    const double v38 = T11 - (s1 * v11 - factor234 * (v10 * v26));
+    const double v39 = T12 - (s1 * v10 + factor234 * (v11 * v26));
+    const four v40 = T34 - (a3 * (v27 + w3 * (m8 * (v22 * factor2))) + (v30 + a2 * (S2 * factor2)));
+    const four v41 = T14 - e1 * (c1 * v28), v42 = v41 * v41, v43 = T24 - e1 * (s1 * v28);
+    const four v44 = v43 * v43, v45 = v44 + (v42 + v40 * v40);
+    const double v46 = NAN;
+    const four v47 = pick_four(v45 <= m11, all_four(0.0), all_four(v46));
+    const four_mask doubt3 = (m11 < v45) & (v45 <= m12);
 
     /* joint values */
-    const double v36 = copysign(half_turn, v3);
+    const double v48 = copysign(half_turn, v3);
     const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
-    const int doubt1 = (v7 <= m2) | ((v8 <= m2) | (v4 <= m1));
+    const int doubt1 = (v7 <= m2) | ((v4 <= m1) | ((m10 < v39 * v39 + (v38 * v38 + (v37 * v37 + (v36
+        * v36 + (v35 * v35 + (v34 * v34 + (v33 * v33 + (v31 * v31 + v32 * v32)))))))) | (v8 <=
+        m2)));
 
     const four angle4 = atan2_four(S2, v25 + w3 * (m6 * (e2 * Z1_3)));
     const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
@@ -703,18 +718,18 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
     const four packed3 = atan2_four((four){ v3, v3, v3, v3 }, (four){ v2, v2, v2, v2 });
     const four angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v37 = angle5 + v13 * v36 - offset1, v38 = angle4 - offset2, v39 = e2 * angle3;
-    const four v40 = v39 - offset3, v41 = e1 * angle1, v42 = v41 - (angle4 + v39) - offset4;
-    const four v43 = v42 - only_four(half_turn < v42, m10) + only_four(v42 <= -half_turn, m10);
-    const four v44 = v32 + (v21 + (v37 + only_four(v37 <= -half_turn, m10)));
-    const four q1 = v35 + v44;
-    const four q2 = v35 + (v32 + (v38 + only_four(v38 <= -half_turn, m10)));
-    const four q3 = v35 + (v32 + (v40 + only_four(v40 <= -half_turn, m10)));
-    const four q4 = v35 + (v32 + (v43 - only_four(half_turn < v43, m10)));
-    const four v45 = v32 + (v21 + (angle2 + v12 * v13));
-    const four q5 = v35 + v45;
+    const four v49 = angle5 + v13 * v48 - offset1, v50 = angle4 - offset2, v51 = e2 * angle3;
+    const four v52 = v51 - offset3, v53 = e1 * angle1, v54 = v53 - (angle4 + v51) - offset4;
+    const four v55 = v54 - only_four(half_turn < v54, m13) + only_four(v54 <= -half_turn, m13);
+    const four v56 = v21 + (v49 + only_four(v49 <= -half_turn, m13));
+    const four q1 = v47 + v56;
+    const four q2 = v47 + (v50 + only_four(v50 <= -half_turn, m13));
+    const four q3 = v47 + (v52 + only_four(v52 <= -half_turn, m13));
+    const four q4 = v47 + (v55 - only_four(half_turn < v55, m13));
+    const four v57 = v21 + (angle2 + v12 * v13);
+    const four q5 = v47 + v57;
 
-    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
+    if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[1][0], &q[2][0], &q[3][0], q1, q2, q3, q4);
     store_1(&q[0][4], &q[1][4], &q[2][4], &q[3][4], q5);
@@ -1035,21 +1050,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
-int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
+/* A pose that is rounded, singular or none; regular ones need no stack for it. */
+APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5], unsigned char
+    status[4])
 {
     static const double zeros[5] = { 0.0 };
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    if ((count = solve_regular(T, q, status)) >= 0)
-        return count;
     const int valid = read_pose(T, pose);
-    if (valid && (count = solve_regular(pose, q, status)) >= 0)
+    if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;
     for (int row = 0; row < 4; row++) {
@@ -1074,12 +1084,19 @@ int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned 
             continue;
         for (int i = 0; i < 5; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = XARM5_OUT_OF_LIMITS;
         }
         count += status[row] != XARM5_OUT_OF_LIMITS;
     }
     return count;
+}
+
+int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned char status[4])
+{
+    const int count = solve_regular(T, q, status);
+    return count < 0 ? ik_carefully(T, q_seed, q, status) : count;
 }
 
 int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5])

@@ -117,7 +117,10 @@ m6 = 1.727195576168653  # a coefficient of S2
 m7 = 0.06824295773100271  # a coefficient of S2
 m8 = 1.4238523749857612  # a coefficient of c23
 m9 = 0.05625761134525573  # a coefficient of c23
-m10 = 6.283185307179586  # 2 * half_turn
+m10 = 1.0000000000000002e-10  # pose_slack^2
+m11 = 1.167797105524862e-10  # pose_slack1^2 [m^2]
+m12 = 3.5033913165745856e-10  # 3 * pose_slack1^2 [m^2]
+m13 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
@@ -741,43 +744,49 @@ def _regular(pose, q, status):
     v37 = s1 * T33
     v38 = d1 + v15
     v39 = d1 + v16
-    v40 = math.sqrt(-1.0)
-    v41 = (
-        0.0 if max(abs(T12 - (s1 * v10 + factor234 * (v11 * v32))), max(abs(T11 - (s1 * v11 -
-        factor234 * (v10 * v32))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 + (c1 * v11
-        + factor234 * (v10 * v37))), max(abs(T22 - (factor234 * (v11 * v37) - c1 * v10)),
-        max(abs(T23 - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 * v10)),
-        max(abs(T33 - T33 * factor234), abs(T32 + factor234 * (Z2_234 * v11)))))))))) <= pose_slack
-        else v40
-    )
-    v42 = abs(T14 - c1 * v35)
-    v43 = abs(T14 + c1 * v36)
-    v44 = abs(T24 - s1 * v35)
-    v45 = abs(T24 + s1 * v36)
-    v46 = (
-        0.0 if max(v44, max(v42, abs(T34 - (a3 * (v33 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v38 +
-        a2 * (S2_pp * factor2_p)))))) <= pose_slack1 else v40
-    )
-    v47 = (
-        0.0 if max(v44, max(v42, abs(T34 - (a3 * (v33 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v38
-        + a2 * (S2_pm * factor2_p)))))) <= pose_slack1 else v40
-    )
-    v48 = w3_m * (m8 * (v22 * factor2_m))
-    v49 = (
-        0.0 if max(v45, max(v43, abs(T34 - (a3 * (v34 - v48) + (v39 + a2 * (S2_mp * factor2_m))))))
-        <= pose_slack1 else v40
-    )
+    v40 = T33 - T33 * factor234
+    v41 = T32 + factor234 * (Z2_234 * v11)
+    v42 = T31 - factor234 * (Z2_234 * v10)
+    v43 = T23 - factor234 * (s1 * Z2_234)
+    v44 = T22 - (factor234 * (v11 * v37) - c1 * v10)
+    v45 = T21 + (c1 * v11 + factor234 * (v10 * v37))
+    v46 = T13 - factor234 * (c1 * Z2_234)
+    v47 = T11 - (s1 * v11 - factor234 * (v10 * v32))
+    v48 = T12 - (s1 * v10 + factor234 * (v11 * v32))
+    v49 = T34 - (a3 * (v33 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pp * factor2_p)))
     v50 = (
-        0.0 if max(v45, max(v43, abs(T34 - (a3 * (v34 + v48) + (v39 + a2 * (S2_mm * factor2_m))))))
-        <= pose_slack1 else v40
+        T34 - (a3 * (v33 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pm * factor2_p)))
     )
+    v51 = w3_m * (m8 * (v22 * factor2_m))
+    v52 = T34 - (a3 * (v34 - v51) + (v39 + a2 * (S2_mp * factor2_m)))
+    v53 = T34 - (a3 * (v34 + v51) + (v39 + a2 * (S2_mm * factor2_m)))
+    v54 = T14 - c1 * v35
+    v55 = T14 + c1 * v36
+    v56 = v54 * v54
+    v57 = v55 * v55
+    v58 = T24 - s1 * v35
+    v59 = T24 + s1 * v36
+    v60 = v58 * v58
+    v61 = v59 * v59
+    v62 = v60 + (v56 + v49 * v49)
+    v63 = v60 + (v56 + v50 * v50)
+    v64 = v61 + (v57 + v52 * v52)
+    v65 = v61 + (v57 + v53 * v53)
+    v66 = math.sqrt(-1.0)
+    v67 = 0.0 if v62 <= m11 else v66
+    v68 = 0.0 if v63 <= m11 else v66
+    v69 = 0.0 if v64 <= m11 else v66
+    v70 = 0.0 if v65 <= m11 else v66
 
     # joint values
     doubt1 = (
-        v7 <= m2 or (v4 <= m1 or (N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m
-        <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
-        doubt_limit_squared2 or (v8 <= m2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and
-        not (shortest3_apart < N3_p and N3_p < longest3_apart)))))))
+        v7 <= m2 or (v4 <= m1 or (v8 <= m2 or (N3_m <= doubt_limit_squared2 or ((shortest3_reach <=
+        N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart))
+        or (N3_p <= doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and
+        not (shortest3_apart < N3_p and N3_p < longest3_apart)) or (m10 < v48 * v48 + (v47 * v47 +
+        (v46 * v46 + (v45 * v45 + (v44 * v44 + (v43 * v43 + (v42 * v42 + (v40 * v40 + v41 *
+        v41))))))) or ((m11 < v65 and v65 <= m12) or ((m11 < v64 and v64 <= m12) or ((m11 < v62 and
+        v62 <= m12) or (m11 < v63 and v63 <= m12)))))))))))
     )
 
     # angles, side by side
@@ -814,48 +823,48 @@ def _regular(pose, q, status):
     angle9 = room[8]
 
     # joint values
-    v51 = angle9 - offset1
-    v52 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
-    v53 = angle5 - offset2
-    v54 = angle6 - offset2
-    v55 = angle7 - offset2
-    v56 = angle8 - offset2
-    v57 = angle3 - offset3
-    v58 = offset3 + angle3
-    v59 = angle4 - offset3
-    v60 = offset3 + angle4
-    v61 = angle1 - (angle3 + angle5) - offset4
-    v62 = angle1 - (angle6 - angle3) - offset4
-    v63 = offset4 + (angle1 + (angle4 + angle7))
-    v64 = offset4 + (angle1 + (angle8 - angle4))
-    v65 = v61 - (m10 if half_turn < v61 else 0.0) + (m10 if v61 <= -half_turn else 0.0)
-    v66 = v62 - (m10 if half_turn < v62 else 0.0) + (m10 if v62 <= -half_turn else 0.0)
-    v67 = (m10 if -v63 <= -half_turn else 0.0) - (v63 + (m10 if half_turn < -v63 else 0.0))
-    v68 = (m10 if -v64 <= -half_turn else 0.0) - (v64 + (m10 if half_turn < -v64 else 0.0))
-    v69 = v41 + (v23 + (v51 + (m10 if v51 <= -half_turn else 0.0)))
-    v70 = v41 + (v24 + (v52 + (m10 if v52 <= -half_turn else 0.0)))
-    q1_pp = v46 + v69
-    q1_pm = v47 + v69
-    q1_mp = v49 + v70
-    q1_mm = v50 + v70
-    q2_pp = v46 + (v41 + (v53 + (m10 if v53 <= -half_turn else 0.0)))
-    q2_pm = v47 + (v41 + (v54 + (m10 if v54 <= -half_turn else 0.0)))
-    q2_mp = v49 + (v41 + (v55 + (m10 if v55 <= -half_turn else 0.0)))
-    q2_mm = v50 + (v41 + (v56 + (m10 if v56 <= -half_turn else 0.0)))
-    q3_pp = v46 + (v41 + (v57 + (m10 if v57 <= -half_turn else 0.0)))
-    q3_pm = v47 + (v41 + ((m10 if -v58 <= -half_turn else 0.0) - v58))
-    q3_mp = v49 + (v41 + (v59 + (m10 if v59 <= -half_turn else 0.0)))
-    q3_mm = v50 + (v41 + ((m10 if -v60 <= -half_turn else 0.0) - v60))
-    q4_pp = v46 + (v41 + (v65 - (m10 if half_turn < v65 else 0.0)))
-    q4_pm = v47 + (v41 + (v66 - (m10 if half_turn < v66 else 0.0)))
-    q4_mp = v49 + (v41 + (v67 - (m10 if half_turn < v67 else 0.0)))
-    q4_mm = v50 + (v41 + (v68 - (m10 if half_turn < v68 else 0.0)))
-    v71 = v41 + (angle2 + v23)
-    v72 = v41 + (v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1))
-    q5_pp = v46 + v71
-    q5_pm = v47 + v71
-    q5_mp = v49 + v72
-    q5_mm = v50 + v72
+    v71 = angle9 - offset1
+    v72 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
+    v73 = angle5 - offset2
+    v74 = angle6 - offset2
+    v75 = angle7 - offset2
+    v76 = angle8 - offset2
+    v77 = angle3 - offset3
+    v78 = offset3 + angle3
+    v79 = angle4 - offset3
+    v80 = offset3 + angle4
+    v81 = angle1 - (angle3 + angle5) - offset4
+    v82 = angle1 - (angle6 - angle3) - offset4
+    v83 = offset4 + (angle1 + (angle4 + angle7))
+    v84 = offset4 + (angle1 + (angle8 - angle4))
+    v85 = v81 - (m13 if half_turn < v81 else 0.0) + (m13 if v81 <= -half_turn else 0.0)
+    v86 = v82 - (m13 if half_turn < v82 else 0.0) + (m13 if v82 <= -half_turn else 0.0)
+    v87 = (m13 if -v83 <= -half_turn else 0.0) - (v83 + (m13 if half_turn < -v83 else 0.0))
+    v88 = (m13 if -v84 <= -half_turn else 0.0) - (v84 + (m13 if half_turn < -v84 else 0.0))
+    v89 = v23 + (v71 + (m13 if v71 <= -half_turn else 0.0))
+    v90 = v24 + (v72 + (m13 if v72 <= -half_turn else 0.0))
+    q1_pp = v67 + v89
+    q1_pm = v68 + v89
+    q1_mp = v69 + v90
+    q1_mm = v70 + v90
+    q2_pp = v67 + (v73 + (m13 if v73 <= -half_turn else 0.0))
+    q2_pm = v68 + (v74 + (m13 if v74 <= -half_turn else 0.0))
+    q2_mp = v69 + (v75 + (m13 if v75 <= -half_turn else 0.0))
+    q2_mm = v70 + (v76 + (m13 if v76 <= -half_turn else 0.0))
+    q3_pp = v67 + (v77 + (m13 if v77 <= -half_turn else 0.0))
+    q3_pm = v68 + ((m13 if -v78 <= -half_turn else 0.0) - v78)
+    q3_mp = v69 + (v79 + (m13 if v79 <= -half_turn else 0.0))
+    q3_mm = v70 + ((m13 if -v80 <= -half_turn else 0.0) - v80)
+    q4_pp = v67 + (v85 - (m13 if half_turn < v85 else 0.0))
+    q4_pm = v68 + (v86 - (m13 if half_turn < v86 else 0.0))
+    q4_mp = v69 + (v87 - (m13 if half_turn < v87 else 0.0))
+    q4_mm = v70 + (v88 - (m13 if half_turn < v88 else 0.0))
+    v91 = angle2 + v23
+    v92 = v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1)
+    q5_pp = v67 + v91
+    q5_pm = v68 + v91
+    q5_mp = v69 + v92
+    q5_mm = v70 + v92
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1045,12 +1054,12 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1440, 1472, 1504, 1536, 1568],
-    [1600, 1632, 1664, 1696, 1728],
-    [1760, 1792, 1824, 1856, 1888],
-    [1920, 1952, 1984, 2016, 2048],
+    [1408, 1440, 1472, 1504, 1536],
+    [1568, 1600, 1632, 1664, 1696],
+    [1728, 1760, 1792, 1824, 1856],
+    [1888, 1920, 1952, 1984, 2016],
 ])
-_KINDS = np.array([2080, 2112, 2144, 2176])
+_KINDS = np.array([2048, 2080, 2112, 2144])
 _LEFT_OVER = 255
 
 
@@ -1061,7 +1070,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; the status of a pose that it does not answer is _LEFT_OVER.
     """
-    work = np.empty(2208)
+    work = np.empty(2176)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 32):
         count = min(32, len(T) - first)
@@ -1157,179 +1166,187 @@ def _in_tiles(T, q, status):
             v37 = s1 * T33
             v38 = d1 + v15
             v39 = d1 + v16
-            v40 = math.sqrt(-1.0)
-            v41 = (
-                0.0 if max(abs(T12 - (s1 * v10 + factor234 * (v11 * v32))), max(abs(T11 - (s1 * v11
-                - factor234 * (v10 * v32))), max(abs(T13 - factor234 * (c1 * Z2_234)), max(abs(T21 +
-                (c1 * v11 + factor234 * (v10 * v37))), max(abs(T22 - (factor234 * (v11 * v37) - c1 *
-                v10)), max(abs(T23 - factor234 * (s1 * Z2_234)), max(abs(T31 - factor234 * (Z2_234 *
-                v10)), max(abs(T33 - T33 * factor234), abs(T32 + factor234 * (Z2_234 * v11))))))))))
-                <= pose_slack else v40
-            )
-            v42 = abs(T14 - c1 * v35)
-            v43 = abs(T14 + c1 * v36)
-            v44 = abs(T24 - s1 * v35)
-            v45 = abs(T24 + s1 * v36)
-            v46 = (
-                0.0 if max(v44, max(v42, abs(T34 - (a3 * (v33 + w3_p * (m8 * (Z2_3_p * factor2_p)))
-                + (v38 + a2 * (S2_pp * factor2_p)))))) <= pose_slack1 else v40
-            )
-            v47 = (
-                0.0 if max(v44, max(v42, abs(T34 - (a3 * (v33 + w3_p * (m8 * (-Z2_3_p * factor2_p)))
-                + (v38 + a2 * (S2_pm * factor2_p)))))) <= pose_slack1 else v40
-            )
-            v48 = w3_m * (m8 * (v22 * factor2_m))
+            v40 = T33 - T33 * factor234
+            v41 = T32 + factor234 * (Z2_234 * v11)
+            v42 = T31 - factor234 * (Z2_234 * v10)
+            v43 = T23 - factor234 * (s1 * Z2_234)
+            v44 = T22 - (factor234 * (v11 * v37) - c1 * v10)
+            v45 = T21 + (c1 * v11 + factor234 * (v10 * v37))
+            v46 = T13 - factor234 * (c1 * Z2_234)
+            v47 = T11 - (s1 * v11 - factor234 * (v10 * v32))
+            v48 = T12 - (s1 * v10 + factor234 * (v11 * v32))
             v49 = (
-                0.0 if max(v45, max(v43, abs(T34 - (a3 * (v34 - v48) + (v39 + a2 * (S2_mp *
-                factor2_m)))))) <= pose_slack1 else v40
+                T34 - (a3 * (v33 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pp *
+                factor2_p)))
             )
             v50 = (
-                0.0 if max(v45, max(v43, abs(T34 - (a3 * (v34 + v48) + (v39 + a2 * (S2_mm *
-                factor2_m)))))) <= pose_slack1 else v40
+                T34 - (a3 * (v33 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pm *
+                factor2_p)))
             )
+            v51 = w3_m * (m8 * (v22 * factor2_m))
+            v52 = T34 - (a3 * (v34 - v51) + (v39 + a2 * (S2_mp * factor2_m)))
+            v53 = T34 - (a3 * (v34 + v51) + (v39 + a2 * (S2_mm * factor2_m)))
+            v54 = T14 - c1 * v35
+            v55 = T14 + c1 * v36
+            v56 = v54 * v54
+            v57 = v55 * v55
+            v58 = T24 - s1 * v35
+            v59 = T24 + s1 * v36
+            v60 = v58 * v58
+            v61 = v59 * v59
+            v62 = v60 + (v56 + v49 * v49)
+            v63 = v60 + (v56 + v50 * v50)
+            v64 = v61 + (v57 + v52 * v52)
+            v65 = v61 + (v57 + v53 * v53)
+            v66 = math.sqrt(-1.0)
+            v67 = 0.0 if v62 <= m11 else v66
+            v68 = 0.0 if v63 <= m11 else v66
+            v69 = 0.0 if v64 <= m11 else v66
+            v70 = 0.0 if v65 <= m11 else v66
             doubt1 = (
-                v7 <= m2 or (v4 <= m1 or (N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m
-                and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart)) or (N3_p <= doubt_limit_squared2 or (v8 <= m2 or (shortest3_reach
-                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart)))))))
+                v7 <= m2 or (v4 <= m1 or (v8 <= m2 or (N3_m <= doubt_limit_squared2 or
+                ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m
+                and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or ((shortest3_reach <=
+                N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart)) or (m10 < v48 * v48 + (v47 * v47 + (v46 * v46 + (v45 * v45 + (v44 *
+                v44 + (v43 * v43 + (v42 * v42 + (v40 * v40 + v41 * v41))))))) or ((m11 < v65 and v65
+                <= m12) or ((m11 < v64 and v64 <= m12) or ((m11 < v62 and v62 <= m12) or (m11 < v63
+                and v63 <= m12)))))))))))
             )
             work[544 + k] = v3
             work[576 + k] = Z2_5
             work[608 + k] = v23
             work[640 + k] = v24
-            work[672 + k] = v41
-            work[704 + k] = v46
-            work[736 + k] = v47
-            work[768 + k] = v49
-            work[800 + k] = v50
-            work[832 + k] = doubt1
-            work[864 + k] = -Z2_234
-            work[896 + k] = -Z2_5
-            work[928 + k] = w3_p
-            work[960 + k] = w3_m
-            work[992 + k] = S2_pp
-            work[1024 + k] = S2_pm
-            work[1056 + k] = S2_mp
-            work[1088 + k] = S2_mm
-            work[1120 + k] = v3
-            work[1152 + k] = T33
-            work[1184 + k] = -Z1_5
-            work[1216 + k] = N3_p - k1
-            work[1248 + k] = N3_m - k1
-            work[1280 + k] = v30 + w3_p * (m6 * Z1_3_p)
-            work[1312 + k] = v30 + w3_p * (m6 * -Z1_3_p)
-            work[1344 + k] = w3_m * (m6 * Z1_3_m) - v31
-            work[1376 + k] = w3_m * (m6 * -Z1_3_m) - v31
-            work[1408 + k] = v2
-        for k in range(864, 1152):
+            work[672 + k] = v67
+            work[704 + k] = v68
+            work[736 + k] = v69
+            work[768 + k] = v70
+            work[800 + k] = doubt1
+            work[832 + k] = -Z2_234
+            work[864 + k] = -Z2_5
+            work[896 + k] = w3_p
+            work[928 + k] = w3_m
+            work[960 + k] = S2_pp
+            work[992 + k] = S2_pm
+            work[1024 + k] = S2_mp
+            work[1056 + k] = S2_mm
+            work[1088 + k] = v3
+            work[1120 + k] = T33
+            work[1152 + k] = -Z1_5
+            work[1184 + k] = N3_p - k1
+            work[1216 + k] = N3_m - k1
+            work[1248 + k] = v30 + w3_p * (m6 * Z1_3_p)
+            work[1280 + k] = v30 + w3_p * (m6 * -Z1_3_p)
+            work[1312 + k] = w3_m * (m6 * Z1_3_m) - v31
+            work[1344 + k] = w3_m * (m6 * -Z1_3_m) - v31
+            work[1376 + k] = v2
+        for k in range(832, 1120):
             work[k] = _atan2(work[k], work[k + 288])
         for k in range(0, 32):
             v3 = work[544 + k]
             Z2_5 = work[576 + k]
             v23 = work[608 + k]
             v24 = work[640 + k]
-            v41 = work[672 + k]
-            v46 = work[704 + k]
-            v47 = work[736 + k]
-            v49 = work[768 + k]
-            v50 = work[800 + k]
-            doubt1 = work[832 + k] != 0.0
-            angle1 = work[864 + k]
-            angle2 = work[896 + k]
-            angle3 = work[928 + k]
-            angle4 = work[960 + k]
-            angle5 = work[992 + k]
-            angle6 = work[1024 + k]
-            angle7 = work[1056 + k]
-            angle8 = work[1088 + k]
-            angle9 = work[1120 + k]
-            v51 = angle9 - offset1
-            v52 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
-            v53 = angle5 - offset2
-            v54 = angle6 - offset2
-            v55 = angle7 - offset2
-            v56 = angle8 - offset2
-            v57 = angle3 - offset3
-            v58 = offset3 + angle3
-            v59 = angle4 - offset3
-            v60 = offset3 + angle4
-            v61 = angle1 - (angle3 + angle5) - offset4
-            v62 = angle1 - (angle6 - angle3) - offset4
-            v63 = offset4 + (angle1 + (angle4 + angle7))
-            v64 = offset4 + (angle1 + (angle8 - angle4))
-            v65 = v61 - (m10 if half_turn < v61 else 0.0) + (m10 if v61 <= -half_turn else 0.0)
-            v66 = v62 - (m10 if half_turn < v62 else 0.0) + (m10 if v62 <= -half_turn else 0.0)
-            v67 = (m10 if -v63 <= -half_turn else 0.0) - (v63 + (m10 if half_turn < -v63 else 0.0))
-            v68 = (m10 if -v64 <= -half_turn else 0.0) - (v64 + (m10 if half_turn < -v64 else 0.0))
-            v69 = v41 + (v23 + (v51 + (m10 if v51 <= -half_turn else 0.0)))
-            v70 = v41 + (v24 + (v52 + (m10 if v52 <= -half_turn else 0.0)))
-            q1_pp = v46 + v69
-            q1_pm = v47 + v69
-            q1_mp = v49 + v70
-            q1_mm = v50 + v70
-            q2_pp = v46 + (v41 + (v53 + (m10 if v53 <= -half_turn else 0.0)))
-            q2_pm = v47 + (v41 + (v54 + (m10 if v54 <= -half_turn else 0.0)))
-            q2_mp = v49 + (v41 + (v55 + (m10 if v55 <= -half_turn else 0.0)))
-            q2_mm = v50 + (v41 + (v56 + (m10 if v56 <= -half_turn else 0.0)))
-            q3_pp = v46 + (v41 + (v57 + (m10 if v57 <= -half_turn else 0.0)))
-            q3_pm = v47 + (v41 + ((m10 if -v58 <= -half_turn else 0.0) - v58))
-            q3_mp = v49 + (v41 + (v59 + (m10 if v59 <= -half_turn else 0.0)))
-            q3_mm = v50 + (v41 + ((m10 if -v60 <= -half_turn else 0.0) - v60))
-            q4_pp = v46 + (v41 + (v65 - (m10 if half_turn < v65 else 0.0)))
-            q4_pm = v47 + (v41 + (v66 - (m10 if half_turn < v66 else 0.0)))
-            q4_mp = v49 + (v41 + (v67 - (m10 if half_turn < v67 else 0.0)))
-            q4_mm = v50 + (v41 + (v68 - (m10 if half_turn < v68 else 0.0)))
-            v71 = v41 + (angle2 + v23)
-            v72 = v41 + (v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1))
-            q5_pp = v46 + v71
-            q5_pm = v47 + v71
-            q5_mp = v49 + v72
-            q5_mm = v50 + v72
-            _1440 = q1_pp
+            v67 = work[672 + k]
+            v68 = work[704 + k]
+            v69 = work[736 + k]
+            v70 = work[768 + k]
+            doubt1 = work[800 + k] != 0.0
+            angle1 = work[832 + k]
+            angle2 = work[864 + k]
+            angle3 = work[896 + k]
+            angle4 = work[928 + k]
+            angle5 = work[960 + k]
+            angle6 = work[992 + k]
+            angle7 = work[1024 + k]
+            angle8 = work[1056 + k]
+            angle9 = work[1088 + k]
+            v71 = angle9 - offset1
+            v72 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
+            v73 = angle5 - offset2
+            v74 = angle6 - offset2
+            v75 = angle7 - offset2
+            v76 = angle8 - offset2
+            v77 = angle3 - offset3
+            v78 = offset3 + angle3
+            v79 = angle4 - offset3
+            v80 = offset3 + angle4
+            v81 = angle1 - (angle3 + angle5) - offset4
+            v82 = angle1 - (angle6 - angle3) - offset4
+            v83 = offset4 + (angle1 + (angle4 + angle7))
+            v84 = offset4 + (angle1 + (angle8 - angle4))
+            v85 = v81 - (m13 if half_turn < v81 else 0.0) + (m13 if v81 <= -half_turn else 0.0)
+            v86 = v82 - (m13 if half_turn < v82 else 0.0) + (m13 if v82 <= -half_turn else 0.0)
+            v87 = (m13 if -v83 <= -half_turn else 0.0) - (v83 + (m13 if half_turn < -v83 else 0.0))
+            v88 = (m13 if -v84 <= -half_turn else 0.0) - (v84 + (m13 if half_turn < -v84 else 0.0))
+            v89 = v23 + (v71 + (m13 if v71 <= -half_turn else 0.0))
+            v90 = v24 + (v72 + (m13 if v72 <= -half_turn else 0.0))
+            q1_pp = v67 + v89
+            q1_pm = v68 + v89
+            q1_mp = v69 + v90
+            q1_mm = v70 + v90
+            q2_pp = v67 + (v73 + (m13 if v73 <= -half_turn else 0.0))
+            q2_pm = v68 + (v74 + (m13 if v74 <= -half_turn else 0.0))
+            q2_mp = v69 + (v75 + (m13 if v75 <= -half_turn else 0.0))
+            q2_mm = v70 + (v76 + (m13 if v76 <= -half_turn else 0.0))
+            q3_pp = v67 + (v77 + (m13 if v77 <= -half_turn else 0.0))
+            q3_pm = v68 + ((m13 if -v78 <= -half_turn else 0.0) - v78)
+            q3_mp = v69 + (v79 + (m13 if v79 <= -half_turn else 0.0))
+            q3_mm = v70 + ((m13 if -v80 <= -half_turn else 0.0) - v80)
+            q4_pp = v67 + (v85 - (m13 if half_turn < v85 else 0.0))
+            q4_pm = v68 + (v86 - (m13 if half_turn < v86 else 0.0))
+            q4_mp = v69 + (v87 - (m13 if half_turn < v87 else 0.0))
+            q4_mm = v70 + (v88 - (m13 if half_turn < v88 else 0.0))
+            v91 = angle2 + v23
+            v92 = v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1)
+            q5_pp = v67 + v91
+            q5_pm = v68 + v91
+            q5_mp = v69 + v92
+            q5_mm = v70 + v92
+            _1408 = q1_pp
+            work[1408 + k] = _1408
+            _1440 = q2_pp
             work[1440 + k] = _1440
-            _1472 = q2_pp
+            _1472 = q3_pp
             work[1472 + k] = _1472
-            _1504 = q3_pp
+            _1504 = q4_pp
             work[1504 + k] = _1504
-            _1536 = q4_pp
+            _1536 = q5_pp
             work[1536 + k] = _1536
-            _1568 = q5_pp
+            _1568 = q1_pm
             work[1568 + k] = _1568
-            _1600 = q1_pm
+            _1600 = q2_pm
             work[1600 + k] = _1600
-            _1632 = q2_pm
+            _1632 = q3_pm
             work[1632 + k] = _1632
-            _1664 = q3_pm
+            _1664 = q4_pm
             work[1664 + k] = _1664
-            _1696 = q4_pm
+            _1696 = q5_pm
             work[1696 + k] = _1696
-            _1728 = q5_pm
+            _1728 = q1_mp
             work[1728 + k] = _1728
-            _1760 = q1_mp
+            _1760 = q2_mp
             work[1760 + k] = _1760
-            _1792 = q2_mp
+            _1792 = q3_mp
             work[1792 + k] = _1792
-            _1824 = q3_mp
+            _1824 = q4_mp
             work[1824 + k] = _1824
-            _1856 = q4_mp
+            _1856 = q5_mp
             work[1856 + k] = _1856
-            _1888 = q5_mp
+            _1888 = q1_mm
             work[1888 + k] = _1888
-            _1920 = q1_mm
+            _1920 = q2_mm
             work[1920 + k] = _1920
-            _1952 = q2_mm
+            _1952 = q3_mm
             work[1952 + k] = _1952
-            _1984 = q3_mm
+            _1984 = q4_mm
             work[1984 + k] = _1984
-            _2016 = q4_mm
+            _2016 = q5_mm
             work[2016 + k] = _2016
-            _2048 = q5_mm
-            work[2048 + k] = _2048
-            work[2080 + k] = UNREACHABLE if _1440 != _1440 else OK
-            work[2112 + k] = UNREACHABLE if _1600 != _1600 else OK
-            work[2144 + k] = UNREACHABLE if _1760 != _1760 else OK
-            work[2176 + k] = UNREACHABLE if _1920 != _1920 else OK
+            work[2048 + k] = UNREACHABLE if _1408 != _1408 else OK
+            work[2080 + k] = UNREACHABLE if _1568 != _1568 else OK
+            work[2112 + k] = UNREACHABLE if _1728 != _1728 else OK
+            work[2144 + k] = UNREACHABLE if _1888 != _1888 else OK
             work[512 + k] = 1.0 if doubt1 else work[512 + k]
         for k in range(count):
             if work[512 + k] != 0.0:

@@ -3386,7 +3386,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -3398,11 +3398,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
@@ -3451,11 +3451,6 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
 int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
 {
     static const double zeros[6] = { 0.0 };
@@ -3476,7 +3471,8 @@ int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned
             continue;
         for (int i = 0; i < 6; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = XARM6_OUT_OF_LIMITS;
         }
         count += status[row] != XARM6_OUT_OF_LIMITS;

@@ -3172,7 +3172,7 @@ static void straighten(double T[16])
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
- * Returns 0 for what is no pose. */
+ * Returns 0 for what is no pose, and 2 for what was rounded. */
 static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
@@ -3184,11 +3184,11 @@ static int read_pose(const double given[16], double T[16])
     const double miss = misfit(T);
     if (!(miss <= 1e-09))
         return 0;
-    if (miss > 1e-24) {
-        straighten(T);
-        straighten(T);
-    }
-    return 1;
+    if (miss <= 1e-24)
+        return 1;
+    straighten(T);
+    straighten(T);
+    return 2;
 }
 
 /* Fills the rows of the branches that have a solution, and no others. */
@@ -3240,11 +3240,6 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-static int inside(int joint, double value)
-{
-    return lowest[joint] - 1e-09 <= value && value <= highest[joint] + 1e-09;
-}
-
 int xarm7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16])
@@ -3253,7 +3248,7 @@ int xarm7_ik(
     const double *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose) && isfinite(free_joints[0]);
+    const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
     for (int row = 0; row < 16; row++) {
         status[row] = valid ? XARM7_UNREACHABLE : XARM7_INVALID_POSE;
         for (int i = 0; i < 7; i++)
@@ -3267,7 +3262,8 @@ int xarm7_ik(
             continue;
         for (int i = 0; i < 7; i++) {
             q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!inside(i, q[row][i]))
+            if (!(lowest[i] - 1e-09 <= q[row][i]
+                    && q[row][i] <= highest[i] + 1e-09))
                 status[row] = XARM7_OUT_OF_LIMITS;
         }
         count += status[row] != XARM7_OUT_OF_LIMITS;

@@ -10,7 +10,7 @@ pose a divisor may be zero; what IEEE arithmetic makes of it does not count.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache, partial, reduce
+from functools import cache, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.builder import Builder
@@ -229,8 +229,7 @@ class _Regular:
             case Failure.MERGED:
                 self._meet(guard)
             case Failure.INCONSISTENT:
-                for truth in self._consistent(guard.condition):
-                    self._end(truth, guard.failure, None)
+                self._take_if_consistent(guard.condition)
             case Failure.REACH:
                 self._end(self._truth(guard.condition), guard.failure, guard.margin)
                 self._reached = guard
@@ -246,10 +245,18 @@ class _Regular:
 
     def _meet(self, guard: Guard) -> None:
         """Branches that meet at a pose that is in reach are a doubt."""
-        met = self._truth(self._sharp(_met(guard)))
-        if self._reached is not None:
-            met = self._builder.apply("and", self._truth(self._reached.condition), met)
-        self._doubts.append(met)
+        met, reached = self._sharp(_met(guard)), self._reached
+        match None if reached is None else reached.condition:
+            case None:
+                self._doubts.append(self._truth(met))
+            case Apply("at_most", (Apply("neg", (slack,)), margin)):
+                # rounding may take more from D than keeps branches apart: one slack is for both
+                size = self._arithmetic.apply("abs", [self._value(margin)])
+                near = self._arithmetic.apply("at_most", [size, self._value(slack)])
+                free = [each for each in _disjuncts(met) if isinstance(each, Variable)]
+                self._doubts += [near.node, *map(self._truth, free)]
+            case within:
+                self._doubts.append(self._truth(Apply("and", (within, met))))
 
     def _sharp(self, met: Expression) -> Expression:
         """Without what needs an angle that is good to few digits: that is a doubt by itself."""
@@ -263,27 +270,32 @@ class _Regular:
             case _:
                 return met
 
-    def _consistent(self, condition: Expression) -> list[Node]:
+    def _take_if_consistent(self, condition: Expression) -> None:
         """What must hold for the arm to take the pose, unless it does by an identity.
 
-        Of values with the same limit only the largest is compared.
+        n values |x| <= limit hold where the sum of their squares is at most limit^2, and do not
+        where it is above n limit^2; between the two the pose is doubtful, and so it is above both
+        where no sign is to blame, since then there is no branch that could be right.
         """
-        arithmetic = self._arithmetic
+        builder, arithmetic = self._builder, self._arithmetic
         misses: dict[Node, list[Node]] = {}
-        truths: list[Node] = []
         for part in _conjuncts(condition):
             match part:
                 case Apply("at_most", (Apply("abs", (miss,)), limit)):
                     value = self._value(miss)
                     if not arithmetic.vanishes(value):
-                        size = arithmetic.plain(arithmetic.apply("abs", [value]))
-                        misses.setdefault(arithmetic.plain(self._value(limit)), []).append(size)
+                        of = misses.setdefault(arithmetic.plain(self._value(limit)), [])
+                        of.append(builder.square(arithmetic.plain(value)))
                 case _:
-                    truths.append(self._truth(part))
-        for limit_node, sizes in misses.items():
-            largest = reduce(partial(self._builder.apply, "maximum"), sizes)
-            truths.append(self._builder.apply("at_most", largest, limit_node))
-        return truths
+                    self._end(self._truth(part), Failure.INCONSISTENT, None)
+        for limit_node, squares in misses.items():
+            total, least = reduce(builder.add, squares), builder.square(limit_node)
+            doubtful = builder.apply("less", least, total)
+            if builder.axes_of(total):
+                most = builder.mul(builder.integer(len(squares)), least)
+                self._end(builder.apply("at_most", total, least), Failure.INCONSISTENT, None)
+                doubtful = builder.apply("and", doubtful, builder.apply("at_most", total, most))
+            self._doubts.append(doubtful)
 
     def _end(self, condition: Node, failure: Failure, margin: Expression | None) -> None:
         """What is NaN where a branch ends here and else zero, and what may be NaN with it."""
@@ -372,6 +384,15 @@ def _conjuncts(condition: Expression) -> list[Expression]:
     match condition:
         case Apply("and", parts):
             return [each for part in parts for each in _conjuncts(part)]
+        case _:
+            return [condition]
+
+
+def _disjuncts(condition: Expression) -> list[Expression]:
+    """Of what one is enough."""
+    match condition:
+        case Apply("or", parts):
+            return [each for part in parts for each in _disjuncts(part)]
         case _:
             return [condition]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 _SOLVER = """
-J R T fk free_joints highest i1 i2 i3 i4 i5 i6 ik ik_all ik_batch ik_into inside jacobian joint
+J R T fk free_joints highest i1 i2 i3 i4 i5 i6 ik ik_all ik_batch ik_into jacobian joint
 lowest pose q q_free q_seed revolute row seed solve status turn turned weight wrap
 T11 T12 T13 T14 T21 T22 T23 T24 T31 T32 T33 T34
 """
@@ -16,13 +16,13 @@ limited_step look least_u most_u nearest_solution no_highest no_lowest
 measure pulled shorten solved sorted_rows span_low span_width stands_before
 start_of stride turn_vector turning unit wrap_angles
 G LANES LOST NEARLY after all angle attempt before choose_again circle_roots count distance found
-given here high i nearly residual serving_digits serving_value solve_regular
+given here high i ik_carefully nearly residual serving_digits serving_value solve_regular
 inner j k least left length lost low middle misfit miss moved n nearest outer read_pose result right
 search square start step straighten summit third towards valid value x xx xy y yy z z0 z1 z2 zeros
 """
 
 _LANES = """
-ARCTANGENT HELPER bits_four bits_wide four four_at four_mask from irregularity_four
+APART ARCTANGENT HELPER INLINED bits_four bits_wide four four_at four_mask from irregularity_four
 irregularity_wide kind
 kind_of odd size solve_tile solve_wide store_1 store_2 store_4 transpose two_at wide wide_at
 wide_mask word abs_four all_four atan2_four copysign_four cos_four maximum_four pick_four sin_four

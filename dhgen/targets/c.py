@@ -95,6 +95,7 @@ def _functions(module: SolverModule) -> dict[str, str]:
     given = ["free_joints"] if count else []
     batch = ["size_t n", "const double *T", *batch_free, "double *q", "unsigned char *status"]
     seed = f"const double q_seed[{dof}]"
+    inputs = [pose, *free, "const double *q_seed", *table]
 
     def one(k: str) -> list[str]:
         inputs = [f"T + 16 * {k}", *(f"{each} + {count} * {k}" for each in given), "NULL"]
@@ -106,7 +107,8 @@ def _functions(module: SolverModule) -> dict[str, str]:
         return [*inputs, f"q + {rows * dof} * {k}", f"status + {rows} * {k}"]
 
     return {
-        "ik_prototype": call(f"int {name}_ik", [pose, *free, "const double *q_seed", *table], ""),
+        "ik_prototype": call(f"int {name}_ik", inputs, ""),
+        "careful_prototype": call("int ik_carefully", inputs, ""),
         "nearest_prototype": call(
             f"int {name}_ik_nearest", [pose, *free, seed, f"double q[{dof}]"], ""
         ),

@@ -118,6 +118,8 @@ class LaneText:
                 return Text(LIBRARY.pose(row, column), ATOM, self._wide)
             case Joint(number, role):
                 return Text(LIBRARY.joint(number, role), ATOM, self._wide)
+            case Apply("sqrt", (Integer(value),)) if value < 0:
+                return Text("NAN", ATOM, lanes=False)  # compilers would take the root every time
             case Apply(operator, operands):
                 return self._apply(operator, [self.text(operand) for operand in operands])
 
