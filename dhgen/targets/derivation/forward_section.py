@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story
 
 PAGE = 60  # lines
+MOST_TERMS = 400  # more of them fill more than a page, however they are nested
 
 BASE, TOOL = Symbol("Z", "Z"), Symbol("E", "E")
 T_BASE_TOOL = Symbol(r"T_{\mathrm{base,tool}}", "T_base,tool")
@@ -222,6 +223,11 @@ def fills_pages(
     name: Formula, transform: Transform, write: Callable[[Polynomial], Formula]
 ) -> bool:
     """Whether the entries one by one are more than a reader can follow."""
+    if (
+        sum(len(transform.entry(row, column)) for row in range(3) for column in range(4))
+        > MOST_TERMS
+    ):
+        return True
     return len(laid_out(_entries(name, matrix_of(transform, write)), PLAIN)) > PAGE
 
 

@@ -39,9 +39,10 @@ def jacobian_columns(story: Story) -> list[Block]:
 def jacobian_blocks(story: Story) -> list[Block]:
     """The formula of a column, and the matrix when it is narrow enough."""
     blocks = jacobian_columns(story)
-    matrix = Matrix(
-        tuple(tuple(story.write_forward(entry) for entry in row) for row in _rows(story.algebra))
-    )
+    rows = _rows(story.algebra)
+    if sum(len(entry) for row in rows for entry in row) > WIDTH:  # a term is a character at least
+        return blocks
+    matrix = Matrix(tuple(tuple(story.write_forward(entry) for entry in row) for row in rows))
     columns = zip(*matrix.rows, strict=True)
     total = sum(max(width(e) for e in column if e is not None) + 2 for column in columns) + 6
     if total <= WIDTH:
