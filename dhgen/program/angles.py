@@ -122,8 +122,11 @@ class Angles:
 
     def options(self) -> list[Option]:
         """The joints that may have been chosen so far; what is free comes last, and decides."""
-        free = [Option(joint, flag) for joint, flags in self._free.items() for flag in flags]
-        return [*self._near, *free]
+        return [*self._near, *self.free_options()]
+
+    def free_options(self) -> list[Option]:
+        """Those of them that were free and took the seed's value."""
+        return [Option(joint, flag) for joint, flags in self._free.items() for flag in flags]
 
     def free_joints(self) -> list[tuple[int, Node]]:
         """For every joint that may have been chosen, the truth value that says so."""

@@ -186,22 +186,26 @@ class Builder(Graph):
         Args:
             condition: What must hold.
             failure: Why it may not.
-            margin: What must not be negative, if that is the condition.
+            margin: What must not be negative or, for a pose, be near to zero, if that is asked.
             chosen: Joints that may have been chosen; those whose choice has no influence on the
                 margin are left out.
         """
-        leaves = set() if margin is None else self.leaves(margin)
-        options = (option for option in chosen if Joint(option.joint, "seed") in leaves)
-        unique = tuple(dict.fromkeys(options))
+        deciding = () if margin is None else self.deciding(chosen, margin)
         self._marks.append(
             Mark(
                 len(self.entries),
                 condition=condition,
                 margin=margin,
                 failure=failure,
-                chosen=unique,
+                chosen=deciding,
             )
         )
+
+    def deciding(self, chosen: Iterable[Option], margin: Node) -> tuple[Option, ...]:
+        """Those of some joints whose choice has an influence on a value, each once."""
+        leaves = self.leaves(margin)
+        options = (option for option in chosen if Joint(option.joint, "seed") in leaves)
+        return tuple(dict.fromkeys(options))
 
     def circle_root(
         self, wanted: str, coefficients: tuple[Node, ...], meaning: tuple[str, ...], step: int

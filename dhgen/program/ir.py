@@ -163,7 +163,8 @@ class Guard:
         condition: A truth value.
         axes: The signs it depends on.
         failure: Why.
-        margin: For REACH, the value that must not be negative; else None.
+        margin: For REACH, the value that must not be negative; where a joint chosen before may
+            be to blame for INCONSISTENT, by how much the pose is missed; else None.
         chosen: Joints that were free, or nearly so, before this guard.
     """
 

@@ -27,6 +27,8 @@ from dhgen.program.tolerances import TOLERANCES
 from dhgen.program.whole import whole_program
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Polynomial
@@ -37,16 +39,42 @@ if TYPE_CHECKING:
     from dhgen.program.tolerances import Tolerances
 
 TRIED = 50  # poses on which a program's rows are looked at
+OTHER = 0.7  # from a pose's joint values to those of another seed [rad or length]
 
 
 def lower(derivation: Derivation, tolerances: Tolerances = TOLERANCES) -> Program:
     """The program of a derivation, for arithmetic with these tolerances."""
     if derivation.whole is not None:
         return whole_program(derivation.problem.algebra.chain, derivation.whole)
-    program = Lowering(derivation, tolerances, checked=derivation.problem.redundant).run()
-    if not derivation.problem.redundant and _has_strangers(derivation, program):
-        return Lowering(derivation, tolerances, checked=True).run()
+    checked = derivation.problem.redundant
+    program = Lowering(derivation, tolerances, checked=checked).run()
+    if not checked and _has_strangers(derivation, program):
+        checked = True
+        program = Lowering(derivation, tolerances, checked=True).run()
+    if checked and _follows_the_seed(derivation, program):
+        return Lowering(derivation, tolerances, checked=True, again=True).run()
     return program
+
+
+def _tried(chain: Chain) -> NDArray[np.float64]:
+    """Joint vectors anywhere, at right angles, and half of each."""
+    source = np.random.default_rng(17)
+    everywhere = source.uniform(-2.5, 2.5, (TRIED, chain.dof))
+    right = source.integers(-1, 3, everywhere.shape) * (np.pi / 2)
+    mixed = np.where(source.random(everywhere.shape) < 0.5, right, everywhere)
+    return np.concatenate([everywhere, right, mixed])
+
+
+def _follows_the_seed(derivation: Derivation, program: Program) -> bool:
+    """Whether rows are lost by another seed than the joint values that made the pose.
+
+    A joint was free there, and not every value of it makes the arm take the pose.
+    """
+    chain = derivation.problem.algebra.chain
+    arm, q = numeric_arm(chain), _tried(chain)
+    poses, given = arm.pose(q), given_values(arm, q)
+    own, other = (interpret(program, poses, seed, given) for seed in (q, q + OTHER))
+    return bool(np.any(own.solved & ~other.solved))
 
 
 def _has_strangers(derivation: Derivation, program: Program) -> bool:
@@ -56,12 +84,7 @@ def _has_strangers(derivation: Derivation, program: Program) -> bool:
     be checked.
     """
     chain = derivation.problem.algebra.chain
-    arm = numeric_arm(chain)
-    source = np.random.default_rng(17)
-    everywhere = source.uniform(-2.5, 2.5, (TRIED, chain.dof))
-    right = source.integers(-1, 3, everywhere.shape) * (np.pi / 2)
-    mixed = np.where(source.random(everywhere.shape) < 0.5, right, everywhere)
-    q = np.concatenate([everywhere, right, mixed])
+    arm, q = numeric_arm(chain), _tried(chain)
     poses = arm.pose(q)
     rows = interpret(program, poses, q, given_values(arm, q))
     reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
@@ -81,10 +104,24 @@ class Lowering:
         angles: The joints that are known.
         scales: Tolerances and reaches.
         step_number: Of the step at hand, from 1.
+
+    Args:
+        derivation: What to compute, and why.
+        tolerances: Of the arithmetic that the program is for.
+        checked: Whether every row is compared with the pose.
+        again: Whether a row that fails this may pass by another value of a free joint.
     """
 
-    def __init__(self, derivation: Derivation, tolerances: Tolerances, *, checked: bool) -> None:
+    def __init__(
+        self,
+        derivation: Derivation,
+        tolerances: Tolerances,
+        *,
+        checked: bool,
+        again: bool = False,
+    ) -> None:
         self._checked = checked
+        self._again = again
         self._derivation = derivation
         self._problem = derivation.problem
         self._algebra = derivation.problem.algebra
@@ -240,16 +277,36 @@ class Lowering:
         builder.heading("is the pose one that the arm can take?")
         consistent = self.scales.tolerances.consistent
         conditions: dict[tuple[int, ...], list[Node]] = {}
+        squares: dict[int, list[Node]] = {}  # by degree
         for name in sorted(task_entries(self._algebra.chain.task)):
             row, column = int(name[1]) - 1, int(name[2]) - 1
             reached = self.lower(self._problem.forward.entry(row, column))
-            miss = builder.absolute(builder.sub(self.value(name), reached))
+            off = builder.sub(self.value(name), reached)
             scale = self.scales.tolerance(consistent, int(column == 3), "consistent")
-            if not builder.is_zero(miss):
-                near = builder.apply("at_most", miss, scale)
+            if not builder.is_zero(off):
+                near = builder.apply("at_most", builder.absolute(off), scale)
                 conditions.setdefault(builder.axes_of(near), []).append(near)
+                squares.setdefault(int(column == 3), []).append(builder.square(off))
+        miss = self._length(squares)
+        chosen = builder.deciding(self.angles.free_options(), miss) if self._again else ()
+        if chosen:  # all at once, so that the whole miss is known where a branch ends
+            builder.name(miss, "missed")
+            nears = [near for group in conditions.values() for near in group]
+            condition = reduce(partial(builder.apply, "and"), nears)
+            builder.guard(condition, Failure.INCONSISTENT, miss, chosen)
+            return
         for nears in conditions.values():
             builder.guard(reduce(partial(builder.apply, "and"), nears), Failure.INCONSISTENT)
+
+    def _length(self, squares: dict[int, list[Node]]) -> Node:
+        """The root of a sum of squares, by the lengths in a value, which count in arm sizes."""
+        builder = self.builder
+        total = builder.integer(0)
+        for degree, group in sorted(squares.items()):
+            part = reduce(builder.add, group)
+            weighted = builder.mul(part, self.scales.weight(-2 * degree)) if degree else part
+            total = builder.add(total, weighted)
+        return builder.apply("sqrt", total)
 
 
 def _unknowns(step: Step) -> str:

@@ -57,7 +57,7 @@ class Mark:
         roots: The coefficients of a polynomial; else empty.
         axis: The axis of its roots.
         condition: What must hold.
-        margin: What must not be negative, if that is the condition.
+        margin: What must not be negative or, for a pose, be near to zero, if that is asked.
         failure: Why it may not hold.
         chosen: Joints that may have been chosen.
     """

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.paul.branches import branch_labels
+from dhgen.paul.problem import task_entries
 from dhgen.program.circle import DIRECTIONS, NEWTON_STEPS
 from dhgen.program.limits import Limits
 from dhgen.program.regular import regular
@@ -14,6 +15,7 @@ from dhgen.program.tolerances import DOUBLE, Precision
 from dhgen.robot.robot import JointKind, TaskKind
 from dhgen.targets.layout import paragraph
 from dhgen.targets.walk import (
+    checks_again,
     chooses_again,
     finds_roots,
     merged_constants,
@@ -28,10 +30,12 @@ if TYPE_CHECKING:
     from dhgen.program.regular import Regular
 
 
+LAST = 3  # column of a pose: its translation
 FAN = 64  # values of a free joint that are tried first
 LEAST_MOVE = 1e-15  # of a joint that is nearly free [rad]
 MOST_MOVE = 0.1
 HALVINGS = 52  # until an interval of a turn is as small as rounding
+GOLDEN_CUTS = 72  # the same by golden section, which leaves 0.62 of it
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,6 +145,8 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "forward_uses_q": reads(module.forward, "q"),
         "jacobian_uses_q": reads(module.jacobian, "q"),
         "chooses_again": chooses_again(module.solver),
+        "checks_again": checks_again(module.solver),
+        "named_entries": _named_entries(chain),
         "checks_rotation": kind in {TaskKind.POSE, TaskKind.ORIENTATION},
         "checks_approach": kind is TaskKind.POINTING,
         "checks_last_row": kind is TaskKind.POSE,
@@ -151,7 +157,15 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "least_move": LEAST_MOVE,
         "most_move": MOST_MOVE,
         "halvings": HALVINGS,
+        "golden_cuts": GOLDEN_CUTS,
     }
+
+
+def _named_entries(chain: Chain) -> list[tuple[int, int, str]]:
+    """Row and column, from 0, of the pose's entries that the task names, and their weights."""
+    places = ((int(name[1]) - 1, int(name[2]) - 1) for name in sorted(task_entries(chain.task)))
+    size = repr(1.0 / chain.size)
+    return [(row, column, size if column == LAST else "1.0") for row, column in places]
 
 
 def made_text(module: SolverModule, template: str, indent: str) -> str:

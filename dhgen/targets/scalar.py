@@ -158,7 +158,7 @@ class _Printer:
     def _guard(self, guard: Guard, depth: int) -> list[str]:
         language = self._language
         losses: list[str] = []
-        if guard.failure is Failure.REACH and guard.chosen and guard.margin is not None:
+        if guard.chosen and guard.margin is not None:
             row = row_text(self._program, depth)
             margin = expression_text(guard.margin, language)
             for choice in guard.chosen:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import AllJoints, Apply, Guard, Joint, Let, Roots
+from dhgen.program.ir import AllJoints, Apply, Failure, Guard, Joint, Let, Roots
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -59,6 +59,12 @@ def chooses_again(program: Program) -> bool:
         isinstance(statement, Guard) and statement.chosen and statement.margin is not None
         for statement in program.body
     )
+
+
+def checks_again(program: Program) -> bool:
+    """Whether the choice of a free joint decides on whether the arm can take the pose."""
+    guards = (statement for statement in program.body if isinstance(statement, Guard))
+    return any(guard.failure is Failure.INCONSISTENT and guard.chosen for guard in guards)
 
 
 def merged_constants(programs: Iterable[Program], own: Sequence[str]) -> tuple[NamedConstant, ...]:

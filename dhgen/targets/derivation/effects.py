@@ -32,7 +32,7 @@ def free_effect(context: StepContext) -> Prose:
     symbols = joined([say("{}", joint_symbol(joint)) for joint in joints])
     takes = "takes" if len(joints) == 1 else "take"
     value = "the seed's value (0 without a seed)"
-    if _decides_on_reach(context, joints):
+    if _decides(context, joints):
         value += " or, where that leads to no solution, the nearest that serves"
     parts = [say(f"{{}} {takes} {value}", symbols)]
     if context.step.roots == 2:
@@ -45,8 +45,8 @@ def free_effect(context: StepContext) -> Prose:
     return joined(parts)
 
 
-def _decides_on_reach(context: StepContext, joints: list[int]) -> bool:
-    """Whether a later step may be out of reach by the value that one of these joints takes."""
+def _decides(context: StepContext, joints: list[int]) -> bool:
+    """Whether a later step, or the pose, may be missed by the value that one of these takes."""
     guards = (each for each in context.story.program.body if isinstance(each, Guard))
     return any(choice.joint in joints for guard in guards for choice in guard.chosen)
 

@@ -1,0 +1,146 @@
+"""Arms of fewer joints than the pose has numbers: of a free joint only some values serve.
+
+Where the equation that decides a joint says nothing the rest of the pose still leaves that joint a
+few values, and seldom the seed's. All joints are at multiples of right angles here.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from dhgen.compiler import compile_robot
+from dhgen.robot.load import load
+from dhgen.survey.oracle.forward import forward
+from dhgen.verify.native import PORTABLE, compile_solver
+from tests.targets.calling import FREE_JOINT, HELD
+from tests.targets.made import folder, without_numba
+
+if TYPE_CHECKING:
+    from dhgen.compiler import Compilation
+    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.verify.native import CompiledSolver
+
+ARMS = {
+    "crossed": (  # 3R1P
+        "theta: q, d: 0.4, a: 0, alpha: pi/2",
+        "theta: q, d: 0, a: 0.3, alpha: pi/2",
+        "theta: q, d: 0, a: 0, alpha: pi/2",
+        "theta: 0, d: q, a: 0, alpha: 0",
+    ),
+    "elbow": (  # a PUMA without its last joint
+        "theta: q, d: 0.67, a: 0, alpha: pi/2",
+        "theta: q, d: 0, a: 0.43, alpha: 0",
+        "theta: q, d: 0.15, a: 0.02, alpha: -pi/2",
+        "theta: q, d: 0.43, a: 0, alpha: pi/2",
+        "theta: q, d: 0, a: 0, alpha: -pi/2",
+    ),
+    "upright": (  # a UR5 without its last joint: it may be out of reach, too
+        "theta: q, d: 0.09, a: 0, alpha: pi/2",
+        "theta: q, d: 0, a: -0.43, alpha: 0",
+        "theta: q, d: 0, a: -0.39, alpha: 0",
+        "theta: q, d: 0.11, a: 0, alpha: pi/2",
+        "theta: q, d: 0.09, a: 0, alpha: -pi/2",
+    ),
+}
+COUNT = 60
+EXACT = 1e-9  # how far a pose may be missed that has not been rounded
+
+
+@cache
+def compiled(name: str) -> Compilation:
+    joints = "".join(f"  - {{{joint}}}\n" for joint in ARMS[name])
+    path = folder() / f"{name}.yaml"
+    path.write_text(
+        f"name: {name}\ntitle: made up\nsource: made up\nconvention: standard\n"
+        f"joints:\n{joints}tool: {{xyz: [0, 0, 0.1]}}\ntask: pose\n"
+    )
+    compilation = compile_robot(path)
+    for file, text in compilation.files.items():
+        (folder() / file).write_text(text, encoding="utf-8")
+    return compilation
+
+
+@cache
+def in_c(name: str) -> CompiledSolver:
+    module = compiled(name).module
+    path = folder() / f"{name}.c"
+    solver = compile_solver(
+        path, folder(), name, module.chain.dof, module.solver.rows, module.chain.given, PORTABLE
+    )
+    assert solver is not None, "the tests need a C compiler"
+    return solver
+
+
+def asked(name: str, count: int = COUNT) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Joint vectors, their poses, and seeds that have nothing to do with them."""
+    source = np.random.default_rng(8)
+    q: FloatArray = source.choice([-np.pi / 2, 0.0, np.pi / 2, np.pi], (count, len(ARMS[name])))
+    slides = ["d: q" in joint for joint in ARMS[name]]
+    q[:, slides] = source.uniform(0.1, 0.6, (count, sum(slides)))
+    return q, poses_of(name, q), source.uniform(-3.0, 3.0, q.shape)
+
+
+def poses_of(name: str, q: FloatArray) -> FloatArray:
+    return np.asarray(forward(load(folder() / f"{name}.yaml"), q), dtype=float)
+
+
+def turned(angle: Any) -> Any:
+    return angle - 2 * np.pi * np.round(angle / (2 * np.pi))
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_every_pose_has_a_row_whatever_the_seed(name: str) -> None:
+    solver = in_c(name)
+    found: list[tuple[FloatArray, FloatArray]] = []
+    for joints, T, seed in zip(*asked(name), strict=True):
+        own, own_status = solver.ik(T, joints)
+        own_held = np.isin(own_status, HELD)
+        assert np.abs(turned(own[own_held] - joints)).max(axis=1).min() < 1e-6
+        for any_seed in (seed, np.zeros(len(joints))):
+            rows, status = solver.ik(T, any_seed)
+            held = np.isin(status, HELD)
+            assert not (own_held & ~held).any(), joints
+            found += [(row, T) for row in rows[held]]
+    rows, poses = (np.array(each) for each in zip(*found, strict=True))
+    assert np.abs(poses_of(name, rows) - poses).max() < EXACT
+
+
+def test_the_nearest_value_is_taken() -> None:
+    """Only joint 1 is ever free, and both of its values belong to the one row that is left."""
+    solver, nearer = in_c("crossed"), 0
+    for joints, T, seed in zip(*asked("crossed"), strict=True):
+        rows, status = solver.ik(T, seed)
+        for row in rows[status == FREE_JOINT]:
+            move, other = (abs(turned(value - seed[0])) for value in (row[0], joints[0]))
+            assert move < other + 1e-6
+            nearer += move < other - 1e-6
+    assert nearer > 0
+
+
+def test_a_rounded_pose_is_met_nearly() -> None:
+    """Six digits leave right angles exact, so that the joint is free, but no value fits exactly."""
+    found: list[tuple[FloatArray, FloatArray]] = []
+    for joints, T, seed in zip(*asked("crossed"), strict=True):
+        rounded = T.copy()
+        rounded[:3, 3] += [4e-7, -4e-7, 4e-7]
+        rows, status = in_c("crossed").ik(rounded, seed)
+        held = np.isin(status, HELD)
+        assert held.any(), joints
+        found += [(row, rounded) for row in rows[held]]
+    rows, poses = (np.array(each) for each in zip(*found, strict=True))
+    assert EXACT < np.abs(poses_of("crossed", rows) - poses).max() < 1e-6
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_python_finds_the_same(name: str) -> None:
+    python = without_numba(compiled(name).files[f"{name}.py"], name)
+    for T, seed in zip(*asked(name, 4)[1:], strict=True):
+        rows, status = in_c(name).ik(T, seed)
+        own, own_status = python.ik_all(T, seed)
+        assert own_status.tolist() == status.tolist()
+        held = np.isin(status, HELD)
+        assert np.abs(turned(own[held] - rows[held])).max() < 1e-6
