@@ -36,6 +36,7 @@ LEAST_MOVE = 1e-15  # of a joint that is nearly free [rad]
 MOST_MOVE = 0.1
 HALVINGS = 52  # until an interval of a turn is as small as rounding
 GOLDEN_CUTS = 72  # the same by golden section, which leaves 0.62 of it
+BESIDE = 1e-9  # how near branches that meet end a search [rad or length]
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,6 +159,7 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "most_move": MOST_MOVE,
         "halvings": HALVINGS,
         "golden_cuts": GOLDEN_CUTS,
+        "beside": BESIDE,
     }
 
 

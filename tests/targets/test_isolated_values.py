@@ -47,7 +47,8 @@ ARMS = {
     ),
 }
 COUNT = 60
-EXACT = 1e-9  # how far a pose may be missed that has not been rounded
+EXACT = 1e-11  # how far a pose may be missed that has not been rounded
+APART = 1e-4  # between joint values of two solutions [rad]
 
 
 @cache
@@ -107,6 +108,17 @@ def test_every_pose_has_a_row_whatever_the_seed(name: str) -> None:
             found += [(row, T) for row in rows[held]]
     rows, poses = (np.array(each) for each in zip(*found, strict=True))
     assert np.abs(poses_of(name, rows) - poses).max() < EXACT
+
+
+def test_branches_that_meet_are_told_once() -> None:
+    """A stretched arm's other branch ends beside the solution, and nearly meets the pose there."""
+    solver = in_c("upright")
+    for _, T, seed in zip(*asked("upright"), strict=True):
+        for any_seed in (seed, np.zeros(len(seed))):
+            rows, status = solver.ik(T, any_seed)
+            held = rows[np.isin(status, HELD)]
+            for place, row in enumerate(held[1:], start=1):
+                assert np.abs(turned(held[:place] - row)).max(axis=1).min() > APART, (row, held)
 
 
 def test_the_nearest_value_is_taken() -> None:
