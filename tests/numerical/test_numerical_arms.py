@@ -26,16 +26,17 @@ SKEW = (
     "{theta: -q, d: 0.1, a: 0.02, alpha: 90 deg}",
 )
 LINK = "{theta: q, a: 0.3, limits: [-2, 2]}"
-# "five" and "given" have five joints for whole poses: every elimination wants six.
+FOUR = (SKEW[0], SKEW[1], SKEW[3], SKEW[4])
+# "four" and "given" point with four joints: every elimination wants as many as six, or five.
 ARMS = {
-    "five": (SKEW[:5], ""),
+    "four": (FOUR, "task: pointing"),
     "pointing": ((SKEW[0], SKEW[1], *SKEW[3:7]), "task: pointing"),
-    "orientation": ((SKEW[0], SKEW[1], SKEW[3], SKEW[4]), "task: orientation"),
+    "orientation": (FOUR, "task: orientation"),
     "seven": (SKEW, ""),
     "planar": ((LINK,) * 4, "task: [x, y]"),
-    "given": (SKEW[:6], "free: [6]"),
+    "given": ((*FOUR, SKEW[5]), "task: pointing\nfree: [5]"),
 }
-FINITE = ("five",)
+FINITE = ("four",)
 REDUNDANT = tuple(name for name in ARMS if name not in FINITE and name != "given")
 
 
@@ -80,8 +81,9 @@ def joints(name: str, folder: Path, count: int) -> np.ndarray:
 def miss(name: str, rows: np.ndarray, T: np.ndarray, solver: CompiledSolver) -> float:
     """By how much rows miss what the task names, by the emitted forward model."""
     reached = np.array([solver.fk(np.ascontiguousarray(row)) for row in rows]) - T
+    pointing = (slice(0, 3), slice(2, 4))
     entries = {
-        "pointing": (slice(0, 3), slice(2, 4)),
+        **dict.fromkeys(("pointing", "four", "given"), pointing),
         "orientation": (slice(0, 3), slice(0, 3)),
         "planar": (slice(0, 2), slice(3, 4)),
     }.get(name, (slice(0, 3), slice(0, 4)))
@@ -148,13 +150,13 @@ def test_free_joints_are_given(folder: Path) -> None:
     solver, python = in_c("given", folder), in_python("given", folder)
     for number, q in enumerate(joints("given", folder, 10)):
         T = solver.fk(q)
-        rows, status = solver.ik(T, q, q[[5]])
+        rows, status = solver.ik(T, q, q[[4]])
         held = rows[status != 1]
-        np.testing.assert_allclose(held[:, [5]], np.tile(q[[5]], (len(held), 1)))
+        np.testing.assert_allclose(held[:, [4]], np.tile(q[[4]], (len(held), 1)))
         assert miss("given", held, T, solver) < 1e-9
         assert np.abs(held - q).max(axis=1).min() < 1e-6
         if number < 1:
-            np.testing.assert_allclose(python.ik(T, q[[5]], q), q, atol=1e-6)
+            np.testing.assert_allclose(python.ik(T, q[[4]], q), q, atol=1e-6)
 
 
 def test_what_is_no_pose(folder: Path) -> None:
