@@ -22,8 +22,9 @@ STRUCTURES = (
 COMPILED = (
     "cuspidal_3r",
     "fanuc_crx10ia",
-    "franka_panda",
+    "kuka_iiwa14_arm_angle",
     "puma560",
     "scara",
+    "scorbot_pointing",
     "ur5",
 )

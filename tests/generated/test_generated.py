@@ -161,7 +161,7 @@ def test_a_clean_process_needs_numpy_and_numba_only() -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
-@pytest.mark.parametrize("name", ["scara", "ur5", "kuka_iiwa14_arm_angle", "scorbot_pointing"])
+@pytest.mark.parametrize("name", ["scara", "ur5", "scorbot_pointing"])
 def test_every_way_to_call_gives_the_same(name: str) -> None:
     """Batches, tables and arrays of the caller; singular, spoiled, rounded and far poses too."""
     arms = robot(name)

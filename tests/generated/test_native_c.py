@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from dhgen.survey.oracle.arm import FloatArray
 
-ARMS = ["scara", "franka_panda", "kuka_iiwa14_arm_angle", "fanuc_crx10ia"]
+ARMS = ["scara", "scorbot_pointing", "kuka_iiwa14_arm_angle", "fanuc_crx10ia"]
 
 
 @cache
