@@ -148,6 +148,7 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "chooses_again": chooses_again(module.solver),
         "checks_again": checks_again(module.solver),
         "named_entries": _named_entries(chain),
+        "checks_directions": kind in {TaskKind.POSE, TaskKind.ORIENTATION, TaskKind.POINTING},
         "checks_rotation": kind in {TaskKind.POSE, TaskKind.ORIENTATION},
         "checks_approach": kind is TaskKind.POINTING,
         "checks_last_row": kind is TaskKind.POSE,
@@ -158,16 +159,36 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "least_move": LEAST_MOVE,
         "most_move": MOST_MOVE,
         "halvings": HALVINGS,
-        "golden_cuts": GOLDEN_CUTS,
+        "cuts": GOLDEN_CUTS if checks_again(module.solver) else HALVINGS,
         "beside": BESIDE,
     }
 
 
-def _named_entries(chain: Chain) -> list[tuple[int, int, str]]:
-    """Row and column, from 0, of the pose's entries that the task names, and their weights."""
+@dataclass(frozen=True, slots=True)
+class NamedEntry:
+    """An entry of the pose that the task names.
+
+    Attributes:
+        row: From 0.
+        column: From 0.
+        place: In sixteen numbers, row by row.
+        weight: Of its miss: lengths count in arm sizes.
+    """
+
+    row: int
+    column: int
+    place: int
+    weight: str
+
+
+def _named_entries(chain: Chain) -> list[NamedEntry]:
+    """Those of the task, in order."""
     places = ((int(name[1]) - 1, int(name[2]) - 1) for name in sorted(task_entries(chain.task)))
     size = repr(1.0 / chain.size)
-    return [(row, column, size if column == LAST else "1.0") for row, column in places]
+    return [
+        NamedEntry(row, column, 4 * row + column, size if column == LAST else "1.0")
+        for row, column in places
+    ]
 
 
 def made_text(module: SolverModule, template: str, indent: str) -> str:

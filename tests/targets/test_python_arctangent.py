@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from dhgen.survey.oracle.arm import FloatArray
 
-ULPS = 2.0  # one less than the stated error
+ULPS = 3.0  # the stated error; libraries differ in the directions that are asked
 
 
 def plain() -> Any:
