@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 from dhgen.compiler import compile_robot
-from dhgen.robot.load import load
 from dhgen.survey.oracle.forward import forward
 from dhgen.verify.native import PORTABLE, compile_solver
 from tests.targets.calling import FREE_JOINT, HELD
@@ -86,7 +85,7 @@ def asked(name: str, count: int = COUNT) -> tuple[FloatArray, FloatArray, FloatA
 
 
 def poses_of(name: str, q: FloatArray) -> FloatArray:
-    return np.asarray(forward(load(folder() / f"{name}.yaml"), q), dtype=float)
+    return np.asarray(forward(compiled(name).robot, q), dtype=float)
 
 
 def turned(angle: Any) -> Any:
