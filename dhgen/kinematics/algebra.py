@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
 
-POSE_NAMES = tuple(f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3, 4))
+# Row and column, from 0, of the entries of a pose by their names.
+POSE_PLACES = {f"t{row + 1}{column + 1}": (row, column) for row in range(3) for column in range(4)}
+POSE_NAMES = tuple(POSE_PLACES)
 POINT_NAMES = tuple(f"w{k}{axis}" for k in ("", "2", "3", "4", "5", "6") for axis in "xyz")
 # no parameter can be called so
 SHOULDER_NAMES = tuple(tuple(f"b__{row}{column}" for column in (1, 2, 3)) for row in (1, 2, 3))

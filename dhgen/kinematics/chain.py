@@ -12,12 +12,13 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.normal import normal_form
 from dhgen.kinematics.transform import Transform, compose, identity, turn_between
+from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
     from sympy.polys.rings import PolyRing
 
     from dhgen.kinematics.constants import Constant
-    from dhgen.robot.robot import JointKind, Task
+    from dhgen.robot.robot import Task
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,6 +100,11 @@ class Chain:
     def dof(self) -> int:
         """The number of joints."""
         return len(self.joints)
+
+    @property
+    def turning(self) -> tuple[bool, ...]:
+        """Which of the joints turn; the others slide."""
+        return tuple(joint.kind is JointKind.REVOLUTE for joint in self.joints)
 
     @property
     def given(self) -> int:

@@ -7,7 +7,7 @@ from math import inf, pi
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.paul.problem import task_dimension
+from dhgen.paul.problem import is_redundant
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.robot import JointKind, TaskKind
 
@@ -123,5 +123,5 @@ def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
         turning=task.kind in {TaskKind.POSE, TaskKind.ORIENTATION},
         pointing=task.kind is TaskKind.POINTING,
         redundant=redundant,
-        checked=len(joints) < task_dimension(task),
+        checked=is_redundant(chain),
     )

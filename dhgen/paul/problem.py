@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.product import product
 from dhgen.kinematics.transform import Transform, identity
@@ -17,7 +18,7 @@ from dhgen.robot.robot import TaskKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
-    from dhgen.kinematics.chain import Element
+    from dhgen.kinematics.chain import Chain, Element
     from dhgen.kinematics.constants import Polynomial
     from dhgen.robot.robot import Task
 
@@ -80,6 +81,11 @@ def task_dimension(task: Task) -> int:
     return dimensions.get(task.kind, len(task.coordinates))
 
 
+def is_redundant(chain: Chain) -> bool:
+    """Whether the task gives more independent numbers than the arm can choose."""
+    return chain.dof - chain.given < task_dimension(chain.task)
+
+
 def build_problem(algebra: Algebra) -> Problem:
     """The inverse problem of an arm and its task."""
     chain = algebra.chain
@@ -103,7 +109,7 @@ def build_problem(algebra: Algebra) -> Problem:
         forward=forward,
         base_left=base_left,
         tool_left=tool_left,
-        redundant=chain.dof - chain.given < task_dimension(chain.task),
+        redundant=is_redundant(chain),
     )
 
 
@@ -119,7 +125,7 @@ def _target(
     symbols: dict[str, Polynomial] = {}
     order = sorted(given, key=lambda name: (name[2] != "4", name[2], name[1]))
     for name in order:
-        value = forward.entry(int(name[1]) - 1, int(name[2]) - 1)
+        value = forward.entry(*POSE_PLACES[name])
         if algebra.is_constant(value):
             symbols[name] = value
             continue

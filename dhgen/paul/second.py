@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
 from dhgen.kinematics.transform import compose
 from dhgen.paul.forms import FormReader, substitute
 from dhgen.paul.knowledge import initial_knowledge
@@ -79,9 +79,7 @@ def _in_joints(pool: Pool, polynomial: Polynomial) -> Polynomial:
     problem = pool.problem
     index = problem.algebra.index
     places = [index[name] for name in sorted(problem.known)]
-    values = [
-        problem.forward.entry(int(name[1]) - 1, int(name[2]) - 1) for name in sorted(problem.known)
-    ]
+    values = [problem.forward.entry(*POSE_PLACES[name]) for name in sorted(problem.known)]
     for point in pool.points:
         places += [index[name] for name in point.names]
         values += _place_of(problem, point.in_tool)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES, SHOULDER_NAMES
+from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES, POSE_PLACES, SHOULDER_NAMES
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -198,7 +198,7 @@ def _add_pose(pool: Pool, witnesses: Witnesses) -> None:
     problem = pool.problem
     index = problem.algebra.index
     for name in POSE_NAMES:
-        entry = problem.forward.entry(int(name[1]) - 1, int(name[2]) - 1)
+        entry = problem.forward.entry(*POSE_PLACES[name])
         witnesses.values[index[name]] = witnesses.evaluate(entry)
     for point in pool.points:
         for row, name in enumerate(point.names):

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.program.forward import Walk
+from dhgen.program.roots import is_short
 from dhgen.program.scales import FREE_LIMIT
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.program.vectors import chosen, cross, inner, length, minus, plus, scaled
@@ -58,7 +59,7 @@ def lower_shoulder(context: Lowering, plane: ArmPlane, wrist: Vector) -> dict[st
 
 def _folded(context: Lowering, w: Vector) -> Node:
     """Whether the wrist is in the shoulder, which may turn as it likes then: the seed says how."""
-    folded = _is_short(context, length(context.builder, w), "reach")
+    folded = is_short(context, length(context.builder, w), 1, "no_reach")
     for joint in range(1, SHOULDER + 1):
         context.angles.chosen(AngleSum(((joint, 1),)), folded)
     return folded
@@ -123,16 +124,10 @@ def _unit(context: Lowering, vector: Vector, instead: Vector | None, name: str) 
     one = builder.integer(1)
     if instead is None:
         return scaled(builder, builder.div(one, size), vector)
-    none = _is_short(context, size, name)
+    none = is_short(context, size, 1, f"no_{name}")
     vector = scaled(builder, builder.div(one, builder.select(none, one, size)), vector)
     other = scaled(builder, builder.div(one, length(builder, instead)), instead)
     return chosen(builder, none, other, vector)
-
-
-def _is_short(context: Lowering, size: Node, name: str) -> Node:
-    limit = context.scales.tolerance(context.scales.tolerances.free, 1, "free")
-    builder = context.builder
-    return builder.name(builder.apply("at_most", size, limit), f"no_{name}")
 
 
 def _lowered(context: Lowering, vector: tuple[Polynomial, ...]) -> Vector:

@@ -52,7 +52,7 @@ def lower_length(context: Lowering, step: Step) -> None:
         context.angles.solved_slide(unknown.name, builder.div(y, x))
         return
     degree = context.scales.degree(step.coefficient("X"))
-    free = is_short(context, builder.absolute(x), degree, str(unknown.joint))
+    free = is_short(context, builder.absolute(x), degree, f"free{unknown.joint}")
     near = vanishes(context, y, step.coefficient("Y"))
     within = is_within_reach(context, y, x)
     builder.guard(builder.select(free, near, within), Failure.REACH)
@@ -154,7 +154,7 @@ def _lower_homogeneous(
     x, y = vector if step.second is None else _lengthened(context, vector, step.second, degree)
     square = builder.add(builder.square(x), builder.square(y))
     length = builder.name(builder.apply("sqrt", square), f"w{angle.suffix}")
-    free = is_short(context, length, degree, angle.suffix)
+    free = is_short(context, length, degree, f"free{angle.suffix}")
     sign = context.new_sign()
     keep_one(context, sign, free)
     factor = _over(context, sign, length, free, angle.suffix)
@@ -175,12 +175,10 @@ def _lengthened(
     builder = context.builder
     (angle,) = second.unknowns
     assert isinstance(angle, AngleSum)
-    (x, y), (u, v) = (
-        vector,
-        (
-            builder.hint(context.lower(second.coefficient(name)), named(f"{name}2", angle.suffix))
-            for name in "XY"
-        ),
+    x, y = vector
+    u, v = (
+        builder.hint(context.lower(second.coefficient(name)), named(f"{name}2", angle.suffix))
+        for name in "XY"
     )
     power = degree - context.scales.degree(*(second.coefficient(name) for name in "XY"))
     along = builder.add(builder.mul(x, u), builder.mul(y, v))
@@ -244,7 +242,7 @@ def lower_polar(context: Lowering, step: Step) -> None:
     u, v = builder.div(y1, x1), builder.div(y2, x2)
     length = builder.apply("sqrt", builder.add(builder.square(u), builder.square(v)))
     length = builder.name(length, f"w{unknown.joint}")
-    free = is_short(context, length, 1, angle.suffix)
+    free = is_short(context, length, 1, f"free{angle.suffix}")
     sign = context.new_sign()
     keep_one(context, sign, free)
     factor = _over(context, sign, length, free, angle.suffix)

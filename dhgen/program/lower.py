@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.algebra import POSE_NAMES, AngleSum
+from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.branches import branch_words
 from dhgen.paul.forms import unknown_name
@@ -235,8 +235,8 @@ class Lowering:
             known = self._constants[name]
             power = int(known.is_length)
             return self.builder.constant(name, known.value, known.meaning, power, derived=False)
-        if name in POSE_NAMES:
-            entry = self._target.entry(int(name[1]) - 1, int(name[2]) - 1)
+        if name in POSE_PLACES:
+            entry = self._target.entry(*POSE_PLACES[name])
             return self.builder.name(entry, name)
         for point in self._derivation.pool.points:
             if name in point.names:
@@ -275,32 +275,45 @@ class Lowering:
         """A pose with more entries than the arm can choose has to be one of its poses."""
         builder = self.builder
         builder.heading("is the pose one that the arm can take?")
-        consistent = self.scales.tolerances.consistent
-        conditions: dict[tuple[int, ...], list[Node]] = {}
-        squares: dict[int, list[Node]] = {}  # by degree
-        for name in sorted(task_entries(self._algebra.chain.task)):
-            row, column = int(name[1]) - 1, int(name[2]) - 1
-            reached = self.lower(self._problem.forward.entry(row, column))
-            off = builder.sub(self.value(name), reached)
-            scale = self.scales.tolerance(consistent, int(column == 3), "consistent")
-            if not builder.is_zero(off):
-                near = builder.apply("at_most", builder.absolute(off), scale)
-                conditions.setdefault(builder.axes_of(near), []).append(near)
-                squares.setdefault(int(column == 3), []).append(builder.square(off))
-        miss = self._length(squares)
-        chosen = builder.deciding(self.angles.free_options(), miss) if self._again else ()
-        if chosen:  # all at once, so that the whole miss is known where a branch ends
-            builder.name(miss, "missed")
-            nears = [near for group in conditions.values() for near in group]
-            condition = reduce(partial(builder.apply, "and"), nears)
-            builder.guard(condition, Failure.INCONSISTENT, miss, chosen)
+        misses = self._misses()
+        total = self._length(misses) if self._again else None
+        chosen = () if total is None else builder.deciding(self.angles.free_options(), total)
+        groups: dict[tuple[int, ...], list[Node]] = {}  # by the signs that they depend on
+        for miss, degree in misses:
+            near = self._is_near(miss, degree)
+            groups.setdefault(builder.axes_of(near), []).append(near)
+        if total is None or not chosen:
+            for group in groups.values():
+                builder.guard(reduce(partial(builder.apply, "and"), group), Failure.INCONSISTENT)
             return
-        for nears in conditions.values():
-            builder.guard(reduce(partial(builder.apply, "and"), nears), Failure.INCONSISTENT)
+        # all at once, so that the whole miss is known where a branch ends
+        builder.name(total, "missed")
+        every = [near for group in groups.values() for near in group]
+        condition = reduce(partial(builder.apply, "and"), every)
+        builder.guard(condition, Failure.INCONSISTENT, total, chosen)
 
-    def _length(self, squares: dict[int, list[Node]]) -> Node:
-        """The root of a sum of squares, by the lengths in a value, which count in arm sizes."""
+    def _misses(self) -> list[tuple[Node, int]]:
+        """What each entry that the task names differs by, and the lengths in it: one or none."""
+        builder, found = self.builder, []
+        for name in sorted(task_entries(self._algebra.chain.task)):
+            row, column = POSE_PLACES[name]
+            reached = self.lower(self._problem.forward.entry(row, column))
+            miss = builder.sub(self.value(name), reached)
+            if not builder.is_zero(miss):
+                found.append((miss, int(column == 3)))
+        return found
+
+    def _is_near(self, miss: Node, degree: int) -> Node:
+        """Whether it may come from rounding."""
+        scale = self.scales.tolerance(self.scales.tolerances.consistent, degree, "consistent")
+        return self.builder.apply("at_most", self.builder.absolute(miss), scale)
+
+    def _length(self, misses: list[tuple[Node, int]]) -> Node:
+        """The root of the sum of their squares, lengths in arm sizes."""
         builder = self.builder
+        squares: dict[int, list[Node]] = {}
+        for miss, degree in misses:
+            squares.setdefault(degree, []).append(builder.square(miss))
         total = builder.integer(0)
         for degree, group in sorted(squares.items()):
             part = reduce(builder.add, group)

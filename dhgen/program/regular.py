@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache, reduce
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from dhgen.program.builder import Builder
 from dhgen.program.count import count_operations
@@ -253,7 +253,7 @@ class _Regular:
                 # rounding may take more from D than keeps branches apart: one slack is for both
                 size = self._arithmetic.apply("abs", [self._value(margin)])
                 near = self._arithmetic.apply("at_most", [size, self._value(slack)])
-                free = [each for each in _disjuncts(met) if isinstance(each, Variable)]
+                free = [each for each in _parts(met, "or") if isinstance(each, Variable)]
                 self._doubts += [near.node, *map(self._truth, free)]
             case within:
                 self._doubts.append(self._truth(Apply("and", (within, met))))
@@ -279,7 +279,7 @@ class _Regular:
         """
         builder, arithmetic = self._builder, self._arithmetic
         misses: dict[Node, list[Node]] = {}
-        for part in _conjuncts(condition):
+        for part in _parts(condition, "and"):
             match part:
                 case Apply("at_most", (Apply("abs", (miss,)), limit)):
                     value = self._value(miss)
@@ -379,20 +379,11 @@ class _Regular:
                 return None
 
 
-def _conjuncts(condition: Expression) -> list[Expression]:
-    """What has to hold together."""
+def _parts(condition: Expression, operator: Literal["and", "or"]) -> list[Expression]:
+    """What a condition joins by an operator, however deep."""
     match condition:
-        case Apply("and", parts):
-            return [each for part in parts for each in _conjuncts(part)]
-        case _:
-            return [condition]
-
-
-def _disjuncts(condition: Expression) -> list[Expression]:
-    """Of what one is enough."""
-    match condition:
-        case Apply("or", parts):
-            return [each for part in parts for each in _disjuncts(part)]
+        case Apply(joined, operands) if joined == operator:
+            return [part for each in operands for part in _parts(each, operator)]
         case _:
             return [condition]
 

@@ -81,11 +81,11 @@ def keep_one(context: Lowering, sign: Node, met: Node) -> None:
     builder.guard(keep, Failure.MERGED)
 
 
-def is_short(context: Lowering, length: Node, degree: int, suffix: str) -> Node:
+def is_short(context: Lowering, length: Node, degree: int, name: str) -> Node:
     """Whether a vector is too short to fix an angle, or a factor too small to fix a length."""
     limit = context.scales.tolerance(context.scales.tolerances.free, degree, "free")
     short = context.builder.apply("at_most", length, limit)
-    return context.builder.name(short, f"free{suffix}")
+    return context.builder.name(short, name)
 
 
 def is_short_square(context: Lowering, square: Node, degree: int, angle: AngleSum) -> Node:
@@ -100,10 +100,10 @@ def vanishes(context: Lowering, value: Node, of: Polynomial) -> Node:
 
     As well as the task allows where the pose is checked at the end, up to rounding otherwise.
     """
-    scales = context.scales
-    tolerances = scales.tolerances
-    kind = "consistent" if context.redundant else "free"
-    relative = tolerances.consistent if context.redundant else tolerances.free
+    scales, tolerances = context.scales, context.scales.tolerances
+    kind, relative = "free", tolerances.free
+    if context.redundant:
+        kind, relative = "consistent", tolerances.consistent
     limit = scales.tolerance(relative, scales.degree(of), kind)
     return context.builder.apply("at_most", context.builder.absolute(value), limit)
 

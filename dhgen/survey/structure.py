@@ -44,10 +44,9 @@ def arm_class(chain: Chain) -> str:
 
 
 def _structure(chain: Chain) -> list[str]:
-    turning = [joint.kind is JointKind.REVOLUTE for joint in chain.joints]
     directions = _directions(chain)
-    turns = [d for d, turns in zip(directions, turning, strict=True) if turns]
-    slides = [d for d, turns in zip(directions, turning, strict=True) if not turns]
+    turns = [d for d, turns in zip(directions, chain.turning, strict=True) if turns]
+    slides = [d for d, turns in zip(directions, chain.turning, strict=True) if not turns]
     if not turns:
         return ["Cartesian"]
     if len(turns) > 1 and all(_parallel(one, other) for one, other in pairwise(turns)):

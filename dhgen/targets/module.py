@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.paul.branches import branch_labels
 from dhgen.paul.problem import task_entries
 from dhgen.program.circle import DIRECTIONS, NEWTON_STEPS
@@ -183,7 +184,7 @@ class NamedEntry:
 
 def _named_entries(chain: Chain) -> list[NamedEntry]:
     """Those of the task, in order."""
-    places = ((int(name[1]) - 1, int(name[2]) - 1) for name in sorted(task_entries(chain.task)))
+    places = (POSE_PLACES[name] for name in sorted(task_entries(chain.task)))
     size = repr(1.0 / chain.size)
     return [
         NamedEntry(row, column, 4 * row + column, size if column == LAST else "1.0")

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.arm_angle import elbow_rates
 from dhgen.kinematics.numeric import NumericArm, numeric_arm
 from dhgen.paul.mobility import task_jacobian
 from dhgen.paul.problem import task_entries
-from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -32,7 +32,7 @@ class Measures:
     def __init__(self, chain: Chain) -> None:
         self.arm: NumericArm = numeric_arm(chain)
         self._chain = chain
-        self._turns = np.array([joint.kind is JointKind.REVOLUTE for joint in chain.joints])
+        self._turns = np.array(chain.turning)
 
     def pose_miss(self, got: Array, T: Array) -> float:
         """The largest difference of two poses' entries, relative to how far the pose is away."""
@@ -56,7 +56,7 @@ class Measures:
         reached = self.arm.pose(rows)
         worst = 0.0
         for name in sorted(task_entries(self._chain.task)):
-            i, j = int(name[1]) - 1, int(name[2]) - 1
+            i, j = POSE_PLACES[name]
             away = max(self._chain.size, float(np.abs(T[:3, 3]).max()))
             miss = float(np.abs(reached[:, i, j] - T[i, j]).max()) / (away if j == 3 else 1.0)
             worst = max(worst, miss) if miss == miss else np.inf  # noqa: PLR0124 - NaN
@@ -91,6 +91,5 @@ def task_rates(arm: NumericArm, q: Array) -> Array:
     J = task_jacobian(arm, q)
     if chain.arm_angle:
         J = np.concatenate([J, elbow_rates(arm, q)[..., None, :]], axis=-2)
-    turns = [joint.kind is JointKind.REVOLUTE for joint in chain.joints]
-    J *= np.where(turns, 1.0, chain.size)
+    J *= np.where(chain.turning, 1.0, chain.size)
     return np.asarray(J[..., [joint.number - 1 for joint in chain.solved]])

@@ -67,7 +67,7 @@ def _singular(chain: Chain, source: np.random.Generator, count: int) -> tuple[Sa
     Beyond limits, too: there a row has to hold the joint values all the same.
     """
     arm = numeric_arm(chain)
-    turns = _turning(chain)
+    turns = np.array(chain.turning)
     unit = np.where(turns, 1.0, chain.size)
     moving = [joint.number - 1 for joint in chain.solved]
     low, high = _strokes(chain)
@@ -112,10 +112,6 @@ def _strokes(chain: Chain) -> tuple[Array, Array]:
     return low, high
 
 
-def _turning(chain: Chain) -> NDArray[np.bool_]:
-    return np.array([joint.kind is JointKind.REVOLUTE for joint in chain.joints])
-
-
 def _uniform(chain: Chain, source: np.random.Generator, count: int) -> Array:
     low, high = _ranges(chain)
     return source.uniform(low, high, (count, chain.dof))
@@ -127,7 +123,7 @@ def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> Arra
     angles = source.integers(-2, 3, (count, chain.dof)) * (np.pi / 2)
     angles = np.where((angles < low) | (angles > high), 0.0, angles)
     lengths = low + (high - low) * source.integers(0, 5, (count, chain.dof)) / 4
-    return np.clip(np.where(_turning(chain), angles, lengths), low, high)
+    return np.clip(np.where(chain.turning, angles, lengths), low, high)
 
 
 def spoiled_poses(task: Task, T: Array) -> list[Array]:

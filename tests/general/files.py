@@ -23,6 +23,27 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
 
+# Five joints without structure, and one that slides in the place of any.
+TURNS = (
+    "{theta: q + 0.7, d: 0.31, a: 0.2, alpha: 80 deg}",
+    "{theta: q, d: 0.1, a: 0.4, alpha: 25 deg}",
+    "{theta: -q, d: -0.17, a: 0.15, alpha: 70 deg}",
+    "{theta: q, d: 0.2, a: 0.1, alpha: 95 deg}",
+    "{theta: 1.1 - q, d: 0.15, a: 0.05, alpha: 50 deg}",
+)
+SLIDE = "{theta: 0.3, d: 0.1 - q, a: 0.15, alpha: 70 deg}"
+
+
+def skew(folder: Path, rows: Sequence[str], free: Sequence[int] = (), task: str = "pose") -> Robot:
+    """An arm of such joints with a tool that is tilted."""
+    path = folder / "arm.yaml"
+    head = f"name: arm\nconvention: modified\ntask: {task}\nfree: {list(free)}\n"
+    tool = "tool: {xyz: [0.02, 0, 0.15], rpy: [0, 0.4, 0]}\n"
+    text = "".join(f"  - {row}\n" for row in rows)
+    path.write_text(f"{head}{tool}joints:\n{text}", encoding="utf-8")
+    return load(path)
+
+
 def written(folder: Path, rows: Sequence[str]) -> Robot:
     path = folder / "arm.yaml"
     text = "".join(f"  - {row}\n" for row in rows)

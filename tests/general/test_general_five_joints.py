@@ -20,6 +20,7 @@ from dhgen.survey.oracle.newton import all_solutions
 from dhgen.targets.c import c_files
 from dhgen.targets.module import SolverModule
 from dhgen.verify.native import compile_solver
+from tests.general.files import SLIDE, TURNS, skew
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -28,15 +29,6 @@ if TYPE_CHECKING:
     from dhgen.program.interpret import Rows
     from dhgen.robot.robot import Robot
 
-HEAD = "name: arm\nconvention: modified\ntool: {xyz: [0.02, 0, 0.15], rpy: [0, 0.4, 0]}\njoints:\n"
-TURNS = (
-    "{theta: q + 0.7, d: 0.31, a: 0.2, alpha: 80 deg}",
-    "{theta: q, d: 0.1, a: 0.4, alpha: 25 deg}",
-    "{theta: -q, d: -0.17, a: 0.15, alpha: 70 deg}",
-    "{theta: q, d: 0.2, a: 0.1, alpha: 95 deg}",
-    "{theta: 1.1 - q, d: 0.15, a: 0.05, alpha: 50 deg}",
-)
-SLIDE = "{theta: 0.3, d: 0.1 - q, a: 0.15, alpha: 70 deg}"
 POSES = 2
 UNREACHABLE = 1
 # At NEARLY another way to stand takes the tool to the same place but for 8e-6.
@@ -50,13 +42,6 @@ joints:
 tool: {xyz: [0.05, 0.02, 0.11], rpy: [0.3, 0.4, -0.2]}
 """
 NEARLY = (1.11882171, 2.53570551, -0.09606933, 2.52138356, 3.13879235)
-
-
-def robot(folder: Path, rows: tuple[str, ...], free: tuple[int, ...] = ()) -> Robot:
-    path = folder / "arm.yaml"
-    text = HEAD + "".join(f"  - {row}\n" for row in rows) + f"free: {list(free)}\n"
-    path.write_text(text, encoding="utf-8")
-    return load(path)
 
 
 def solved(chain: Chain, T: np.ndarray, values: list[float] | None = None) -> Rows:
@@ -94,7 +79,7 @@ def gaps(rows: np.ndarray, q: np.ndarray) -> np.ndarray:
 def test_all_solutions(tmp_path: Path, place: int, free: tuple[int, ...]) -> None:
     """Without a slide (place 0) and with one at each place; and on a joint that is given."""
     rows = TURNS if place == 0 else (*TURNS[: place - 1], SLIDE, *TURNS[place:])
-    arm = robot(tmp_path, (SLIDE, *rows) if free else rows, free)
+    arm = skew(tmp_path, (SLIDE, *rows) if free else rows, free)
     chain = build_chain(arm)
     forward = numeric_arm(chain)
     joints = np.random.default_rng(place).uniform(-1.5, 1.5, (POSES, chain.dof))
@@ -112,7 +97,7 @@ def test_all_solutions(tmp_path: Path, place: int, free: tuple[int, ...]) -> Non
 
 
 def test_poses_that_were_rounded_and_poses_that_are_not_the_arms(tmp_path: Path) -> None:
-    chain = build_chain(robot(tmp_path, TURNS))
+    chain = build_chain(skew(tmp_path, TURNS))
     forward = numeric_arm(chain)
     joints = np.random.default_rng(9).uniform(-3.0, 3.0, (2, 5))
     rounded = np.round(forward.pose(joints), 6)

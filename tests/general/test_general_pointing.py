@@ -12,34 +12,14 @@ from dhgen.general.pointing import any_turn
 from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.robot.load import load
 from dhgen.survey.oracle.newton import all_solutions
+from tests.general.files import SLIDE, TURNS, skew
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from dhgen.robot.robot import Robot
 
-HEAD = (
-    "name: arm\nconvention: modified\ntask: pointing\n"
-    "tool: {xyz: [0.02, 0, 0.15], rpy: [0, 0.4, 0]}\njoints:\n"
-)
-TURNS = (
-    "{theta: q + 0.7, d: 0.31, a: 0.2, alpha: 80 deg}",
-    "{theta: q, d: 0.1, a: 0.4, alpha: 25 deg}",
-    "{theta: -q, d: -0.17, a: 0.15, alpha: 70 deg}",
-    "{theta: q, d: 0.2, a: 0.1, alpha: 95 deg}",
-    "{theta: 1.1 - q, d: 0.15, a: 0.05, alpha: 50 deg}",
-)
-SLIDE = "{theta: 0.3, d: 0.1 - q, a: 0.15, alpha: 70 deg}"
 POSES = 2
-
-
-def robot(folder: Path, rows: tuple[str, ...], free: list[int]) -> Robot:
-    path = folder / "arm.yaml"
-    text = HEAD + "".join(f"  - {row}\n" for row in rows) + f"free: {free}\n"
-    path.write_text(text, encoding="utf-8")
-    return load(path)
 
 
 @pytest.mark.parametrize(
@@ -51,7 +31,7 @@ def test_all_solutions(tmp_path: Path, place: int, free: int | None) -> None:
     given = [] if free is None else [free]
     if free is not None:
         rows = (*rows, TURNS[0]) if free == len(rows) + 1 else (SLIDE, *rows)
-    arm = robot(tmp_path, rows, given)
+    arm = skew(tmp_path, rows, given, "pointing")
     chain = build_chain(arm)
     kernel, forward = general_kernel(chain), numeric_arm(chain)
     assert kernel is not None

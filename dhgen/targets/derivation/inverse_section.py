@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.problem import task_entries
@@ -109,7 +110,7 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
             letters[f"t{i}{j}"] = letter("p", "p", f"{i}{j}", f"p{i}{j}")
     writer = Writer(algebra, lambda _: 0, {}, letters)
     shown = [
-        equal(story.letters[name], writer.write(given.entry(int(name[1]) - 1, int(name[2]) - 1)))
+        equal(story.letters[name], writer.write(given.entry(*POSE_PLACES[name])))
         for name in sorted(problem.known, key=lambda name: (name[2], name[1]))
     ]
     entries = equal(POSE, Symbol("(p_{ij})", "(pᵢⱼ)"))
