@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from dhgen.paul.pool import Pool
     from dhgen.paul.step import EquationType, Step
 
+    Values = NDArray[np.float64]
+
 SHORTEST = 8  # of equations from anywhere, only the shortest are paired
 DOUBLING = 10_000  # a step with two roots costs more than any number of clumsy steps with one
 
@@ -165,12 +167,17 @@ def _without_needless_silence(steps: list[Step], view: View) -> list[Step]:
     """
     angles = [step for step in steps if step.kind is Kind.ANGLE]
     sure = [step for step in angles if all(map(view.is_constant, _factors(step)))]
-    told = {id(step) for step in sure}
+    told = set(map(id, sure))
+    doubtful = [step for step in angles if id(step) not in told]
+    if not sure or not doubtful:
+        return steps
+    known = [_place(step, view) for step in sure]
+    places, squares = (np.stack(each) for each in zip(*known, strict=True))
     silent = {
         id(step)
-        for step in angles
-        for other in sure
-        if id(step) not in told and (_are_single(step, other) or _is_multiple(step, other, view))
+        for step in doubtful
+        if any(_are_single(step, other) for other in sure)
+        or _is_multiple(*_place(step, view), places, squares)
     }
     return [step for step in steps if id(step) not in silent]
 
@@ -185,18 +192,19 @@ def _are_single(step: Step, other: Step) -> bool:
     return alone and step.unknowns == other.unknowns
 
 
-def _is_multiple(step: Step, other: Step, view: View) -> bool:
-    """Whether two equations of type 2 differ by a factor that varies.
+def _is_multiple(place: Values, square: Values, places: Values, squares: Values) -> bool:
+    """Whether an equation of type 2 differs from one of others by a factor that varies.
 
     Then the solution is as far from the direction of (X, Y) in both, whatever their angles are.
+    The others are in rows.
     """
-    (one, first), (two, second) = (_place(each, view) for each in (step, other))
-    factor = (first / second)[OWN_LENGTHS]
-    varies = np.ptp(factor) > VANISHING * np.max(factor)
-    return bool(varies) and np.allclose(one, two, rtol=0.0, atol=VANISHING)
+    factors = (square / squares)[:, OWN_LENGTHS]
+    varies = np.ptp(factors, axis=1) > VANISHING * np.max(factors, axis=1)
+    same = np.max(np.abs(places - place), axis=1) <= VANISHING
+    return bool(np.any(varies & same))
 
 
-def _place(step: Step, view: View) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _place(step: Step, view: View) -> tuple[Values, Values]:
     """(X c - Y s)^2 / (X^2 + Y^2), and its divisor, on the witnesses."""
     (angle,) = step.unknowns
     assert isinstance(angle, AngleSum)

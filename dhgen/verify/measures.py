@@ -40,9 +40,8 @@ class Measures:
         scale[:3, 3] = max(self._chain.size, float(np.abs(T[:3, 3]).max()))
         return float(np.abs((got - T) / scale).max())
 
-    def jacobian_miss(self, got: Array, q: Array, T: Array) -> float:
-        """The largest difference from the Jacobian by central differences, relative to its size."""
-        wanted = self._jacobian(q, T)
+    def jacobian_miss(self, got: Array, wanted: Array) -> float:
+        """The largest difference of two Jacobians, relative to their size."""
         return float(np.abs(got - wanted).max()) / max(1.0, float(np.abs(wanted).max()))
 
     def joint_miss(self, rows: Array, others: Array) -> Array:
@@ -66,15 +65,14 @@ class Measures:
         """How well poses fix joint values (..., n): the task's least singular value of all."""
         return float(np.linalg.svd(task_rates(self.arm, q), compute_uv=False)[..., -1].min())
 
-    def _jacobian(self, q: Array, T: Array) -> Array:
-        columns = []
-        for joint in range(self._chain.dof):
-            move = np.zeros(self._chain.dof)
-            move[joint] = STEP
-            rate = (self.arm.pose(q + move) - self.arm.pose(q - move)) / (2.0 * STEP)
-            spin = rate[:3, :3] @ T[:3, :3].T
-            columns.append([*rate[:3, 3], spin[2, 1], spin[0, 2], spin[1, 0]])
-        return np.array(columns).T
+    def jacobians(self, q: Array, T: Array) -> Array:
+        """By central differences, for joint values (N, n) and their poses (N, 4, 4): (N, 6, n)."""
+        moves = STEP * np.eye(self._chain.dof)
+        there, back = (self.arm.pose(q[:, None] + way * moves) for way in (1.0, -1.0))
+        rates = (there - back) / (2.0 * STEP)
+        spins = rates[..., :3, :3] @ np.swapaxes(T, 1, 2)[:, None, :3, :3]
+        turns = np.stack([spins[..., 2, 1], spins[..., 0, 2], spins[..., 1, 0]], axis=-1)
+        return np.swapaxes(np.concatenate([rates[..., :3, 3], turns], axis=-1), 1, 2)
 
 
 def task_rates(arm: NumericArm, q: Array) -> Array:

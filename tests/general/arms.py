@@ -26,7 +26,8 @@ Row = tuple[float, float, float, float]  # theta [quarter turns, or rad], d, a, 
 Answer = tuple[np.ndarray, np.ndarray, bool]  # q (k, 6), residual (k,), certain
 
 QUARTER = {-1: (0.0, -1.0), 0: (1.0, 0.0), 1: (0.0, 1.0), 2: (-1.0, 0.0)}
-FLAGS = ("-std=c99", "-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
+# -O1: compiling takes the time of these tests; test_silent_c and the generated arms have more.
+FLAGS = ("-std=c99", "-O1", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 
 # Angles that are integers count quarter turns.
 TABLES: dict[str, tuple[Row, ...]] = {
@@ -82,13 +83,15 @@ def _circle(angle: float) -> tuple[float, float]:
     return math.cos(angle), math.sin(angle)
 
 
-def forward(table: Sequence[Row], q: Sequence[float]) -> np.ndarray:
-    """The pose of the tool."""
+def forward(table: Sequence[Row], q: Sequence[float] | np.ndarray) -> np.ndarray:
+    """The poses of the tool (..., 4, 4) at joint vectors (..., 6)."""
     first, *links = constants(table)
     T = np.array(first)
-    for angle, link in zip(q, links, strict=True):
-        turn = np.eye(4)
-        turn[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+    for angle, link in zip(np.moveaxis(np.asarray(q), -1, 0), links, strict=True):
+        turn = np.broadcast_to(np.eye(4), (*angle.shape, 4, 4)).copy()
+        turn[..., 0, 0] = turn[..., 1, 1] = np.cos(angle)
+        turn[..., 1, 0] = np.sin(angle)
+        turn[..., 0, 1] = -np.sin(angle)
         T = T @ turn @ np.array(link)
     return T
 
@@ -103,7 +106,7 @@ def kernel(name: str) -> GeneralKernel:
 def poses(name: str, count: int, seed: int = 0) -> list[tuple[np.ndarray, np.ndarray]]:
     """Random joint vectors and their poses."""
     q = np.random.default_rng(seed).uniform(-np.pi, np.pi, (count, 6))
-    return [(row, forward(TABLES[name], row)) for row in q]
+    return list(zip(q, forward(TABLES[name], q), strict=True))
 
 
 def gap(q: np.ndarray, other: np.ndarray) -> np.ndarray:

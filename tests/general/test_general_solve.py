@@ -22,8 +22,8 @@ SIXTEEN = [
 def check(name: str, T: np.ndarray, q: np.ndarray, residual: np.ndarray) -> None:
     """Every row is a solution, no two are the same, and they are in order."""
     assert (residual < 1e-9).all()
+    assert np.abs(forward(TABLES[name], q) - T).max(initial=0.0) < 1e-9
     for i, row in enumerate(q):
-        np.testing.assert_allclose(forward(TABLES[name], row), T, atol=1e-9)
         assert (gap(q[:i], row) > 1e-7).all()
     assert (np.diff(q[:, 0]) > -1e-9).all()
     assert ((q > -np.pi) & (q <= np.pi)).all()
@@ -109,6 +109,6 @@ def test_out_of_reach() -> None:
 
 
 def test_silent_c() -> None:
-    strict = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+    strict = ("-O3", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
     compiled("general", *strict)
     compiled("general", *strict, "-DGENERAL_LANES=1")

@@ -77,7 +77,11 @@ FEWEST = {"fk": 4, "jacobian": 4, "solve": 12}
 
 
 @pytest.mark.parametrize("function", PYTHON)
-def test_every_sign_of_python(compilation: Compilation, function: str, tmp_path: Path) -> None:
+def test_every_sign_of_python(
+    compilation: Compilation, function: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", "")  # no C is there to compare with
+    monkeypatch.delenv("CC", raising=False)
     text = compilation.files[f"{NAME}.py"]
     places = formulas(text, PYTHON[function], "\n\n\n")
     assert len(places) >= FEWEST[function]
