@@ -1,4 +1,4 @@
-"""What belongs to one robot runs in one process, which then makes its files only once."""
+"""What belongs to one robot, or one name, runs in one process, which makes its files only once."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Groups for `--dist loadgroup`."""
     for item in items:
         call = getattr(item, "callspec", None)
-        values = list(call.params.values()) if call else []
-        names = [value for value in values if isinstance(value, str) and value in ROBOTS]
-        if names:
-            item.add_marker(pytest.mark.xdist_group(names[0]))
+        params = call.params if call else {}
+        arms = [value for value in params.values() if isinstance(value, str) and value in ROBOTS]
+        group = arms[0] if arms else params.get("name")
+        if group is not None:
+            item.add_marker(pytest.mark.xdist_group(str(group)))
