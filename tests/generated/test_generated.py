@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
 
 COUNT = 10_000
-SLOW = {16: 300}  # general arms, by their number of rows
+GENERAL = {"C": 300, "Python": 60}  # for arms with 16 rows
 # numba takes seconds for each; the modules of all arms run without it in clean processes
 ASKED = [*((name, "C") for name in NAMES), *((name, "Python") for name in COMPILED)]
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
@@ -88,6 +88,11 @@ def accuracy(name: str) -> float:
     return POLISHED if module(name).METHOD.startswith("general") else RESIDUAL
 
 
+def most(name: str, language: str) -> int:
+    """How many poses are asked for."""
+    return GENERAL[language] if module(name).MAX_SOLUTIONS == 16 else COUNT
+
+
 def test_every_robot_has_its_files() -> None:
     wanted = {f"{name}.{end}" for name in NAMES for end in ("py", "c", "h", "md")}
     single = [name for name in NAMES if robot(name).float32]
@@ -100,7 +105,7 @@ def test_every_robot_has_its_files() -> None:
 def test_random_poses(name: str, language: str) -> None:
     """The generating joints are found on each, and every row gives its pose again."""
     rows = module(name).MAX_SOLUTIONS
-    q = random_joints(robot(name), SLOW.get(rows, COUNT), seed=71)
+    q = random_joints(robot(name), most(name, language), seed=71)
     T = np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
     found, status = (in_c if language == "C" else in_python)(name, T, q)
     held = np.isin(status, (OK, FREE_JOINT, OUT_OF_LIMITS))
@@ -120,7 +125,7 @@ def test_singular_poses(name: str, language: str) -> None:
     sets = joint_sets(robot(name), count=6, seed=72)
     rows = module(name).MAX_SOLUTIONS
     for kind, q in sets.items():
-        q = q[:: 1 + len(q) // SLOW.get(rows, len(q) or 1)]  # noqa: PLW2901
+        q = q[:: 1 + len(q) // most(name, language)]  # noqa: PLW2901
         T = np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
         found, status = (in_c if language == "C" else in_python)(name, T, q)
         held = np.isin(status, (OK, FREE_JOINT, OUT_OF_LIMITS))

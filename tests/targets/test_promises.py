@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -54,8 +53,9 @@ def test_no_solution_stands_twice(name: str) -> None:
     for joints, T in zip(q, poses_of(name, q), strict=True):
         rows = held(name, T, joints)
         assert len(rows), joints
-        for one, other in combinations(rows, 2):
-            assert apart(name, one, other).max() > 1e-5, (joints, one)
+        one, other = np.triu_indices(len(rows), 1)
+        gaps = apart(name, rows[one], rows[other]).max(axis=1)
+        assert gaps.min(initial=np.inf) > 1e-5, (joints, rows)
 
 
 @pytest.mark.parametrize("name", EVERY)
