@@ -73,7 +73,7 @@ def test_names_are_c_names_for_cpp() -> None:
 def poses(name: str) -> FloatArray:
     """Ordinary poses, singular ones, poses out of reach, and none at all; fewer of general arms."""
     arm = robot(name)
-    most = 100 if made(name).module.solver.rows == 16 else 600
+    most = 150 if made(name).module.solver.rows == 16 else 600
     source = np.random.default_rng(51)
     q = np.concatenate(
         [random_joints(arm, 200), right_angles(arm, 200), one_joint_at(arm, (0.0, np.pi), 10)]
