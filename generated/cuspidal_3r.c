@@ -113,6 +113,172 @@ static void circle_roots(double a0, double a1, double b1, double a2, double b2, 
     }
 }
 
+
+/* By how much joint values miss the entries that count: the root of the sum of squares. */
+static double missed_by(const double *pose, const double *q)
+{
+    double reached[16], sum = 0.0, off;
+    cuspidal_3r_fk(q, reached);
+    off = 0.18181818181818182 * (reached[3] - pose[3]);
+    sum += off * off;
+    off = 0.18181818181818182 * (reached[7] - pose[7]);
+    sum += off * off;
+    off = 0.18181818181818182 * (reached[11] - pose[11]);
+    sum += off * off;
+    return sqrt(sum);
+}
+
+/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
+ * lengths, and the same over the arm's size. */
+static const int solved[3] = { 0, 1, 2 };
+static const int turning[3] = { 1, 1, 1 };
+static const double unit[3] = { 1.0, 1.0, 1.0 };
+static const double measure[3] = { 0.18181818181818182, 0.18181818181818182, 0.18181818181818182 };
+
+/* A descent towards a pose: u are the joints that are solved for, in units. */
+struct descent {
+    const double *T;
+    double q[3], seed[3]; /* all joint values; the seed in units */
+    double e[3], length; /* the miss [arm sizes, rad], and its length */
+    double A[3][3]; /* how u moves the tool */
+};
+
+/* By how much u misses the pose, and the analytic Jacobian of that. */
+static void look(struct descent *d, const double u[3])
+{
+    double P[16], J[18], square = 0.0;
+    for (int j = 0; j < 3; j++)
+        d->q[solved[j]] = unit[j] * u[j];
+    cuspidal_3r_fk(d->q, P);
+    cuspidal_3r_jacobian(d->q, J);
+    d->e[0] = (d->T[3] - P[3]) / 5.5;
+    for (int j = 0; j < 3; j++)
+        d->A[0][j] = measure[j] * J[0 + solved[j]];
+    d->e[1] = (d->T[7] - P[7]) / 5.5;
+    for (int j = 0; j < 3; j++)
+        d->A[1][j] = measure[j] * J[3 + solved[j]];
+    d->e[2] = (d->T[11] - P[11]) / 5.5;
+    for (int j = 0; j < 3; j++)
+        d->A[2][j] = measure[j] * J[6 + solved[j]];
+    for (int i = 0; i < 3; i++)
+        square += d->e[i] * d->e[i];
+    d->length = sqrt(square);
+}
+
+/* The damped least squares step A' (A A' + damping)^-1 e. */
+static void damped_step(
+    const struct descent *d, const double e[3], double length, double step[3])
+{
+    double L[3][3], y[3];
+    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    for (int i = 0; i < 3; i++) {
+        y[i] = e[i];
+        for (int j = 0; j <= i; j++) {
+            double sum = i == j ? damping : 0.0;
+            for (int k = 0; k < 3; k++)
+                sum += d->A[i][k] * d->A[j][k];
+            for (int k = 0; k < j; k++)
+                sum -= L[i][k] * L[j][k];
+            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
+        }
+        for (int k = 0; k < i; k++)
+            y[i] -= L[i][k] * y[k];
+        y[i] /= L[i][i];
+    }
+    for (int i = 3 - 1; i >= 0; i--) {
+        for (int k = i + 1; k < 3; k++)
+            y[i] -= L[k][i] * y[k];
+        y[i] /= L[i][i];
+    }
+    for (int j = 0; j < 3; j++) {
+        step[j] = 0.0;
+        for (int i = 0; i < 3; i++)
+            step[j] += d->A[i][j] * y[i];
+    }
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[3])
+{
+    for (int j = 0; j < 3; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
+}
+
+/* Takes a row to where damped least squares lead, unless it is exact; returns by how much
+ * it misses the pose then. */
+static double tightened(struct descent *d, double exact, double q[3], int *moved)
+{
+    const double first = missed_by(d->T, q);
+    double u[3], best[3], step[3], least = HUGE_VAL;
+    if (first <= exact)
+        return first;
+    for (int i = 0; i < 3; i++)
+        d->q[i] = q[i];
+    for (int j = 0; j < 3; j++)
+        best[j] = u[j] = q[solved[j]] / unit[j];
+    for (int k = 0; k <= 24; k++) {
+        look(d, u);
+        const int slow = !(d->length <= 0.5 * least);
+        if (d->length < least) {
+            least = d->length;
+            *moved = k > 0;
+            for (int j = 0; j < 3; j++)
+                best[j] = u[j];
+        }
+        if (slow || least <= exact)
+            break;
+        damped_step(d, d->e, d->length, step);
+        for (int j = 0; j < 3; j++)
+            u[j] += step[j];
+    }
+    if (*moved) {
+        wrap_angles(best);
+        for (int j = 0; j < 3; j++)
+            q[solved[j]] = unit[j] * best[j];
+    }
+    return least;
+}
+
+/* Whether a row that was moved came to lie on another. */
+static int repeats(double q[4][3], const int moved[4], int row)
+{
+    for (int k = 0; k < 4; k++) {
+        double gap[3];
+        int same = k < row || !moved[k];
+        for (int j = 0; j < 3; j++)
+            gap[j] = (q[k][solved[j]] - q[row][solved[j]]) / unit[j];
+        wrap_angles(gap);
+        for (int j = 0; j < 3; j++)
+            same = same && fabs(gap[j]) < 1e-06;
+        if (same && k != row)
+            return 1;
+    }
+    return 0;
+}
+
+/* Tightens the rows; ends all but one of those that have become the same. */
+static void tighten(const double T[16], double q[4][3], unsigned char status[4])
+{
+    struct descent d = { .T = T };
+    double distance = 1.0; /* arm sizes */
+    distance = fmax(distance, fabs(T[3]) / 5.5);
+    distance = fmax(distance, fabs(T[7]) / 5.5);
+    distance = fmax(distance, fabs(T[11]) / 5.5);
+    const double exact = 1e-12 * distance;
+    int moved[4] = { 0 };
+    for (int row = 0; row < 4; row++)
+        if (status[row] != CUSPIDAL_3R_UNREACHABLE)
+            (void)tightened(&d, exact, q[row], &moved[row]);
+    for (int row = 0; row < 4; row++) {
+        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, moved, row)))
+            continue;
+        status[row] = CUSPIDAL_3R_UNREACHABLE;
+        for (int i = 0; i < 3; i++)
+            q[row][i] = NAN;
+    }
+}
+
 static const double a1 = 1.0; /* link length 1 [m] */
 static const double d2 = 1.0; /* joint offset 2 [m] */
 static const double a2 = 2.0; /* link length 2 [m] */
@@ -291,6 +457,7 @@ int cuspidal_3r_ik(
     if (!valid)
         return -CUSPIDAL_3R_INVALID_POSE;
     solve(pose, seed, q, status);
+    tighten(pose, q, status);
     for (int row = 0; row < 4; row++) {
         if (status[row] == CUSPIDAL_3R_UNREACHABLE)
             continue;

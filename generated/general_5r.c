@@ -11,8 +11,7 @@
 static const double turn = 6.283185307179586;
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size; between which values starts lie, and what is added
- * from start to start. */
+ * lengths, and the same over the arm's size. */
 static const int solved[5] = { 0, 1, 2, 3, 4 };
 static const int turning[5] = { 1, 1, 1, 1, 1 };
 static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
@@ -20,19 +19,6 @@ static const double measure[5] = {
     0.5681818181818181, 0.5681818181818181, 0.5681818181818181, 0.5681818181818181,
     0.5681818181818181,
 };
-static const double span_low[5] = {
-    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
-    -3.141592653589793,
-};
-static const double span_width[5] = {
-    5.934119456780721, 4.1887902047863905, 4.886921905584122, 6.283185307179586, 6.283185307179586,
-};
-static const double stride[5] = {
-    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
-    0.5315553977157914,
-};
-static const double no_lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
-static const double no_highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -116,6 +102,14 @@ static void damped_step(
         for (int i = 0; i < 6; i++)
             step[j] += d->A[i][j] * y[i];
     }
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[5])
+{
+    for (int j = 0; j < 5; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* Makes a step no longer than it may be. */
@@ -224,19 +218,26 @@ static double pulled(
     return least;
 }
 
+/* Between which values starts lie, and what is added from start to start. */
+static const double span_low[5] = {
+    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
+    -3.141592653589793,
+};
+static const double span_width[5] = {
+    5.934119456780721, 4.1887902047863905, 4.886921905584122, 6.283185307179586, 6.283185307179586,
+};
+static const double stride[5] = {
+    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
+    0.5315553977157914,
+};
+static const double no_lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
+static const double no_highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+
 /* Start number k; number 0 is the seed. */
 static void start_of(const struct descent *d, int k, double u[5])
 {
     for (int j = 0; j < 5; j++)
         u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
-}
-
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[5])
-{
-    for (int j = 0; j < 5; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 static double distance_between(const double a[5], const double b[5])

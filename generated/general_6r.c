@@ -11,8 +11,7 @@
 static const double turn = 6.283185307179586;
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size; between which values starts lie, and what is added
- * from start to start. */
+ * lengths, and the same over the arm's size. */
 static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
 static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
@@ -20,22 +19,6 @@ static const double measure[6] = {
     0.3459010722933242, 0.3459010722933242, 0.3459010722933242, 0.3459010722933242,
     0.3459010722933242, 0.3459010722933242,
 };
-static const double span_low[6] = {
-    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793, -3.141592653589793,
-};
-static const double span_width[6] = {
-    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-    6.283185307179586,
-};
-static const double stride[6] = {
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-};
-static const double no_lowest[6] = {
-    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
-};
-static const double no_highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -119,6 +102,14 @@ static void damped_step(
         for (int i = 0; i < 6; i++)
             step[j] += d->A[i][j] * y[i];
     }
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* Makes a step no longer than it may be. */
@@ -227,19 +218,29 @@ static double pulled(
     return least;
 }
 
+/* Between which values starts lie, and what is added from start to start. */
+static const double span_low[6] = {
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+};
+static const double span_width[6] = {
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+static const double no_lowest[6] = {
+    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+};
+static const double no_highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
+
 /* Start number k; number 0 is the seed. */
 static void start_of(const struct descent *d, int k, double u[6])
 {
     for (int j = 0; j < 6; j++)
         u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
-}
-
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 static double distance_between(const double a[6], const double b[6])

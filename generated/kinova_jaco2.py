@@ -355,7 +355,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 1e96ef92e73263d5"
+_KEY = "kinova_jaco2 c0243cdbc932feef"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -413,8 +413,7 @@ def _apart(signature):
 
 
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
-# lengths, and the same over the arm's size; between which values starts lie, and what is added
-# from start to start. Below, u are these joints in units.
+# lengths, and the same over the arm's size. Below, u are these joints in units.
 _SOLVED = np.array([0, 1, 2, 3, 4, 5])
 _TURNING = np.array([True, True, True, True, True, True])
 _UNIT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
@@ -422,20 +421,6 @@ _MEASURE = np.array([
     0.8045774017520156, 0.8045774017520156, 0.8045774017520156, 0.8045774017520156,
     0.8045774017520156, 0.8045774017520156,
 ])
-_SPAN_LOW = np.array([
-    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793, -3.141592653589793,
-])
-_SPAN_WIDTH = np.array([
-    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-    6.283185307179586,
-])
-_STRIDE = np.array([
-    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
-    0.5860866975779693, 0.5266889867007357,
-])
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
 
 
 @_inner
@@ -450,13 +435,6 @@ def _turn_vector(axis, cosine, vector):
     scale = 1.0 if sine < 1e-09 else math.atan2(sine, cosine) / sine
     for i in range(3):
         vector[i] = scale * axis[i]
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
 
 
 @_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])")
@@ -513,6 +491,21 @@ def _damped_step(A, e, length, step):
         step[j] = 0.0
         for i in range(6):
             step[j] += A[i, j] * y[i]
+
+
+@_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(6):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
 
 
 @_inner
@@ -601,19 +594,28 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
+# Between which values starts lie, and what is added from start to start.
+_SPAN_LOW = np.array([
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+])
+_SPAN_WIDTH = np.array([
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+])
+_STRIDE = np.array([
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+])
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
+
+
 @_inner
 def _start_of(k, near, u):
     """Start number k; number 0 is the seed."""
     for j in range(6):
         u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(6):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
 
 
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1])")

@@ -11,23 +11,11 @@
 static const double turn = 6.283185307179586;
 
 /* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size; between which values starts lie, and what is added
- * from start to start. */
+ * lengths, and the same over the arm's size. */
 static const int solved[4] = { 0, 1, 2, 3 };
 static const int turning[4] = { 1, 1, 1, 1 };
 static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
 static const double measure[4] = { 1.0, 1.0, 1.0, 1.0 };
-static const double span_low[4] = {
-    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
-};
-static const double span_width[4] = {
-    4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
-};
-static const double stride[4] = {
-    0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
-};
-static const double no_lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
-static const double no_highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -86,6 +74,14 @@ static void damped_step(
         for (int i = 0; i < 2; i++)
             step[j] += d->A[i][j] * y[i];
     }
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[4])
+{
+    for (int j = 0; j < 4; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* Makes a step no longer than it may be. */
@@ -172,19 +168,24 @@ static double pulled(
     return least;
 }
 
+/* Between which values starts lie, and what is added from start to start. */
+static const double span_low[4] = {
+    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
+};
+static const double span_width[4] = {
+    4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
+};
+static const double stride[4] = {
+    0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
+};
+static const double no_lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
+static const double no_highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
+
 /* Start number k; number 0 is the seed. */
 static void start_of(const struct descent *d, int k, double u[4])
 {
     for (int j = 0; j < 4; j++)
         u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
-}
-
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[4])
-{
-    for (int j = 0; j < 4; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 static const double least_u[4] = {

@@ -214,7 +214,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrrr cb6e944a0c774e0e"
+_KEY = "planar_rrrr 214774e8134e4c42"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -272,32 +272,11 @@ def _apart(signature):
 
 
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
-# lengths, and the same over the arm's size; between which values starts lie, and what is added
-# from start to start. Below, u are these joints in units.
+# lengths, and the same over the arm's size. Below, u are these joints in units.
 _SOLVED = np.array([0, 1, 2, 3])
 _TURNING = np.array([True, True, True, True])
 _UNIT = np.array([1.0, 1.0, 1.0, 1.0])
 _MEASURE = np.array([1.0, 1.0, 1.0, 1.0])
-_SPAN_LOW = np.array([
-    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
-])
-_SPAN_WIDTH = np.array([
-    4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
-])
-_STRIDE = np.array([0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361])
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf])
-_LEAST_U = np.array([
-    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
-])
-_MOST_U = np.array([2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953])
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
 
 
 @_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])")
@@ -343,6 +322,21 @@ def _damped_step(A, e, length, step):
         step[j] = 0.0
         for i in range(2):
             step[j] += A[i, j] * y[i]
+
+
+@_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(4):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
 
 
 @_inner
@@ -410,19 +404,27 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
+# Between which values starts lie, and what is added from start to start.
+_SPAN_LOW = np.array([
+    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
+])
+_SPAN_WIDTH = np.array([
+    4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
+])
+_STRIDE = np.array([0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361])
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf])
+_LEAST_U = np.array([
+    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
+])
+_MOST_U = np.array([2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953])
+
+
 @_inner
 def _start_of(k, near, u):
     """Start number k; number 0 is the seed."""
     for j in range(4):
         u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(4):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
 
 
 @_inner

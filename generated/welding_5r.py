@@ -296,7 +296,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r ce6ddba256f87086"
+_KEY = "welding_5r 3c6048eab135de08"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -354,25 +354,11 @@ def _apart(signature):
 
 
 # The joints that are solved for, and whether they turn; what a step of one means, in rad or
-# lengths, and the same over the arm's size; between which values starts lie, and what is added
-# from start to start. Below, u are these joints in units.
+# lengths, and the same over the arm's size. Below, u are these joints in units.
 _SOLVED = np.array([0, 1, 2, 3, 4])
 _TURNING = np.array([True, True, True, True, True])
 _UNIT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
 _MEASURE = np.array([0.625, 0.625, 0.625, 0.625, 0.625])
-_SPAN_LOW = np.array([
-    -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
-    -3.141592653589793,
-])
-_SPAN_WIDTH = np.array([
-    5.934119456780721, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
-])
-_STRIDE = np.array([
-    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
-    0.5315553977157914,
-])
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf])
 
 
 @_inner
@@ -387,13 +373,6 @@ def _turn_vector(axis, cosine, vector):
     scale = 1.0 if sine < 1e-09 else math.atan2(sine, cosine) / sine
     for i in range(3):
         vector[i] = scale * axis[i]
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
 
 
 @_apart("float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])")
@@ -451,6 +430,21 @@ def _damped_step(A, e, length, step):
         step[j] = 0.0
         for i in range(6):
             step[j] += A[i, j] * y[i]
+
+
+@_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(5):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
 
 
 @_inner
@@ -539,19 +533,27 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
+# Between which values starts lie, and what is added from start to start.
+_SPAN_LOW = np.array([
+    -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793,
+])
+_SPAN_WIDTH = np.array([
+    5.934119456780721, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+])
+_STRIDE = np.array([
+    0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
+    0.5315553977157914,
+])
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf])
+
+
 @_inner
 def _start_of(k, near, u):
     """Start number k; number 0 is the seed."""
     for j in range(5):
         u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(5):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
 
 
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1])")

@@ -10,6 +10,7 @@ from dhgen.numerical.miss import ASIDE
 from dhgen.numerical.reference import TIE
 from dhgen.numerical.starts import directions
 from dhgen.numerical.texts import any_turn, given_places, position_rows
+from dhgen.program.tolerances import TOLERANCES
 from dhgen.targets.layout import c_array, python_array
 from dhgen.targets.templates import render
 
@@ -22,27 +23,21 @@ if TYPE_CHECKING:
 Numbers = dict[str, tuple[str, ...]]
 
 
+# How Python's function `_look` is compiled: once for many callers, or into its only one.
+APART = "float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])"
+ONCE, INSIDE = f'@_apart("{APART}")', "@_inner"
+
+
 def c_tools(kernel: NumericalKernel, name: str) -> str:
     """The static functions in C99 that descend, follow a continuum, keep and sort solutions."""
-    count = len(kernel.solved)
-    arrays = {
-        key: c_array(f"static const {_type(key)} {key}[{count}]", values)
-        for key, values in _arrays(kernel, "INFINITY", ("0", "1")).items()
-    }
+    arrays = _c_arrays(kernel)
     return render("c/numerical.c.jinja", name=name, arrays=arrays, **_texts(kernel))
-
-
-def _type(key: str) -> str:
-    return "int" if key in {"solved", "turning"} else "double"
 
 
 def python_tools(kernel: NumericalKernel) -> str:
     """The same functions in Python."""
-    arrays = {
-        key: python_array(f"_{key.upper()} = np.array", values)
-        for key, values in _arrays(kernel, "math.inf", ("False", "True")).items()
-    }
-    return render("python/numerical.py.jinja", arrays=arrays, **_texts(kernel))
+    arrays = _python_arrays(kernel)
+    return render("python/numerical.py.jinja", arrays=arrays, looked=ONCE, **_texts(kernel))
 
 
 def c_search(kernel: NumericalKernel) -> str:
@@ -53,6 +48,37 @@ def c_search(kernel: NumericalKernel) -> str:
 def python_search(kernel: NumericalKernel) -> str:
     """The function `_all_joints` in Python; it needs the tools."""
     return render("python/numerical_search.py.jinja", **_texts(kernel))
+
+
+def c_tightening(kernel: NumericalKernel, name: str) -> str:
+    """The static function `tighten` in C99, with all that it needs."""
+    values = _texts(kernel) | {"name": name, "upper": name.upper()}
+    return render("c/tighten.c.jinja", arrays=_c_arrays(kernel), **values)
+
+
+def python_tightening(kernel: NumericalKernel) -> str:
+    """The function `_tighten` in Python, with all that it needs."""
+    arrays = _python_arrays(kernel)
+    return render("python/tighten.py.jinja", arrays=arrays, looked=INSIDE, **_texts(kernel))
+
+
+def _c_arrays(kernel: NumericalKernel) -> dict[str, str]:
+    count = len(kernel.solved)
+    return {
+        key: c_array(f"static const {_type(key)} {key}[{count}]", values)
+        for key, values in _arrays(kernel, "INFINITY", ("0", "1")).items()
+    }
+
+
+def _type(key: str) -> str:
+    return "int" if key in {"solved", "turning"} else "double"
+
+
+def _python_arrays(kernel: NumericalKernel) -> dict[str, str]:
+    return {
+        key: python_array(f"_{key.upper()} = np.array", values)
+        for key, values in _arrays(kernel, "math.inf", ("False", "True")).items()
+    }
 
 
 def _arrays(kernel: NumericalKernel, infinity: str, truths: tuple[str, str]) -> Numbers:
@@ -117,6 +143,8 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "longest": repr(constants.LONGEST),
         "steps": constants.STEPS,
         "solution": repr(constants.RESIDUAL),
+        "exact": repr(TOLERANCES.exact),
+        "tightenings": constants.TIGHTENINGS,
         "pull": repr(constants.PULL),
         "pulled": constants.PULLED,
         "settled": repr(constants.SETTLED),

@@ -29,6 +29,7 @@ STARTS = 48  # in a round; the search ends with the first round that finds nothi
 ROUNDS = 8
 FEW_STARTS = 12  # beside what another algorithm found, where that is not certainly everything
 REDUNDANT_STARTS = 24  # of an arm with infinitely many solutions
+TIGHTENINGS = 24  # steps of a row that is not exact: double roots take a quarter off with each
 # Along a continuum of solutions: a part of the way to the seed with every step, then Newton alone.
 PULL = 0.5
 PULLED = 60

@@ -209,14 +209,14 @@ class Arm:
             running &= ~stalled
             if not running.any():
                 break
-            u = np.where(running[:, None], u + _shortened(_step(e, length, A)), u)
+            u = np.where(running[:, None], u + _shortened(damped_step(e, length, A)), u)
         return best, least
 
     def sideways(self, u: FloatArray, direction: FloatArray) -> FloatArray:
         """The part of a direction that leaves the tool where it is, to first order."""
         _, _, A = self.miss(u[None])
         moved = A @ direction
-        return np.asarray(direction - _step(moved, np.zeros(1), A)[0])
+        return np.asarray(direction - damped_step(moved, np.zeros(1), A)[0])
 
     def continues(self, u: FloatArray, sideways: FloatArray) -> bool:
         """Whether solutions lie to both sides along a direction: u is one of a continuum."""
@@ -275,7 +275,7 @@ class Arm:
         pull, fixed = pull.copy(), np.zeros(len(u))
         locked = np.zeros(len(u), dtype=bool)
         while True:
-            step = _shortened((pull + _step(e - A @ pull, length, A)[0])[None])[0] + fixed
+            step = _shortened((pull + damped_step(e - A @ pull, length, A)[0])[None])[0] + fixed
             beyond = ~locked & ((u + step < low) | (u + step > high))
             if not beyond.any():
                 return np.asarray(step)
@@ -286,7 +286,7 @@ class Arm:
             pull[beyond] = 0.0
 
 
-def _step(e: FloatArray, length: FloatArray, A: FloatArray) -> FloatArray:
+def damped_step(e: FloatArray, length: FloatArray, A: FloatArray) -> FloatArray:
     """The damped least squares step, A' (A A' + damping)^-1 e."""
     damping = constants.DAMPING * np.minimum(length**2, 1.0) + constants.FLOOR
     across = np.swapaxes(A, 1, 2)

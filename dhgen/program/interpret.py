@@ -14,6 +14,7 @@ from dhgen.general import reference as general
 from dhgen.general.arm import joint_values
 from dhgen.general.no_turn import without_turn
 from dhgen.numerical import reference as numerical
+from dhgen.numerical.tighten import tighten
 from dhgen.program.circle import circle_roots
 from dhgen.program.ir import (
     AllJoints,
@@ -130,6 +131,10 @@ class _Run:
         solved = self._flat(alive)
         q = np.stack(joints, axis=-1)
         q[~solved] = np.nan
+        if (kernel := self._program.tightened) is not None:
+            pairs = zip(self._poses, q, strict=True)
+            q = np.array([tighten(kernel, T, rows) for T, rows in pairs]).reshape(q.shape)
+            solved = ~np.isnan(q).any(axis=-1)
         return Rows(q, solved, self._flat(chosen) & solved)
 
     def _roots(self, statement: Roots) -> Array:

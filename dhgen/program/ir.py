@@ -16,7 +16,7 @@ solution fails a guard: its rows are then without a solution, whatever its value
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING, Literal
 
@@ -270,6 +270,8 @@ class Program:
         outputs: The results: each joint's value, or the entries of a matrix row by row.
         free: The truth value that says a joint was chosen, by joint number; 0 for any of them.
         near: The truth values that say a joint was nearly free, where that matters to a guard.
+        tightened: Damped least squares for this arm, where rows that are not exact take some steps
+            of it in the end; where a pose may be none of the arm's, only those stay that then fit.
     """
 
     name: str
@@ -279,6 +281,7 @@ class Program:
     outputs: tuple[Expression, ...]
     free: tuple[tuple[int, str], ...]
     near: tuple[str, ...] = ()
+    tightened: NumericalKernel | None = field(default=None, compare=False)
 
     @property
     def rows(self) -> int:

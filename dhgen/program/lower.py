@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial, reduce
 from typing import TYPE_CHECKING
 
@@ -9,6 +10,7 @@ import numpy as np
 
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.branches import branch_words
 from dhgen.paul.forms import unknown_name
 from dhgen.paul.problem import task_entries
@@ -18,7 +20,7 @@ from dhgen.program.arm_plane import lower_shoulder
 from dhgen.program.builder import Builder
 from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
-from dhgen.program.ir import Failure
+from dhgen.program.ir import Failure, Roots
 from dhgen.program.kernels import KERNELS
 from dhgen.program.polynomials import PolynomialLowering
 from dhgen.program.scales import Scales
@@ -36,6 +38,7 @@ if TYPE_CHECKING:
     from dhgen.paul.step import Step
     from dhgen.program.graph import Node
     from dhgen.program.ir import Program
+    from dhgen.program.schedule import Option
     from dhgen.program.tolerances import Tolerances
 
 TRIED = 50  # poses on which a program's rows are looked at
@@ -52,8 +55,22 @@ def lower(derivation: Derivation, tolerances: Tolerances = TOLERANCES) -> Progra
         checked = True
         program = Lowering(derivation, tolerances, checked=True).run()
     if checked and _follows_the_seed(derivation, program):
-        return Lowering(derivation, tolerances, checked=True, again=True).run()
-    return program
+        program = Lowering(derivation, tolerances, checked=True, again=True).run()
+    return _tightened(program, derivation.problem.algebra.chain, tolerances, checked=checked)
+
+
+def _tightened(program: Program, chain: Chain, tolerances: Tolerances, *, checked: bool) -> Program:
+    """Rows that are checked, or that come from roots of a polynomial, may be good to few digits."""
+    rooted = any(isinstance(statement, Roots) for statement in program.body)
+    if not (checked or rooted) or not _tightens(chain, tolerances):
+        return program
+    kernel = numerical_kernel(chain, redundant=False)
+    return replace(program, tightened=replace(kernel, checked=checked, most=program.rows))
+
+
+def _tightens(chain: Chain, tolerances: Tolerances) -> bool:
+    """Whether rows can be tightened: exact ones can be told, and the task says all of a row."""
+    return tolerances.tell_rounding and not chain.arm_angle
 
 
 def _tried(chain: Chain) -> NDArray[np.float64]:
@@ -280,7 +297,8 @@ class Lowering:
         chosen = () if total is None else builder.deciding(self.angles.free_options(), total)
         groups: dict[tuple[int, ...], list[Node]] = {}  # by the signs that they depend on
         for miss, degree in misses:
-            near = self._is_near(miss, degree)
+            slack = self._slack(degree, chosen)
+            near = builder.apply("at_most", builder.absolute(miss), slack)
             groups.setdefault(builder.axes_of(near), []).append(near)
         if total is None or not chosen:
             for group in groups.values():
@@ -303,10 +321,21 @@ class Lowering:
                 found.append((miss, int(column == 3)))
         return found
 
-    def _is_near(self, miss: Node, degree: int) -> Node:
-        """Whether it may come from rounding."""
-        scale = self.scales.tolerance(self.scales.tolerances.consistent, degree, "consistent")
-        return self.builder.apply("at_most", self.builder.absolute(miss), scale)
+    def _slack(self, degree: int, chosen: tuple[Option, ...]) -> Node:
+        """What an entry may differ by, of rounding of the pose or of what the row was taken from.
+
+        What is to be tightened may differ by more, but not where another choice can mend it.
+        """
+        builder, scales = self.builder, self.scales
+        tolerances = scales.tolerances
+        slack = scales.tolerance(tolerances.consistent, degree, "consistent")
+        if not _tightens(self.chain, tolerances):
+            return slack
+        wide = scales.tolerance(tolerances.doubtful, degree, "doubtful")
+        flags = list(dict.fromkeys(option.flag for option in chosen))
+        if not flags:
+            return wide
+        return builder.select(reduce(partial(builder.apply, "or"), flags), slack, wide)
 
     def _length(self, misses: list[tuple[Node, int]]) -> Node:
         """The root of the sum of their squares, lengths in arm sizes."""

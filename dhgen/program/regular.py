@@ -29,7 +29,7 @@ from dhgen.program.ir import (
     Variable,
 )
 from dhgen.program.limits import Limiting
-from dhgen.program.scales import FREE_LIMIT
+from dhgen.program.scales import DOUBTFUL, FREE_LIMIT
 from dhgen.program.signed import Signed, SignedArithmetic
 from dhgen.program.tolerances import TOLERANCES
 
@@ -77,36 +77,38 @@ def regular(
     """
     if any(isinstance(statement, AllJoints | Roots) for statement in program.body):
         return None
-    wider = tolerances.near / tolerances.free
-    kept = inverses_kept(program, wider)
-    return _made(program, limits or (None,) * len(program.outputs), kept, wider)
+    kept = inverses_kept(program, tolerances)
+    return _made(program, limits or (None,) * len(program.outputs), kept, tolerances)
 
 
 @cache  # every target asks for it
 def _made(
-    program: Program, limits: tuple[Limits | None, ...], kept: frozenset[str], wider: float
+    program: Program,
+    limits: tuple[Limits | None, ...],
+    kept: frozenset[str],
+    tolerances: Tolerances,
 ) -> Regular:
     """With these inverses of lengths in front."""
-    return _Regular(program, limits, kept, wider).run()
+    return _Regular(program, limits, kept, tolerances).run()
 
 
 @cache
-def inverses_kept(program: Program, wider: float) -> frozenset[str]:
+def inverses_kept(program: Program, tolerances: Tolerances) -> frozenset[str]:
     """The inverses of lengths that stay in front: one more as long as that makes it cheaper.
 
     Limits come after everything else, whatever is kept.
 
     Args:
         program: The whole program.
-        wider: How much farther from where a joint is free regular poses end.
+        tolerances: The table that the program was made with.
     """
     limits = (None,) * len(program.outputs)
     inverses = [s.name for s in program.body if isinstance(s, Let) and _is_inverse(s.expression)]
     kept: frozenset[str] = frozenset()
-    cost = _cost(_made(program, limits, kept, wider).program)
+    cost = _cost(_made(program, limits, kept, tolerances).program)
     while True:
         tried = [kept | {name} for name in inverses if name not in kept]
-        costs = [_cost(_made(program, limits, each, wider).program) for each in tried]
+        costs = [_cost(_made(program, limits, each, tolerances).program) for each in tried]
         if min(costs, default=cost) >= cost:
             return kept
         cost = min(costs)
@@ -119,12 +121,15 @@ class _Regular:
         program: Program,
         limits: tuple[Limits | None, ...],
         kept: frozenset[str],
-        wider: float,
+        tolerances: Tolerances,
     ) -> None:
         self._program = program
         self._kept = kept  # the inverse lengths that stay in front as long as they can
         self._limits = limits
-        self._wider = wider
+        self._tolerances = tolerances
+        # how much farther from where a joint is free regular poses end
+        self._wider = tolerances.near / tolerances.free
+        self._slacks: dict[Node, tuple[Node, Node]] = {}  # what is exact, and what may be rounded
         self._exact = _compared(program)
         self._builder = Builder(reserved=set(), folded=FOLDED)
         self._arithmetic = SignedArithmetic(self._builder)
@@ -141,6 +146,8 @@ class _Regular:
             self._values[c.name] = Signed(node)
             if c.name.startswith(FREE_LIMIT):
                 self._widen(c)
+            if c.name.startswith(DOUBTFUL):
+                self._slacks[node] = self._exact_and_rounded(c)
         for axis in self._program.axes:
             sign = builder.sign(axis.meaning, axis.step)
             self._values[axis.name] = Signed(builder.integer(1), frozenset({sign}))
@@ -180,6 +187,25 @@ class _Regular:
             name, value, limit.meaning, limit.power, derived=limit.derived
         )
         self._values[name] = Signed(node)
+
+    def _exact_and_rounded(self, slack: NamedConstant) -> tuple[Node, Node]:
+        """What a row may miss here, where none is tightened: taken at once, and not for certain."""
+        tolerances = self._tolerances
+        parts = {
+            "exact_slack": (tolerances.exact, "a row that misses the pose by no more is exact"),
+            "pose_slack": (tolerances.consistent, "a pose may be rounded by this"),
+        }
+        exact, rounded = (
+            self._builder.constant(
+                slack.name.replace(DOUBTFUL, name),
+                part * (slack.value / tolerances.doubtful),
+                meaning,
+                slack.power,
+                derived=slack.derived,
+            )
+            for name, (part, meaning) in parts.items()
+        )
+        return exact, rounded
 
     def _assume(self) -> None:
         """No joint is free, no two branches meet."""
@@ -275,7 +301,8 @@ class _Regular:
 
         n values |x| <= limit hold where the sum of their squares is at most limit^2, and do not
         where it is above n limit^2; between the two the pose is doubtful, and so it is above both
-        where no sign is to blame, since then there is no branch that could be right.
+        where no sign is to blame, since then there is no branch that could be right. Where rows
+        are tightened only exact ones are taken at once.
         """
         builder, arithmetic = self._builder, self._arithmetic
         misses: dict[Node, list[Node]] = {}
@@ -289,10 +316,11 @@ class _Regular:
                 case _:
                     self._end(self._truth(part), Failure.INCONSISTENT, None)
         for limit_node, squares in misses.items():
-            total, least = reduce(builder.add, squares), builder.square(limit_node)
+            accepted, allowed = self._slacks.get(limit_node, (limit_node, limit_node))
+            total, least = reduce(builder.add, squares), builder.square(accepted)
             doubtful = builder.apply("less", least, total)
             if builder.axes_of(total):
-                most = builder.mul(builder.integer(len(squares)), least)
+                most = builder.mul(builder.integer(len(squares)), builder.square(allowed))
                 self._end(builder.apply("at_most", total, least), Failure.INCONSISTENT, None)
                 doubtful = builder.apply("and", doubtful, builder.apply("at_most", total, most))
             self._doubts.append(doubtful)

@@ -18,7 +18,7 @@ start_of stride turn_vector turning unit wrap_angles
 G LANES LOST NEARLY after all angle attempt before choose_again circle_roots count distance found
 given here high i ik_carefully nearly residual serving_digits serving_value solve_regular
 ended inner j k least left length lost low middle misfit miss missed_by moved n nearest off outer
-reached read_pose result right serves sum values
+reached read_pose repeats result right serves sum tighten tightened values
 search square start step straighten summit third towards valid value x xx xy y yy z z0 z1 z2 zeros
 """
 

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 FREE_LIMIT = "free_limit"  # below it a joint is free; its squares begin with it, too
 
+DOUBTFUL = "doubtful_slack"  # what a row may miss before it is tightened
+
 _NAMES = {
     "free": (FREE_LIMIT, "a length that fixes no angle"),
     "free_square": (f"{FREE_LIMIT}_squared", "square of a length that fixes no angle"),
@@ -24,6 +26,7 @@ _NAMES = {
     "blur": ("blur_slack", "the same where they follow an angle that is good to few digits"),
     "longest": ("longest_slide", "no slide is longer"),
     "consistent": ("pose_slack", "a pose may be rounded by this"),
+    "doubtful": (DOUBTFUL, "a row may miss the pose by this before it is tightened"),
 }
 
 

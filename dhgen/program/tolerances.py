@@ -31,6 +31,11 @@ class Tolerances:
         last_row: The last row of a pose may differ from 0 0 0 1 by this.
         consistent: A pose that has more entries than the arm has joints may miss by this: it
             may have been rounded to six digits.
+        exact: A row that misses its pose by no more is exact, but for rounding of the arithmetic;
+            lengths count in arm sizes, or in the pose's distance where that is larger. Where one
+            row is exact the pose was not rounded, and the others have to be exact, too.
+        doubtful: A row may miss its pose by this before it is tightened: an angle taken from a
+            vector just longer than `free` is good to 1e-3 rad.
         longest: Where the factor of a slide nearly vanishes, a length above this is no solution:
             its last digits are worth more than rounding of a pose.
         limit: A joint value may miss its limit by this: rounding of the angle itself.
@@ -49,10 +54,17 @@ class Tolerances:
     rotation: float = 1e-9
     last_row: float = 1e-9
     consistent: float = 1e-5
+    exact: float = 1e-12
+    doubtful: float = 1e-2
     longest: float = 1e4
     limit: float = 1e-9
     double: float = 1e-13
     simple: float = 1e-4
+
+    @property
+    def tell_rounding(self) -> bool:
+        """Whether the arithmetic is fine enough to tell a pose that was rounded."""
+        return self.exact < self.consistent
 
 
 TOLERANCES = Tolerances()
@@ -88,6 +100,7 @@ SINGLE = Precision(
         blur=1e-5,
         orthonormal=1e-12,
         last_row=1e-6,
+        exact=5e-5,
         limit=2e-6,
     ),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.general.emit import c_rows, c_source
-from dhgen.numerical.emit import c_search, c_tools
+from dhgen.numerical.emit import c_search, c_tightening, c_tools
 from dhgen.program.flatten import flatten
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
@@ -132,6 +132,7 @@ def _bodies(module: SolverModule) -> dict[str, object]:
     return {
         "entries": entry_lines(module.solver),
         "all_joints": _all_joints(module),
+        "tightening": _tightening(module),
         "solver": solver_lines(module.solver, language, INDENT),
         "forward": straight_lines(module.forward, language, INDENT),
         "forward_rows": _assignments("T", forward, 4),
@@ -153,6 +154,12 @@ def _all_joints(module: SolverModule) -> str:
         parts.append(c_source(whole.general, module.name))
         parts.append(c_rows(whole.general, module.chain, module.name))
     return "\n".join(parts)
+
+
+def _tightening(module: SolverModule) -> str:
+    """The function that tightens rows, where they may need it."""
+    kernel = module.solver.tightened
+    return "" if kernel is None else c_tightening(kernel, module.name)
 
 
 def _constant(name: str, value: str, comment: str) -> list[str]:

@@ -140,6 +140,8 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "given_fault": "the arm angle" if chain.arm_angle else "a free joint's value",
         "method": module.method,
         "solves_whole": whole_arm(module.solver) is not None,
+        "compiles_apart": whole_arm(module.solver) is not None
+        or module.solver.tightened is not None,
         "uses_circle": finds_roots(module.solver),
         "circle": {"newton_steps": NEWTON_STEPS, "directions": DIRECTIONS},
         "uses_wrap": any(uses(program, "wrap") for program in module.programs),
@@ -148,7 +150,8 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "jacobian_uses_q": reads(module.jacobian, "q"),
         "chooses_again": chooses_again(module.solver),
         "checks_again": checks_again(module.solver),
-        "named_entries": _named_entries(chain),
+        "measures_miss": checks_again(module.solver) or module.solver.tightened is not None,
+        "named_entries": named_entries(chain),
         "checks_directions": kind in {TaskKind.POSE, TaskKind.ORIENTATION, TaskKind.POINTING},
         "checks_rotation": kind in {TaskKind.POSE, TaskKind.ORIENTATION},
         "checks_approach": kind is TaskKind.POINTING,
@@ -170,25 +173,20 @@ class NamedEntry:
     """An entry of the pose that the task names.
 
     Attributes:
-        row: From 0.
-        column: From 0.
         place: In sixteen numbers, row by row.
         weight: Of its miss: lengths count in arm sizes.
     """
 
-    row: int
-    column: int
     place: int
     weight: str
 
 
-def _named_entries(chain: Chain) -> list[NamedEntry]:
+def named_entries(chain: Chain) -> list[NamedEntry]:
     """Those of the task, in order."""
     places = (POSE_PLACES[name] for name in sorted(task_entries(chain.task)))
     size = repr(1.0 / chain.size)
     return [
-        NamedEntry(row, column, 4 * row + column, size if column == LAST else "1.0")
-        for row, column in places
+        NamedEntry(4 * row + column, size if column == LAST else "1.0") for row, column in places
     ]
 
 

@@ -7,14 +7,21 @@ from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from dhgen.general.emit import python_rows, python_source
-from dhgen.numerical.emit import python_search, python_tools
+from dhgen.numerical.emit import python_search, python_tightening, python_tools
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import flatten
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
-from dhgen.targets.module import constant_texts, made_text, module_values, regular_solver
+from dhgen.targets.module import (
+    constant_texts,
+    made_text,
+    module_values,
+    named_entries,
+    regular_solver,
+)
 from dhgen.targets.python_flat import TILE, regular_values
 from dhgen.targets.python_language import Python
+from dhgen.targets.python_single import assigned
 from dhgen.targets.scalar import (
     arm_angle_values,
     output_texts,
@@ -23,7 +30,7 @@ from dhgen.targets.scalar import (
     straight_lines,
 )
 from dhgen.targets.templates import render
-from dhgen.targets.walk import uses, whole_arm
+from dhgen.targets.walk import chooses_again, uses, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.program.flatten import Flat
@@ -69,6 +76,8 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "free_parameter": ", q_free" if count else "",
         "free_batch": ", q_free[k]" if count else "",
         "share": SHARE,
+        "missed_entries": _missed_entries(module),
+        "allocates": _allocates(module),
         "uses_arctangent": uses(module.solver, "atan2"),
         "arctangent": _arctangent(),
     }
@@ -82,6 +91,7 @@ def _bodies(module: SolverModule) -> dict[str, object]:
     return {
         "entries": _entries(module.solver),
         "all_joints": _all_joints(module),
+        "tightening": _tightening(module),
         "solver": solver_lines(module.solver, language, INDENT),
         "forward": straight_lines(module.forward, language, INDENT),
         "forward_rows": _assignments("T", forward, 4),
@@ -103,6 +113,12 @@ def _all_joints(module: SolverModule) -> str:
         parts.append(python_source(whole.general, module.name))
         parts.append(python_rows(whole.general, module.chain, module.name))
     return "\n\n".join(parts)
+
+
+def _tightening(module: SolverModule) -> str:
+    """The function that tightens rows, where they may need it."""
+    kernel = module.solver.tightened
+    return "" if kernel is None else python_tightening(kernel)
 
 
 def _flat(module: SolverModule, flat: Flat | None) -> dict[str, object]:
@@ -143,6 +159,26 @@ def _free_tuple(module: SolverModule) -> str:
     """The free joints; empty without any."""
     free = module.chain.free
     return f"({', '.join(map(str, free))},)" if free else ""
+
+
+def _missed_entries(module: SolverModule) -> list[dict[str, object]]:
+    """Of each entry that the task names, what joint values miss it by, and the weight of that."""
+    reached = output_texts(module.forward, Python())
+    return [
+        {
+            "lines": assigned("off", f"{reached[each.place]} - pose[{each.place}]", INDENT),
+            "weight": each.weight,
+        }
+        for each in named_entries(module.chain)
+    ]
+
+
+def _allocates(module: SolverModule) -> str:
+    """Where memory is allocated."""
+    if module.solver.tightened is not None:
+        return "only where a pose is singular or rounded"
+    chosen = chooses_again(module.solver)
+    return "only where a free joint can't keep the seed's value" if chosen else "nowhere"
 
 
 def _no_pose(module: SolverModule) -> str:

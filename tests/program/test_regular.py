@@ -124,17 +124,18 @@ def test_few_random_poses_are_doubtful(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["scara", "planar_rrr", "kuka_youbot", "scorbot_pointing"])
-def test_a_pose_that_nearly_fits_is_taken_or_doubtful(name: str) -> None:
+def test_a_pose_that_nearly_fits_is_doubtful(name: str) -> None:
     """Entries that are too many miss by about what is allowed: no other rows than there should be.
 
-    Within the slack they are taken at once; those that fit or do not by little are doubtful.
+    Exact poses are taken at once, and others refused; whether a row that misses a little is one
+    that rounding has moved, or none, the whole program finds out.
     """
     of = story(name)
     arm = numeric_arm(of.derivation.problem.algebra.chain)
     rng = np.random.default_rng(9)
     q = rng.uniform(-2, 2, (COUNT, arm.chain.dof))
     T, free = arm.pose(q), given_values(arm, q)
-    slack = TOLERANCES.consistent * rng.choice([0.1, 0.9, 1.5, 6.0], COUNT)
+    slack = TOLERANCES.consistent * rng.choice([0.0, 0.1, 0.9, 1.5, 1e3], COUNT)
     T[:, :3] += slack[:, None, None] * rng.uniform(-1, 1, (COUNT, 3, 4))
     solver = regular(of.program)
     assert solver is not None
@@ -144,8 +145,8 @@ def test_a_pose_that_nearly_fits_is_taken_or_doubtful(name: str) -> None:
     known = interpret(of.program, T, np.zeros_like(q), free)
     sure = ~doubt.any(axis=-1)
     assert (solved == known.solved)[sure].all()
-    assert sure[slack < TOLERANCES.consistent / 5].mean() > 0.9
-    assert not sure.all()
+    assert sure[slack == 0.0].mean() > 0.9
+    assert not sure[(slack > 0.0) & (slack < TOLERANCES.consistent)].any()
 
 
 @pytest.mark.parametrize("tolerances", [TOLERANCES, SINGLE.tolerances])

@@ -146,6 +146,41 @@ def test_a_rounded_pose_is_met_nearly() -> None:
     assert EXACT < np.abs(poses_of("crossed", rows) - poses).max() < 1e-6
 
 
+def beside(name: str, off: float, count: int = COUNT) -> tuple[FloatArray, FloatArray]:
+    """Joint vectors of which most are a little beside right angles, and their poses."""
+    source = np.random.default_rng(4)
+    right = asked(name, count)[0]
+    near = right + off * source.choice([-1.0, 1.0], right.shape)
+    q = np.where(source.random(right.shape) < 0.7, near, source.uniform(0.1, 1.4, right.shape))
+    return q, poses_of(name, q)
+
+
+@pytest.mark.parametrize("off", [1e-12, 1e-10, 1e-8, 1e-6])
+@pytest.mark.parametrize("name", ARMS)
+def test_rows_are_exact_beside_right_angles(name: str, off: float) -> None:
+    """Angles of short vectors are good to few digits, and wrong branches nearly meet the pose."""
+    for joints, T in zip(*beside(name, off), strict=True):
+        rows, status = in_c(name).ik(T, joints)
+        held = rows[np.isin(status, HELD)]
+        assert len(held), joints.tolist()
+        assert np.abs(turned(held - joints)).max(axis=1).min() < 1e-3
+        assert np.abs(poses_of(name, held) - T).max() < EXACT
+        for place, row in enumerate(held):
+            assert not (np.abs(turned(held[:place] - row)).max(axis=1) < 1e-7).any(), joints
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_python_finds_the_same_beside_right_angles(name: str) -> None:
+    python = without_numba(compiled(name).files[f"{name}.py"], name)
+    for joints, T in zip(*beside(name, 1e-10, 20), strict=True):
+        rows, status = in_c(name).ik(T, joints)
+        own, own_status = python.ik_all(T, joints)
+        assert own_status.tolist() == status.tolist()
+        held = np.isin(status, HELD)
+        assert np.abs(poses_of(name, own[held]) - T).max() < EXACT
+        assert np.abs(turned(own[held] - rows[held])).max() < 1e-6
+
+
 @pytest.mark.parametrize("name", ARMS)
 def test_python_finds_the_same(name: str) -> None:
     python = without_numba(compiled(name).files[f"{name}.py"], name)

@@ -16,6 +16,7 @@ from dhgen.targets.derivation.tables import joints_of, sign_and_offset
 from dhgen.targets.derivation.words import counted, numeral
 
 if TYPE_CHECKING:
+    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.paul.knowledge import Cut
     from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.story import Story
@@ -30,6 +31,8 @@ def joint_values(story: Story) -> list[Block]:
         blocks.append(display(*lines))
     if story.derivation.problem.redundant:
         blocks.append(_check(story))
+    if story.program.tightened is not None:
+        blocks.append(_tightening(story.program.tightened))
     return blocks
 
 
@@ -124,3 +127,18 @@ def _check(story: Story) -> Block:
         "not every pose can be taken. Each solution is put into the forward model; where an entry "
         "differs from the given one, the arm cannot take the pose and the row stays empty."
     )
+
+
+def _tightening(kernel: NumericalKernel) -> Block:
+    """What is done with rows that are good to few digits."""
+    text = (
+        "Angles of short vectors, and roots that nearly meet, are good to few digits. A row that "
+        "misses the pose by little is tightened: it takes steps of damped least squares, with the "
+        "Jacobian of the whole task, until it is exact or comes no nearer."
+    )
+    if kernel.checked:
+        text += (
+            " If one row is exact then, the pose was not rounded, and all have to be exact; if "
+            "none is, they stay as they were."
+        )
+    return paragraph(text)

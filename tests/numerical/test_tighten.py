@@ -1,0 +1,86 @@
+"""Rows that are good to few digits become exact, or end."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.kinematics.build import build_chain
+from dhgen.numerical.kernel import NumericalKernel, numerical_kernel
+from dhgen.numerical.tighten import tighten
+from dhgen.program.tolerances import TOLERANCES
+from dhgen.robot.load import load
+from tests.targets.made import ROBOTS
+
+if TYPE_CHECKING:
+    from dhgen.survey.oracle.arm import FloatArray
+
+Q = np.array([0.4, -0.7, 0.5, 0.9, 0.8])
+OTHER = np.array([0.4, 2.4, -2.5, 0.9, 0.8])
+
+
+def kernel(name: str, *, checked: bool) -> NumericalKernel:
+    chain = build_chain(load(ROBOTS / f"{name}.yaml"))
+    return replace(numerical_kernel(chain, redundant=False), checked=checked)
+
+
+def misses(arm: NumericalKernel, T: FloatArray, rows: FloatArray) -> FloatArray:
+    return np.asarray(np.abs(arm.arm.pose(rows) - T).max(axis=(1, 2)))
+
+
+@pytest.mark.parametrize("off", [1e-10, 1e-7, 1e-4])
+def test_a_row_becomes_exact(off: float) -> None:
+    arm = kernel("xarm5", checked=True)
+    T = arm.arm.pose(Q)
+    (row,) = tighten(arm, T, (Q + off)[None])
+    assert misses(arm, T, row[None]) < TOLERANCES.exact
+    assert np.abs(row - Q).max() < 1e-10
+
+
+def test_an_exact_row_stays_as_it_is() -> None:
+    arm = kernel("xarm5", checked=True)
+    assert (tighten(arm, arm.arm.pose(Q), Q[None]) == Q).all()
+
+
+def test_beside_an_exact_row_what_is_not_exact_is_none() -> None:
+    arm = kernel("xarm5", checked=True)
+    T = arm.arm.pose(Q)
+    rows = tighten(arm, T, np.array([OTHER, Q, np.full(5, np.nan)]))
+    assert np.isnan(rows).all(axis=1).tolist() == [True, False, True]
+
+
+def test_a_rounded_pose_keeps_its_row() -> None:
+    """Five joints cannot take it exactly; what they miss it by is of the size of the rounding."""
+    arm = kernel("xarm5", checked=True)
+    T = arm.arm.pose(Q)
+    T[:3, 3] += 1e-7
+    (row,) = tighten(arm, T, Q[None])
+    assert TOLERANCES.exact < misses(arm, T, row[None])[0] < 1e-6
+    T[:3, 3] += 1e-3
+    assert np.isnan(tighten(arm, T, Q[None])).all()
+
+
+def test_rows_that_become_the_same_are_told_once() -> None:
+    arm = kernel("xarm5", checked=True)
+    rows = np.array([Q + 1e-6, Q + 2 * np.pi - 1e-6, Q])
+    kept = ~np.isnan(tighten(arm, arm.arm.pose(Q), rows)).any(axis=1)
+    assert kept.tolist() == [False, False, True]
+
+
+def test_without_a_check_no_row_ends() -> None:
+    arm = kernel("cuspidal_3r", checked=False)
+    T = arm.arm.pose(Q[:3])
+    T[:3, 3] *= 10.0
+    assert not np.isnan(tighten(arm, T, Q[None, :3])).any()
+
+
+def test_far_away_rounding_is_more() -> None:
+    """A slide that is far out moves the tool by more than a short arm's rounding."""
+    arm = kernel("bartell_rprpr", checked=True)
+    q = np.array([0.4, 1e4 * arm.arm.chain.size, 0.6, 0.2, 0.3])
+    T = arm.arm.pose(q)
+    near = q + np.array([0.0, 0.0, 0.0, 1e-9, 0.0])
+    assert (tighten(arm, T, near[None]) == near).all()
