@@ -286,229 +286,6 @@ HELPER void transpose(wide x[LANES])
     ((none) ? (int)ADEPT_COBRA600_UNREACHABLE \
         : (outside) ? (int)ADEPT_COBRA600_OUT_OF_LIMITS : 0)
 #endif
-
-/* By how much joint values miss the entries that count: the root of the sum of squares. */
-static double missed_by(const double *pose, const double *q)
-{
-    double reached[16], sum = 0.0, off;
-    adept_cobra600_fk(q, reached);
-    off = 1.0 * (reached[0] - pose[0]);
-    sum += off * off;
-    off = 1.0 * (reached[1] - pose[1]);
-    sum += off * off;
-    off = 1.0 * (reached[2] - pose[2]);
-    sum += off * off;
-    off = 1.0131712259371835 * (reached[3] - pose[3]);
-    sum += off * off;
-    off = 1.0 * (reached[4] - pose[4]);
-    sum += off * off;
-    off = 1.0 * (reached[5] - pose[5]);
-    sum += off * off;
-    off = 1.0 * (reached[6] - pose[6]);
-    sum += off * off;
-    off = 1.0131712259371835 * (reached[7] - pose[7]);
-    sum += off * off;
-    off = 1.0 * (reached[8] - pose[8]);
-    sum += off * off;
-    off = 1.0 * (reached[9] - pose[9]);
-    sum += off * off;
-    off = 1.0 * (reached[10] - pose[10]);
-    sum += off * off;
-    off = 1.0131712259371835 * (reached[11] - pose[11]);
-    sum += off * off;
-    return sqrt(sum);
-}
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[4] = { 0, 1, 2, 3 };
-static const int turning[4] = { 1, 1, 0, 1 };
-static const double unit[4] = { 1.0, 1.0, 0.987, 1.0 };
-static const double measure[4] = {
-    1.0131712259371835, 1.0131712259371835, 1.0, 1.0131712259371835,
-};
-
-/* A descent towards a pose: u are the joints that are solved for, in units. */
-struct descent {
-    const double *T;
-    double q[4], seed[4]; /* all joint values; the seed in units */
-    double e[6], length; /* the miss [arm sizes, rad], and its length */
-    double A[6][4]; /* how u moves the tool */
-};
-
-/* The rotation vector of an axis times the sine, and the cosine. */
-static void turn_vector(const double axis[3], double cosine, double vector[3])
-{
-    const double sine = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    const double scale = sine < 1e-09 ? 1.0 : atan2(sine, cosine) / sine;
-    const int opposite = sine < 1e-09 && cosine < 0.0; /* any axis will do */
-    vector[0] = opposite ? 1.5079644737231006 : scale * axis[0];
-    vector[1] = opposite ? 1.8849555921538759 : scale * axis[1];
-    vector[2] = opposite ? 2.0106192982974678 : scale * axis[2];
-}
-
-/* By how much u misses the pose, and the analytic Jacobian of that. */
-static void look(struct descent *d, const double u[4])
-{
-    double P[16], J[24], square = 0.0;
-    for (int j = 0; j < 4; j++)
-        d->q[solved[j]] = unit[j] * u[j];
-    adept_cobra600_fk(d->q, P);
-    adept_cobra600_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 0.987;
-    for (int j = 0; j < 4; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 0.987;
-    for (int j = 0; j < 4; j++)
-        d->A[1][j] = measure[j] * J[4 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 0.987;
-    for (int j = 0; j < 4; j++)
-        d->A[2][j] = measure[j] * J[8 + solved[j]];
-    double R[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            R[i][j] = d->T[4 * i] * P[4 * j] + d->T[4 * i + 1] * P[4 * j + 1]
-                + d->T[4 * i + 2] * P[4 * j + 2];
-    const double axis[3] = { 0.5 * (R[2][1] - R[1][2]), 0.5 * (R[0][2] - R[2][0]),
-        0.5 * (R[1][0] - R[0][1]) };
-    turn_vector(axis, 0.5 * (R[0][0] + R[1][1] + R[2][2] - 1.0), d->e + 3);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 4; j++)
-            d->A[3 + i][j] = J[4 * (3 + i) + solved[j]];
-    for (int i = 0; i < 6; i++)
-        square += d->e[i] * d->e[i];
-    d->length = sqrt(square);
-}
-
-/* The damped least squares step A' (A A' + damping)^-1 e. */
-static void damped_step(
-    const struct descent *d, const double e[6], double length, double step[4])
-{
-    double L[6][6], y[6];
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
-    for (int i = 0; i < 6; i++) {
-        y[i] = e[i];
-        for (int j = 0; j <= i; j++) {
-            double sum = i == j ? damping : 0.0;
-            for (int k = 0; k < 4; k++)
-                sum += d->A[i][k] * d->A[j][k];
-            for (int k = 0; k < j; k++)
-                sum -= L[i][k] * L[j][k];
-            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
-        }
-        for (int k = 0; k < i; k++)
-            y[i] -= L[i][k] * y[k];
-        y[i] /= L[i][i];
-    }
-    for (int i = 6 - 1; i >= 0; i--) {
-        for (int k = i + 1; k < 6; k++)
-            y[i] -= L[k][i] * y[k];
-        y[i] /= L[i][i];
-    }
-    for (int j = 0; j < 4; j++) {
-        step[j] = 0.0;
-        for (int i = 0; i < 6; i++)
-            step[j] += d->A[i][j] * y[i];
-    }
-}
-
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[4])
-{
-    for (int j = 0; j < 4; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
-/* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
- * much
- * it misses the pose then. */
-static double tightened(struct descent *d, double exact, double q[4], int *moved)
-{
-    const double first = missed_by(d->T, q);
-    double u[4], best[4], step[4], least = HUGE_VAL;
-    if (first <= exact)
-        return first;
-    for (int i = 0; i < 4; i++)
-        d->q[i] = q[i];
-    for (int j = 0; j < 4; j++)
-        best[j] = u[j] = q[solved[j]] / unit[j];
-    for (int k = 0; k <= 24; k++) {
-        look(d, u);
-        const int slow = !(d->length <= 0.5 * least);
-        if (d->length < least) {
-            least = d->length;
-            *moved = k > 0;
-            for (int j = 0; j < 4; j++)
-                best[j] = u[j];
-        }
-        if (slow || least <= exact)
-            break;
-        damped_step(d, d->e, d->length, step);
-        for (int j = 0; j < 4; j++)
-            u[j] += step[j];
-    }
-    if (least > exact) { /* the pose is rounded, or this is no solution */
-        *moved = 0;
-        return first;
-    }
-    if (*moved) {
-        wrap_angles(best);
-        for (int j = 0; j < 4; j++)
-            q[solved[j]] = unit[j] * best[j];
-    }
-    return least;
-}
-
-/* Whether a row that was moved came to lie on another. */
-static int repeats(double q[2][4], const int moved[2], int row)
-{
-    for (int k = 0; k < 2; k++) {
-        double gap[4];
-        int same = k < row || !moved[k];
-        for (int j = 0; j < 4; j++)
-            gap[j] = (q[k][solved[j]] - q[row][solved[j]]) / unit[j];
-        wrap_angles(gap);
-        for (int j = 0; j < 4; j++)
-            same = same && fabs(gap[j]) < 1e-06;
-        if (same && k != row)
-            return 1;
-    }
-    return 0;
-}
-
-/* Tightens the rows; ends those that do not fit, and all but one of those that have become the
- * same.
- * Where one is exact the pose has not been rounded: then all have to be exact. */
-static void tighten(const double T[16], double q[2][4], unsigned char status[2])
-{
-    struct descent d = { .T = T };
-    double distance = 1.0; /* arm sizes */
-    distance = fmax(distance, fabs(T[3]) / 0.987);
-    distance = fmax(distance, fabs(T[7]) / 0.987);
-    distance = fmax(distance, fabs(T[11]) / 0.987);
-    const double exact = 1e-12 * distance;
-    int moved[2] = { 0 };
-    double miss[2], least = HUGE_VAL;
-    for (int row = 0; row < 2; row++) {
-        miss[row] = HUGE_VAL;
-        if (status[row] != ADEPT_COBRA600_UNREACHABLE)
-            miss[row] = tightened(&d, exact, q[row], &moved[row]);
-        least = fmin(least, miss[row]);
-    }
-    const double enough = least <= exact ? exact : 1e-05;
-    for (int row = 0; row < 2; row++)
-        if (miss[row] > enough)
-            q[row][0] = NAN;
-    for (int row = 0; row < 2; row++) {
-        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, moved, row)))
-            continue;
-        status[row] = ADEPT_COBRA600_UNREACHABLE;
-        for (int i = 0; i < 4; i++)
-            q[row][i] = NAN;
-    }
-}
-
 static const double d1 = 0.387; /* joint offset 1 [m] */
 static const double a1 = 0.325; /* link length 1 [m] */
 static const double a2 = 0.275; /* link length 2 [m] */
@@ -525,10 +302,8 @@ static const double longest2_apart = 0.3599999999999883;
 static const double shortest2_apart = 0.002500000000000986;
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 9.74169e-25;
-/* a row may miss the pose by this before it is tightened */
-static const double doubtful_slack = 0.01;
-/* a row may miss the pose by this before it is tightened [m] */
-static const double doubtful_slack1 = 0.00987;
+static const double pose_slack = 1e-05; /* a pose may be rounded by this */
+static const double pose_slack1 = 9.87e-06; /* a pose may be rounded by this [m] */
 static const double k1 = 0.18125000000000002; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 5.594405594405594; /* 1 / (2 * a2 * a1) [m^-2] */
 /* square of a length that fixes no angle [m^2] */
@@ -537,8 +312,8 @@ static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 1.5384615384615385; /* a coefficient of S1 */
 static const double m3 = 0.04615384615384612; /* a coefficient of S1 */
-static const double m4 = 9.74169e-25; /* exact_slack1^2 [m^2] */
-static const double m5 = 1e-24; /* exact_slack^2 */
+static const double m4 = 9.74169e-11; /* pose_slack1^2 [m^2] */
+static const double m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 static const double m6 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const adept_cobra600_branches[2] = {
@@ -839,11 +614,10 @@ static void solve(
     const double v4 = T14 * X1_1;
 
     /* is the pose one that the arm can take? */
-    if (!(fabs(T34 - (d1 - r3)) <= doubtful_slack1 && (fabs(1.0 + T33) <= doubtful_slack &&
-        (fabs(T32) <= doubtful_slack && (fabs(T31) <= doubtful_slack && (fabs(T23) <= doubtful_slack
-        && (fabs(T22 + c12m4) <= doubtful_slack && (fabs(T21 - s12m4) <= doubtful_slack &&
-        (fabs(T13) <= doubtful_slack && (fabs(T11 - c12m4) <= doubtful_slack && fabs(T12 - s12m4) <=
-        doubtful_slack))))))))))
+    if (!(fabs(T34 - (d1 - r3)) <= pose_slack1 && (fabs(1.0 + T33) <= pose_slack && (fabs(T32) <=
+        pose_slack && (fabs(T31) <= pose_slack && (fabs(T23) <= pose_slack && (fabs(T22 + c12m4) <=
+        pose_slack && (fabs(T21 - s12m4) <= pose_slack && (fabs(T13) <= pose_slack && (fabs(T11 -
+        c12m4) <= pose_slack && fabs(T12 - s12m4) <= pose_slack))))))))))
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* down, up */
@@ -867,8 +641,8 @@ static void solve(
         /* is the pose one that the arm can take? */
         const double c12 = c2 * c1 - s2 * s1;
         const double s12 = c2 * s1 + s2 * c1;
-        if (!(fabs(T14 - (a2 * c12 + a1 * c1)) <= doubtful_slack1 && fabs(T24 - (a2 * s12 + a1 *
-            s1)) <= doubtful_slack1))
+        if (!(fabs(T14 - (a2 * c12 + a1 * c1)) <= pose_slack1 && fabs(T24 - (a2 * s12 + a1 * s1)) <=
+            pose_slack1))
             continue; /* the arm can't take this pose */
 
         /* joint values */
@@ -920,7 +694,6 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
     if (!valid)
         return -ADEPT_COBRA600_INVALID_POSE;
     solve(pose, seed, q, status);
-    tighten(pose, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == ADEPT_COBRA600_UNREACHABLE)
             continue;

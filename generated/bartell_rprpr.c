@@ -279,240 +279,17 @@ HELPER void transpose(wide x[LANES])
     ((none) ? (int)BARTELL_RPRPR_UNREACHABLE \
         : (outside) ? (int)BARTELL_RPRPR_OUT_OF_LIMITS : 0)
 #endif
-
-/* By how much joint values miss the entries that count: the root of the sum of squares. */
-static double missed_by(const double *pose, const double *q)
-{
-    double reached[16], sum = 0.0, off;
-    bartell_rprpr_fk(q, reached);
-    off = 1.0 * (reached[0] - pose[0]);
-    sum += off * off;
-    off = 1.0 * (reached[1] - pose[1]);
-    sum += off * off;
-    off = 1.0 * (reached[2] - pose[2]);
-    sum += off * off;
-    off = 0.5 * (reached[3] - pose[3]);
-    sum += off * off;
-    off = 1.0 * (reached[4] - pose[4]);
-    sum += off * off;
-    off = 1.0 * (reached[5] - pose[5]);
-    sum += off * off;
-    off = 1.0 * (reached[6] - pose[6]);
-    sum += off * off;
-    off = 0.5 * (reached[7] - pose[7]);
-    sum += off * off;
-    off = 1.0 * (reached[8] - pose[8]);
-    sum += off * off;
-    off = 1.0 * (reached[9] - pose[9]);
-    sum += off * off;
-    off = 1.0 * (reached[10] - pose[10]);
-    sum += off * off;
-    off = 0.5 * (reached[11] - pose[11]);
-    sum += off * off;
-    return sqrt(sum);
-}
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[5] = { 0, 1, 2, 3, 4 };
-static const int turning[5] = { 1, 0, 1, 0, 1 };
-static const double unit[5] = { 1.0, 2.0, 1.0, 2.0, 1.0 };
-static const double measure[5] = { 0.5, 1.0, 0.5, 1.0, 0.5 };
-
-/* A descent towards a pose: u are the joints that are solved for, in units. */
-struct descent {
-    const double *T;
-    double q[5], seed[5]; /* all joint values; the seed in units */
-    double e[6], length; /* the miss [arm sizes, rad], and its length */
-    double A[6][5]; /* how u moves the tool */
-};
-
-/* The rotation vector of an axis times the sine, and the cosine. */
-static void turn_vector(const double axis[3], double cosine, double vector[3])
-{
-    const double sine = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    const double scale = sine < 1e-09 ? 1.0 : atan2(sine, cosine) / sine;
-    const int opposite = sine < 1e-09 && cosine < 0.0; /* any axis will do */
-    vector[0] = opposite ? 1.5079644737231006 : scale * axis[0];
-    vector[1] = opposite ? 1.8849555921538759 : scale * axis[1];
-    vector[2] = opposite ? 2.0106192982974678 : scale * axis[2];
-}
-
-/* By how much u misses the pose, and the analytic Jacobian of that. */
-static void look(struct descent *d, const double u[5])
-{
-    double P[16], J[30], square = 0.0;
-    for (int j = 0; j < 5; j++)
-        d->q[solved[j]] = unit[j] * u[j];
-    bartell_rprpr_fk(d->q, P);
-    bartell_rprpr_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 2.0;
-    for (int j = 0; j < 5; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 2.0;
-    for (int j = 0; j < 5; j++)
-        d->A[1][j] = measure[j] * J[5 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 2.0;
-    for (int j = 0; j < 5; j++)
-        d->A[2][j] = measure[j] * J[10 + solved[j]];
-    double R[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            R[i][j] = d->T[4 * i] * P[4 * j] + d->T[4 * i + 1] * P[4 * j + 1]
-                + d->T[4 * i + 2] * P[4 * j + 2];
-    const double axis[3] = { 0.5 * (R[2][1] - R[1][2]), 0.5 * (R[0][2] - R[2][0]),
-        0.5 * (R[1][0] - R[0][1]) };
-    turn_vector(axis, 0.5 * (R[0][0] + R[1][1] + R[2][2] - 1.0), d->e + 3);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 5; j++)
-            d->A[3 + i][j] = J[5 * (3 + i) + solved[j]];
-    for (int i = 0; i < 6; i++)
-        square += d->e[i] * d->e[i];
-    d->length = sqrt(square);
-}
-
-/* The damped least squares step A' (A A' + damping)^-1 e. */
-static void damped_step(
-    const struct descent *d, const double e[6], double length, double step[5])
-{
-    double L[6][6], y[6];
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
-    for (int i = 0; i < 6; i++) {
-        y[i] = e[i];
-        for (int j = 0; j <= i; j++) {
-            double sum = i == j ? damping : 0.0;
-            for (int k = 0; k < 5; k++)
-                sum += d->A[i][k] * d->A[j][k];
-            for (int k = 0; k < j; k++)
-                sum -= L[i][k] * L[j][k];
-            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
-        }
-        for (int k = 0; k < i; k++)
-            y[i] -= L[i][k] * y[k];
-        y[i] /= L[i][i];
-    }
-    for (int i = 6 - 1; i >= 0; i--) {
-        for (int k = i + 1; k < 6; k++)
-            y[i] -= L[k][i] * y[k];
-        y[i] /= L[i][i];
-    }
-    for (int j = 0; j < 5; j++) {
-        step[j] = 0.0;
-        for (int i = 0; i < 6; i++)
-            step[j] += d->A[i][j] * y[i];
-    }
-}
-
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[5])
-{
-    for (int j = 0; j < 5; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
-/* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
- * much
- * it misses the pose then. */
-static double tightened(struct descent *d, double exact, double q[5], int *moved)
-{
-    const double first = missed_by(d->T, q);
-    double u[5], best[5], step[5], least = HUGE_VAL;
-    if (first <= exact)
-        return first;
-    for (int i = 0; i < 5; i++)
-        d->q[i] = q[i];
-    for (int j = 0; j < 5; j++)
-        best[j] = u[j] = q[solved[j]] / unit[j];
-    for (int k = 0; k <= 24; k++) {
-        look(d, u);
-        const int slow = !(d->length <= 0.5 * least);
-        if (d->length < least) {
-            least = d->length;
-            *moved = k > 0;
-            for (int j = 0; j < 5; j++)
-                best[j] = u[j];
-        }
-        if (slow || least <= exact)
-            break;
-        damped_step(d, d->e, d->length, step);
-        for (int j = 0; j < 5; j++)
-            u[j] += step[j];
-    }
-    if (least > exact) { /* the pose is rounded, or this is no solution */
-        *moved = 0;
-        return first;
-    }
-    if (*moved) {
-        wrap_angles(best);
-        for (int j = 0; j < 5; j++)
-            q[solved[j]] = unit[j] * best[j];
-    }
-    return least;
-}
-
-/* Whether a row that was moved came to lie on another. */
-static int repeats(double q[2][5], const int moved[2], int row)
-{
-    for (int k = 0; k < 2; k++) {
-        double gap[5];
-        int same = k < row || !moved[k];
-        for (int j = 0; j < 5; j++)
-            gap[j] = (q[k][solved[j]] - q[row][solved[j]]) / unit[j];
-        wrap_angles(gap);
-        for (int j = 0; j < 5; j++)
-            same = same && fabs(gap[j]) < 1e-06;
-        if (same && k != row)
-            return 1;
-    }
-    return 0;
-}
-
-/* Tightens the rows; ends those that do not fit, and all but one of those that have become the
- * same.
- * Where one is exact the pose has not been rounded: then all have to be exact. */
-static void tighten(const double T[16], double q[2][5], unsigned char status[2])
-{
-    struct descent d = { .T = T };
-    double distance = 1.0; /* arm sizes */
-    distance = fmax(distance, fabs(T[3]) / 2.0);
-    distance = fmax(distance, fabs(T[7]) / 2.0);
-    distance = fmax(distance, fabs(T[11]) / 2.0);
-    const double exact = 1e-12 * distance;
-    int moved[2] = { 0 };
-    double miss[2], least = HUGE_VAL;
-    for (int row = 0; row < 2; row++) {
-        miss[row] = HUGE_VAL;
-        if (status[row] != BARTELL_RPRPR_UNREACHABLE)
-            miss[row] = tightened(&d, exact, q[row], &moved[row]);
-        least = fmin(least, miss[row]);
-    }
-    const double enough = least <= exact ? exact : 1e-05;
-    for (int row = 0; row < 2; row++)
-        if (miss[row] > enough)
-            q[row][0] = NAN;
-    for (int row = 0; row < 2; row++) {
-        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, moved, row)))
-            continue;
-        status[row] = BARTELL_RPRPR_UNREACHABLE;
-        for (int i = 0; i < 5; i++)
-            q[row][i] = NAN;
-    }
-}
-
 static const double d1 = 2.0; /* joint offset 1 [m] */
 static const double second_weight = 0.5; /* lengths count in arm sizes [m^-1] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-/* a row may miss the pose by this before it is tightened */
-static const double doubtful_slack = 0.01;
-/* a row may miss the pose by this before it is tightened [m] */
-static const double doubtful_slack1 = 0.02;
+static const double pose_slack = 1e-05; /* a pose may be rounded by this */
+static const double pose_slack1 = 2e-05; /* a pose may be rounded by this [m] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-06; /* doubt_limit^2 */
 static const double m3 = 1e-12; /* doubt_limit_squared^2 */
-static const double m4 = 4e-24; /* exact_slack1^2 [m^2] */
-static const double m5 = 1e-24; /* exact_slack^2 */
+static const double m4 = 4.0000000000000007e-10; /* pose_slack1^2 [m^2] */
+static const double m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const bartell_rprpr_branches[2] = {
@@ -882,13 +659,13 @@ static void solve(
         const double v8 = c1 * s3;
         const double v9 = s1 * c3;
         const double v10 = s1 * s3;
-        if (!(fabs(T34 - (d1 - c3 * r4)) <= doubtful_slack1 && (fabs(T33 + c3) <= doubtful_slack &&
-            (fabs(T32 + s3 * s5) <= doubtful_slack && (fabs(T31 - s3 * c5) <= doubtful_slack &&
-            (fabs(T24 - (r4 * v10 - c1 * r2)) <= doubtful_slack1 && (fabs(T23 - v10) <=
-            doubtful_slack && (fabs(T22 + (c1 * c5 + s5 * v9)) <= doubtful_slack && (fabs(T21 - (c5
-            * v9 - c1 * s5)) <= doubtful_slack && (fabs(T14 - (r4 * v8 + s1 * r2)) <=
-            doubtful_slack1 && (fabs(T13 - v8) <= doubtful_slack && (fabs(T11 - (c5 * v7 + s1 * s5))
-            <= doubtful_slack && fabs(T12 - (s1 * c5 - s5 * v7)) <= doubtful_slack))))))))))))
+        if (!(fabs(T34 - (d1 - c3 * r4)) <= pose_slack1 && (fabs(T33 + c3) <= pose_slack &&
+            (fabs(T32 + s3 * s5) <= pose_slack && (fabs(T31 - s3 * c5) <= pose_slack && (fabs(T24 -
+            (r4 * v10 - c1 * r2)) <= pose_slack1 && (fabs(T23 - v10) <= pose_slack && (fabs(T22 +
+            (c1 * c5 + s5 * v9)) <= pose_slack && (fabs(T21 - (c5 * v9 - c1 * s5)) <= pose_slack &&
+            (fabs(T14 - (r4 * v8 + s1 * r2)) <= pose_slack1 && (fabs(T13 - v8) <= pose_slack &&
+            (fabs(T11 - (c5 * v7 + s1 * s5)) <= pose_slack && fabs(T12 - (s1 * c5 - s5 * v7)) <=
+            pose_slack))))))))))))
             continue; /* the arm can't take this pose */
         const int row = i1;
         q[row][0] = q1;
@@ -936,7 +713,6 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][5],
     if (!valid)
         return -BARTELL_RPRPR_INVALID_POSE;
     solve(pose, seed, q, status);
-    tighten(pose, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == BARTELL_RPRPR_UNREACHABLE)
             continue;

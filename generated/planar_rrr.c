@@ -285,227 +285,6 @@ HELPER void transpose(wide x[LANES])
     ((none) ? (int)PLANAR_RRR_UNREACHABLE \
         : (outside) ? (int)PLANAR_RRR_OUT_OF_LIMITS : 0)
 #endif
-
-/* By how much joint values miss the entries that count: the root of the sum of squares. */
-static double missed_by(const double *pose, const double *q)
-{
-    double reached[16], sum = 0.0, off;
-    planar_rrr_fk(q, reached);
-    off = 1.0 * (reached[0] - pose[0]);
-    sum += off * off;
-    off = 1.0 * (reached[1] - pose[1]);
-    sum += off * off;
-    off = 1.0 * (reached[2] - pose[2]);
-    sum += off * off;
-    off = 1.1764705882352942 * (reached[3] - pose[3]);
-    sum += off * off;
-    off = 1.0 * (reached[4] - pose[4]);
-    sum += off * off;
-    off = 1.0 * (reached[5] - pose[5]);
-    sum += off * off;
-    off = 1.0 * (reached[6] - pose[6]);
-    sum += off * off;
-    off = 1.1764705882352942 * (reached[7] - pose[7]);
-    sum += off * off;
-    off = 1.0 * (reached[8] - pose[8]);
-    sum += off * off;
-    off = 1.0 * (reached[9] - pose[9]);
-    sum += off * off;
-    off = 1.0 * (reached[10] - pose[10]);
-    sum += off * off;
-    off = 1.1764705882352942 * (reached[11] - pose[11]);
-    sum += off * off;
-    return sqrt(sum);
-}
-
-/* The joints that are solved for, and whether they turn; what a step of one means, in rad or
- * lengths, and the same over the arm's size. */
-static const int solved[3] = { 0, 1, 2 };
-static const int turning[3] = { 1, 1, 1 };
-static const double unit[3] = { 1.0, 1.0, 1.0 };
-static const double measure[3] = { 1.1764705882352942, 1.1764705882352942, 1.1764705882352942 };
-
-/* A descent towards a pose: u are the joints that are solved for, in units. */
-struct descent {
-    const double *T;
-    double q[3], seed[3]; /* all joint values; the seed in units */
-    double e[6], length; /* the miss [arm sizes, rad], and its length */
-    double A[6][3]; /* how u moves the tool */
-};
-
-/* The rotation vector of an axis times the sine, and the cosine. */
-static void turn_vector(const double axis[3], double cosine, double vector[3])
-{
-    const double sine = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    const double scale = sine < 1e-09 ? 1.0 : atan2(sine, cosine) / sine;
-    const int opposite = sine < 1e-09 && cosine < 0.0; /* any axis will do */
-    vector[0] = opposite ? 1.5079644737231006 : scale * axis[0];
-    vector[1] = opposite ? 1.8849555921538759 : scale * axis[1];
-    vector[2] = opposite ? 2.0106192982974678 : scale * axis[2];
-}
-
-/* By how much u misses the pose, and the analytic Jacobian of that. */
-static void look(struct descent *d, const double u[3])
-{
-    double P[16], J[18], square = 0.0;
-    for (int j = 0; j < 3; j++)
-        d->q[solved[j]] = unit[j] * u[j];
-    planar_rrr_fk(d->q, P);
-    planar_rrr_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 0.85;
-    for (int j = 0; j < 3; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 0.85;
-    for (int j = 0; j < 3; j++)
-        d->A[1][j] = measure[j] * J[3 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 0.85;
-    for (int j = 0; j < 3; j++)
-        d->A[2][j] = measure[j] * J[6 + solved[j]];
-    double R[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            R[i][j] = d->T[4 * i] * P[4 * j] + d->T[4 * i + 1] * P[4 * j + 1]
-                + d->T[4 * i + 2] * P[4 * j + 2];
-    const double axis[3] = { 0.5 * (R[2][1] - R[1][2]), 0.5 * (R[0][2] - R[2][0]),
-        0.5 * (R[1][0] - R[0][1]) };
-    turn_vector(axis, 0.5 * (R[0][0] + R[1][1] + R[2][2] - 1.0), d->e + 3);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            d->A[3 + i][j] = J[3 * (3 + i) + solved[j]];
-    for (int i = 0; i < 6; i++)
-        square += d->e[i] * d->e[i];
-    d->length = sqrt(square);
-}
-
-/* The damped least squares step A' (A A' + damping)^-1 e. */
-static void damped_step(
-    const struct descent *d, const double e[6], double length, double step[3])
-{
-    double L[6][6], y[6];
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
-    for (int i = 0; i < 6; i++) {
-        y[i] = e[i];
-        for (int j = 0; j <= i; j++) {
-            double sum = i == j ? damping : 0.0;
-            for (int k = 0; k < 3; k++)
-                sum += d->A[i][k] * d->A[j][k];
-            for (int k = 0; k < j; k++)
-                sum -= L[i][k] * L[j][k];
-            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
-        }
-        for (int k = 0; k < i; k++)
-            y[i] -= L[i][k] * y[k];
-        y[i] /= L[i][i];
-    }
-    for (int i = 6 - 1; i >= 0; i--) {
-        for (int k = i + 1; k < 6; k++)
-            y[i] -= L[k][i] * y[k];
-        y[i] /= L[i][i];
-    }
-    for (int j = 0; j < 3; j++) {
-        step[j] = 0.0;
-        for (int i = 0; i < 6; i++)
-            step[j] += d->A[i][j] * y[i];
-    }
-}
-
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[3])
-{
-    for (int j = 0; j < 3; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
-/* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
- * much
- * it misses the pose then. */
-static double tightened(struct descent *d, double exact, double q[3], int *moved)
-{
-    const double first = missed_by(d->T, q);
-    double u[3], best[3], step[3], least = HUGE_VAL;
-    if (first <= exact)
-        return first;
-    for (int i = 0; i < 3; i++)
-        d->q[i] = q[i];
-    for (int j = 0; j < 3; j++)
-        best[j] = u[j] = q[solved[j]] / unit[j];
-    for (int k = 0; k <= 24; k++) {
-        look(d, u);
-        const int slow = !(d->length <= 0.5 * least);
-        if (d->length < least) {
-            least = d->length;
-            *moved = k > 0;
-            for (int j = 0; j < 3; j++)
-                best[j] = u[j];
-        }
-        if (slow || least <= exact)
-            break;
-        damped_step(d, d->e, d->length, step);
-        for (int j = 0; j < 3; j++)
-            u[j] += step[j];
-    }
-    if (least > exact) { /* the pose is rounded, or this is no solution */
-        *moved = 0;
-        return first;
-    }
-    if (*moved) {
-        wrap_angles(best);
-        for (int j = 0; j < 3; j++)
-            q[solved[j]] = unit[j] * best[j];
-    }
-    return least;
-}
-
-/* Whether a row that was moved came to lie on another. */
-static int repeats(double q[2][3], const int moved[2], int row)
-{
-    for (int k = 0; k < 2; k++) {
-        double gap[3];
-        int same = k < row || !moved[k];
-        for (int j = 0; j < 3; j++)
-            gap[j] = (q[k][solved[j]] - q[row][solved[j]]) / unit[j];
-        wrap_angles(gap);
-        for (int j = 0; j < 3; j++)
-            same = same && fabs(gap[j]) < 1e-06;
-        if (same && k != row)
-            return 1;
-    }
-    return 0;
-}
-
-/* Tightens the rows; ends those that do not fit, and all but one of those that have become the
- * same.
- * Where one is exact the pose has not been rounded: then all have to be exact. */
-static void tighten(const double T[16], double q[2][3], unsigned char status[2])
-{
-    struct descent d = { .T = T };
-    double distance = 1.0; /* arm sizes */
-    distance = fmax(distance, fabs(T[3]) / 0.85);
-    distance = fmax(distance, fabs(T[7]) / 0.85);
-    distance = fmax(distance, fabs(T[11]) / 0.85);
-    const double exact = 1e-12 * distance;
-    int moved[2] = { 0 };
-    double miss[2], least = HUGE_VAL;
-    for (int row = 0; row < 2; row++) {
-        miss[row] = HUGE_VAL;
-        if (status[row] != PLANAR_RRR_UNREACHABLE)
-            miss[row] = tightened(&d, exact, q[row], &moved[row]);
-        least = fmin(least, miss[row]);
-    }
-    const double enough = least <= exact ? exact : 1e-05;
-    for (int row = 0; row < 2; row++)
-        if (miss[row] > enough)
-            q[row][0] = NAN;
-    for (int row = 0; row < 2; row++) {
-        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, moved, row)))
-            continue;
-        status[row] = PLANAR_RRR_UNREACHABLE;
-        for (int i = 0; i < 3; i++)
-            q[row][i] = NAN;
-    }
-}
-
 static const double a1 = 0.4; /* link length 1 [m] */
 static const double a2 = 0.3; /* link length 2 [m] */
 static const double a3 = 0.15; /* link length 3 [m] */
@@ -522,10 +301,8 @@ static const double longest2_apart = 0.48999999999998795;
 static const double shortest2_apart = 0.010000000000001705;
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 7.224999999999999e-25;
-/* a row may miss the pose by this before it is tightened */
-static const double doubtful_slack = 0.01;
-/* a row may miss the pose by this before it is tightened [m] */
-static const double doubtful_slack1 = 0.0085;
+static const double pose_slack = 1e-05; /* a pose may be rounded by this */
+static const double pose_slack1 = 8.5e-06; /* a pose may be rounded by this [m] */
 static const double k1 = 0.25; /* a1^2 + a2^2 [m^2] */
 static const double k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
 /* square of a length that fixes no angle [m^2] */
@@ -536,9 +313,9 @@ static const double m2 = 1.25; /* a coefficient of S1 */
 static const double m3 = 0.08750000000000001; /* a coefficient of S1 */
 static const double m4 = 1.666666666666667; /* a coefficient of c12 */
 static const double m5 = 0.1166666666666667; /* a coefficient of c12 */
-static const double m6 = 7.225000000000002e-25; /* exact_slack1^2 [m^2] */
-static const double m7 = 1e-24; /* exact_slack^2 */
-static const double m8 = 1.4450000000000004e-10; /* 2 * pose_slack1^2 [m^2] */
+static const double m6 = 7.225e-11; /* pose_slack1^2 [m^2] */
+static const double m7 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m8 = 1.445e-10; /* 2 * pose_slack1^2 [m^2] */
 static const double m9 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const planar_rrr_branches[2] = {
@@ -890,11 +667,10 @@ static void solve(
     const double v6 = Z1_2 * X1_1;
 
     /* is the pose one that the arm can take? */
-    if (!(fabs(T34) <= doubtful_slack1 && (fabs(T33 - 1.0) <= doubtful_slack && (fabs(T32) <=
-        doubtful_slack && (fabs(T31) <= doubtful_slack && (fabs(T23) <= doubtful_slack && (fabs(T22
-        - c123) <= doubtful_slack && (fabs(T21 - s123) <= doubtful_slack && (fabs(T13) <=
-        doubtful_slack && (fabs(T11 - c123) <= doubtful_slack && fabs(T12 + s123) <=
-        doubtful_slack))))))))))
+    if (!(fabs(T34) <= pose_slack1 && (fabs(T33 - 1.0) <= pose_slack && (fabs(T32) <= pose_slack &&
+        (fabs(T31) <= pose_slack && (fabs(T23) <= pose_slack && (fabs(T22 - c123) <= pose_slack &&
+        (fabs(T21 - s123) <= pose_slack && (fabs(T13) <= pose_slack && (fabs(T11 - c123) <=
+        pose_slack && fabs(T12 + s123) <= pose_slack))))))))))
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* down, up */
@@ -918,8 +694,8 @@ static void solve(
         /* is the pose one that the arm can take? */
         const double c12 = c2 * c1 - s2 * s1;
         const double s12 = c2 * s1 + s2 * c1;
-        if (!(fabs(T14 - (a2 * c12 + (v3 + a1 * c1))) <= doubtful_slack1 && fabs(T24 - (a2 * s12 +
-            (v4 + a1 * s1))) <= doubtful_slack1))
+        if (!(fabs(T14 - (a2 * c12 + (v3 + a1 * c1))) <= pose_slack1 && fabs(T24 - (a2 * s12 + (v4 +
+            a1 * s1))) <= pose_slack1))
             continue; /* the arm can't take this pose */
 
         /* joint values */
@@ -1071,9 +847,6 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][3],
                 lost.seed[i] = seed[i];
             choose_again(&lost, nearly, q[row], &status[row]);
         }
-    }
-    tighten(pose, q, status);
-    for (int row = 0; row < 2; row++) {
         if (status[row] == PLANAR_RRR_UNREACHABLE)
             continue;
         for (int i = 0; i < 3; i++) {

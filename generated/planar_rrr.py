@@ -10,16 +10,13 @@ a pose counts.
 import functools
 import math
 import os
-import sys
 from concurrent.futures import ThreadPoolExecutor
-from types import ModuleType
 
 import numpy as np
 
 try:
     from numba import carray, config, njit, types
     from numba.core import cgutils
-    from numba.core.sigutils import normalize_signature
     from numba.extending import intrinsic, overload
 
     if config.DISABLE_JIT:  # for debuggers
@@ -94,8 +91,8 @@ shortest2_reach = 0.009999999999983007  # the shortest, with what rounding adds 
 longest2_apart = 0.48999999999998795  # the longest, where branches merge [m^2]
 shortest2_apart = 0.010000000000001705  # the shortest, where branches merge [m^2]
 free_limit_squared2 = 7.224999999999999e-25  # square of a length that fixes no angle [m^2]
-doubtful_slack = 0.01  # a row may miss the pose by this before it is tightened
-doubtful_slack1 = 0.0085  # a row may miss the pose by this before it is tightened [m]
+pose_slack = 1e-05  # a pose may be rounded by this
+pose_slack1 = 8.5e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 doubt_limit_squared2 = 7.224999999999999e-07  # square of a length that fixes no angle [m^2]
@@ -105,9 +102,9 @@ m2 = 1.25  # a coefficient of S1
 m3 = 0.08750000000000001  # a coefficient of S1
 m4 = 1.666666666666667  # a coefficient of c12
 m5 = 0.1166666666666667  # a coefficient of c12
-m6 = 7.225000000000002e-25  # exact_slack1^2 [m^2]
-m7 = 1e-24  # exact_slack^2
-m8 = 1.4450000000000004e-10  # 2 * pose_slack1^2 [m^2]
+m6 = 7.225e-11  # pose_slack1^2 [m^2]
+m7 = 1.0000000000000002e-10  # pose_slack^2
+m8 = 1.445e-10  # 2 * pose_slack1^2 [m^2]
 m9 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
@@ -249,311 +246,6 @@ _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
 _NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
-_APART = []  # what is compiled apart: functions, and the types of their arguments
-
-
-def _address(number):
-    """Where the code of a function is that is compiled apart."""
-    function, arguments = _APART[number]
-    function.compile(arguments)
-    compiled = function.overloads[arguments]
-    return compiled.library.get_pointer_to_function(compiled.fndesc.llvm_func_name)
-
-
-# Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr 65df8bdcf3dde2b3"
-if _COMPILED:
-    sys.modules[_KEY] = ModuleType(_KEY)
-    sys.modules[_KEY].address = _address
-
-
-def _apart(signature):
-    """Compiles a function apart from its callers.
-
-    numba copies what a function calls into it, with all that this calls, and optimises everything
-    anew in each caller. Of these functions a caller has the address, which it asks for at its first
-    call: when it comes out of the cache it does not know it.
-    """
-    if not _COMPILED:
-        return lambda function: function
-    arguments, result = normalize_signature(signature)
-
-    def ask(context, builder, number, place):
-        api = context.get_python_api(builder)
-        lock = api.gil_ensure()
-        module = api.import_module(context.insert_const_string(builder.module, _KEY))
-        with builder.if_then(cgutils.is_not_null(builder, module)):
-            which = api.long_from_ssize_t(context.get_constant(types.intp, number))
-            answer = api.call_method(module, "address", (which,))
-            with builder.if_then(cgutils.is_not_null(builder, answer)):
-                builder.store(api.long_as_voidptr(answer), place)
-                api.decref(answer)
-            api.decref(module)
-        api.gil_release(lock)
-
-    def decorate(function):
-        number = len(_APART)
-        _APART.append((_inner(function), arguments))
-
-        def code(context, builder, called, values):
-            given = zip(cgutils.unpack_tuple(builder, values[0]), called.args[0], arguments)
-            values = [context.cast(builder, *each) for each in given]
-            place = cgutils.add_global_variable(builder.module, cgutils.voidptr_t, f"apart{number}")
-            place.initializer, place.linkage = cgutils.get_null_value(cgutils.voidptr_t), "internal"
-            with builder.if_then(cgutils.is_null(builder, builder.load(place)), likely=False):
-                ask(context, builder, number, place)
-            address = builder.load(place)
-            with builder.if_then(cgutils.is_null(builder, address), likely=False):
-                context.call_conv.return_exc(builder)
-            kind = context.call_conv.get_function_type(result, arguments).as_pointer()
-            status, value = context.call_conv.call_function(
-                builder, builder.bitcast(address, kind), result, arguments, values
-            )
-            with cgutils.if_unlikely(builder, status.is_error):
-                context.call_conv.return_status_propagate(builder, status)
-            return value
-
-        return intrinsic(lambda _, *values: (result(types.StarArgTuple(values)), code))
-
-    return decorate
-
-
-@_inner
-def _missed_by(pose, q):
-    """By how much joint values miss the entries that count: the root of the sum of squares."""
-    c1 = math.cos(q[0])
-    s1 = math.sin(q[0])
-    c2 = math.cos(q[1])
-    s2 = math.sin(q[1])
-    x2_x = c1 * c2 - s1 * s2
-    x2_y = s1 * c2 + c1 * s2
-    c3 = math.cos(q[2])
-    s3 = math.sin(q[2])
-    T11_ = x2_x * c3 - x2_y * s3
-    T21_ = x2_y * c3 + x2_x * s3
-    T14_ = c1 * a1 + x2_x * a2 + T11_ * a3
-    T24_ = s1 * a1 + x2_y * a2 + T21_ * a3
-    miss = 0.0
-    off = T11_ - pose[0]
-    miss += (1.0 * off) ** 2
-    off = -T21_ - pose[1]
-    miss += (1.0 * off) ** 2
-    off = 0.0 - pose[2]
-    miss += (1.0 * off) ** 2
-    off = T14_ - pose[3]
-    miss += (1.1764705882352942 * off) ** 2
-    off = T21_ - pose[4]
-    miss += (1.0 * off) ** 2
-    off = T11_ - pose[5]
-    miss += (1.0 * off) ** 2
-    off = 0.0 - pose[6]
-    miss += (1.0 * off) ** 2
-    off = T24_ - pose[7]
-    miss += (1.1764705882352942 * off) ** 2
-    off = 0.0 - pose[8]
-    miss += (1.0 * off) ** 2
-    off = 0.0 - pose[9]
-    miss += (1.0 * off) ** 2
-    off = 1.0 - pose[10]
-    miss += (1.0 * off) ** 2
-    off = 0.0 - pose[11]
-    miss += (1.1764705882352942 * off) ** 2
-    return math.sqrt(miss)
-
-
-# The joints that are solved for, and whether they turn; what a step of one means, in rad or
-# lengths, and the same over the arm's size. Below, u are these joints in units.
-_SOLVED = np.array([0, 1, 2])
-_TURNING = np.array([True, True, True])
-_UNIT = np.array([1.0, 1.0, 1.0])
-_MEASURE = np.array([1.1764705882352942, 1.1764705882352942, 1.1764705882352942])
-
-
-@_inner
-def _turn_vector(axis, cosine, vector):
-    """The rotation vector of an axis times the sine, and the cosine."""
-    sine = math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
-    if sine < 1e-09 and cosine < 0.0:  # half a turn: any axis will do
-        vector[0] = 1.5079644737231006
-        vector[1] = 1.8849555921538759
-        vector[2] = 2.0106192982974678
-        return
-    scale = 1.0 if sine < 1e-09 else math.atan2(sine, cosine) / sine
-    for i in range(3):
-        vector[i] = scale * axis[i]
-
-
-@_inner
-def _look(T, q, u, e, A):
-    """By how much u misses the pose, into e and returned as a length, and its Jacobian into A."""
-    for j in range(3):
-        q[_SOLVED[j]] = _UNIT[j] * u[j]
-    P, J = fk(q), jacobian(q)
-    for j in range(3):
-        column = _SOLVED[j]
-        A[0, j] = _MEASURE[j] * J[0, column]
-        A[1, j] = _MEASURE[j] * J[1, column]
-        A[2, j] = _MEASURE[j] * J[2, column]
-        for i in range(3):
-            A[3 + i, j] = J[3 + i, column]
-    e[0] = (T[0, 3] - P[0, 3]) / 0.85
-    e[1] = (T[1, 3] - P[1, 3]) / 0.85
-    e[2] = (T[2, 3] - P[2, 3]) / 0.85
-    R = np.zeros((3, 3))
-    for i in range(3):
-        for j in range(3):
-            for k in range(3):
-                R[i, j] += T[i, k] * P[j, k]
-    axis = 0.5 * (R[2, 1] - R[1, 2]), 0.5 * (R[0, 2] - R[2, 0]), 0.5 * (R[1, 0] - R[0, 1])
-    _turn_vector(axis, 0.5 * (R[0, 0] + R[1, 1] + R[2, 2] - 1.0), e[3:])
-    square = 0.0
-    for i in range(6):
-        square += e[i] * e[i]
-    return math.sqrt(square)
-
-
-@_inner
-def _damped_step(A, e, length, step):
-    """The damped least squares step A' (A A' + damping)^-1 e."""
-    damping = 0.1 * min(length * length, 1.0) + 1e-13
-    L, y = np.zeros((6, 6)), np.empty(6)
-    for i in range(6):
-        y[i] = e[i]
-        for j in range(i + 1):
-            total = damping if i == j else 0.0
-            for k in range(3):
-                total += A[i, k] * A[j, k]
-            for k in range(j):
-                total -= L[i, k] * L[j, k]
-            L[i, j] = math.sqrt(max(total, 1e-13)) if i == j else total / L[j, j]
-        for k in range(i):
-            y[i] -= L[i, k] * y[k]
-        y[i] /= L[i, i]
-    for i in range(5, -1, -1):
-        for k in range(i + 1, 6):
-            y[i] -= L[k, i] * y[k]
-        y[i] /= L[i, i]
-    for j in range(3):
-        step[j] = 0.0
-        for i in range(6):
-            step[j] += A[i, j] * y[i]
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(3):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
-
-
-@_inner
-def _tightened(T, exact, first, q):
-    """Takes a row to where damped least squares lead, unless it is exact or can't be.
-
-    Returns by how much it misses the pose then, and whether it was moved; `first` is what it misses
-    the pose by before.
-    """
-    if first <= exact:
-        return first, False
-    e, A = np.empty(6), np.empty((6, 3))
-    joints, u, step = q.copy(), np.empty(3), np.empty(3)
-    for j in range(3):
-        u[j] = q[_SOLVED[j]] / _UNIT[j]
-    best, least, moved = u.copy(), math.inf, False
-    for k in range(24 + 1):
-        length = _look(T, joints, u, e, A)
-        slow = not length <= 0.5 * least
-        if length < least:
-            least, moved = length, k > 0
-            _take(best, u)
-        if slow or least <= exact:
-            break
-        _damped_step(A, e, length, step)
-        for j in range(3):
-            u[j] += step[j]
-    if least > exact:  # the pose is rounded, or this is no solution
-        return first, False
-    if moved:
-        _wrap_angles(best)
-        for j in range(3):
-            q[_SOLVED[j]] = _UNIT[j] * best[j]
-    return least, moved
-
-
-@_inner
-def _repeats(q, held, moved, row):
-    """Whether a row that was moved came to lie on another."""
-    gap = np.empty(3)
-    for k in range(2):
-        if not held[k] or k == row or (k > row and moved[k]):
-            continue
-        for j in range(3):
-            gap[j] = (q[k, _SOLVED[j]] - q[row, _SOLVED[j]]) / _UNIT[j]
-        _wrap_angles(gap)
-        if np.abs(gap).max() < 1e-06:
-            return True
-    return False
-
-
-@_apart("void(float64[:, ::1], float64, float64[::1], float64[:, ::1], boolean[::1])")
-def _tighten_rows(T, exact, miss, q, held):
-    """Tightens the rows; ends those that do not fit, and all but one that have become the same.
-
-    Where one is exact the pose has not been rounded: then all have to be exact.
-    """
-    moved = np.zeros(2, np.bool_)
-    least = math.inf
-    for row in range(2):
-        if held[row]:
-            miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
-            least = min(least, miss[row])
-    enough = exact if least <= exact else 1e-05
-    for row in range(2):
-        held[row] = held[row] and miss[row] <= enough
-    for row in range(2):
-        if moved[row] and _repeats(q, held, moved, row):
-            held[row] = False
-
-
-@_inner
-def _tighten(pose, q, status):
-    """Tightens the rows that have a solution; some may have none then."""
-    distance = 1.0  # arm sizes
-    distance = max(distance, abs(pose[3]) / 0.85)
-    distance = max(distance, abs(pose[7]) / 0.85)
-    distance = max(distance, abs(pose[11]) / 0.85)
-    exact = 1e-12 * distance
-    worst = 0.0
-    for row in range(2):
-        if status[row] != UNREACHABLE:
-            worst = max(worst, _missed_by(pose, q[row]))
-    if worst <= exact:
-        return
-    T, rows, miss = np.empty((3, 4)), np.empty((2, 3)), np.empty(2)
-    held = np.empty(2, np.bool_)
-    for i in range(3):
-        for j in range(4):
-            T[i, j] = pose[4 * i + j]
-    for row in range(2):
-        held[row] = status[row] != UNREACHABLE
-        miss[row] = _missed_by(pose, q[row])
-        _take(rows[row], q[row])
-    _tighten_rows(T, exact, miss, rows, held)
-    for row in range(2):
-        if not held[row]:
-            status[row] = UNREACHABLE
-        for i in range(3):
-            q[row, i] = rows[row, i] if held[row] else math.nan
-
-
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others.
@@ -601,11 +293,10 @@ def _solve(pose, seed, q, status):
 
     # is the pose one that the arm can take?
     if (
-        not (abs(T34) <= doubtful_slack1 and (abs(T33 - 1.0) <= doubtful_slack and (abs(T32) <=
-        doubtful_slack and (abs(T31) <= doubtful_slack and (abs(T23) <= doubtful_slack and (abs(T22
-        - c123) <= doubtful_slack and (abs(T21 - s123) <= doubtful_slack and (abs(T13) <=
-        doubtful_slack and (abs(T11 - c123) <= doubtful_slack and abs(T12 + s123) <=
-        doubtful_slack)))))))))
+        not (abs(T34) <= pose_slack1 and (abs(T33 - 1.0) <= pose_slack and (abs(T32) <= pose_slack
+        and (abs(T31) <= pose_slack and (abs(T23) <= pose_slack and (abs(T22 - c123) <= pose_slack
+        and (abs(T21 - s123) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c123) <=
+        pose_slack and abs(T12 + s123) <= pose_slack)))))))))
     ):
         return  # the arm can't take this pose
 
@@ -632,8 +323,8 @@ def _solve(pose, seed, q, status):
         c12 = c2 * c1 - s2 * s1
         s12 = c2 * s1 + s2 * c1
         if (
-            not (abs(T14 - (a2 * c12 + (v3 + a1 * c1))) <= doubtful_slack1 and abs(T24 - (a2 * s12 +
-            (v4 + a1 * s1))) <= doubtful_slack1)
+            not (abs(T14 - (a2 * c12 + (v3 + a1 * c1))) <= pose_slack1 and abs(T24 - (a2 * s12 + (v4
+            + a1 * s1))) <= pose_slack1)
         ):
             continue  # the arm can't take this pose
 
@@ -819,8 +510,6 @@ def _whole(pose, seed, q, status):
     for row in range(2):
         if status[row] >= _LOST:
             _choose_again(pose, seed, row, q, status)
-    _tighten(pose, q, status)
-    for row in range(2):
         if status[row] == UNREACHABLE:
             continue
         for i in range(3):
@@ -977,7 +666,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a pose is singular or rounded. numba compiles
+    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1277,8 +966,6 @@ def warm_up():
     _unseeded(T, q, status)
     _nearest(q, status, _ZEROS, True, np.empty(3))
     ik_batch(T[np.newaxis])
-    for number in range(len(_APART)):
-        _address(number)
 
 
 def _share(solve, cores, *arrays):

@@ -6,10 +6,7 @@ from dataclasses import replace
 from functools import partial, reduce
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
-from dhgen.kinematics.numeric import numeric_arm
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.branches import branch_words
 from dhgen.paul.forms import unknown_name
@@ -18,9 +15,8 @@ from dhgen.paul.step import Kind
 from dhgen.program.angles import Angles
 from dhgen.program.arm_plane import lower_shoulder
 from dhgen.program.builder import Builder
-from dhgen.program.given import given_values
-from dhgen.program.interpret import interpret
-from dhgen.program.ir import Failure, Roots
+from dhgen.program.checks import Checks, checks_needed
+from dhgen.program.ir import Failure
 from dhgen.program.kernels import KERNELS
 from dhgen.program.polynomials import PolynomialLowering
 from dhgen.program.scales import Scales
@@ -29,8 +25,6 @@ from dhgen.program.tolerances import TOLERANCES
 from dhgen.program.whole import whole_program
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Polynomial
@@ -41,75 +35,22 @@ if TYPE_CHECKING:
     from dhgen.program.schedule import Option
     from dhgen.program.tolerances import Tolerances
 
-TRIED = 50  # poses on which a program's rows are looked at
-OTHER = 0.7  # from a pose's joint values to those of another seed [rad or length]
-
 
 def lower(derivation: Derivation, tolerances: Tolerances = TOLERANCES) -> Program:
     """The program of a derivation, for arithmetic with these tolerances."""
+    chain = derivation.problem.algebra.chain
     if derivation.whole is not None:
-        return whole_program(derivation.problem.algebra.chain, derivation.whole)
-    checked = derivation.problem.redundant
-    program = Lowering(derivation, tolerances, checked=checked).run()
-    if not checked and _has_strangers(derivation, program):
-        checked = True
-        program = Lowering(derivation, tolerances, checked=True).run()
-    if checked and _follows_the_seed(derivation, program):
-        program = Lowering(derivation, tolerances, checked=True, again=True).run()
-    return _tightened(program, derivation.problem.algebra.chain, tolerances, checked=checked)
+        return whole_program(chain, derivation.whole)
 
+    def lowered(checks: Checks) -> Program:
+        return Lowering(derivation, tolerances, checks).run()
 
-def _tightened(program: Program, chain: Chain, tolerances: Tolerances, *, checked: bool) -> Program:
-    """Rows that are checked, or that come from roots of a polynomial, may be good to few digits."""
-    rooted = any(isinstance(statement, Roots) for statement in program.body)
-    if not (checked or rooted) or not _tightens(chain, tolerances):
+    checks = checks_needed(derivation, tolerances, lowered)
+    program = lowered(checks)
+    if not checks.tightened:
         return program
     kernel = numerical_kernel(chain, redundant=False)
-    return replace(program, tightened=replace(kernel, checked=checked, most=program.rows))
-
-
-def _tightens(chain: Chain, tolerances: Tolerances) -> bool:
-    """Whether rows can be tightened: exact ones can be told, and the task says all of a row."""
-    return tolerances.tell_rounding and not chain.arm_angle
-
-
-def _tried(chain: Chain) -> NDArray[np.float64]:
-    """Joint vectors anywhere, at right angles, and half of each."""
-    source = np.random.default_rng(17)
-    everywhere = source.uniform(-2.5, 2.5, (TRIED, chain.dof))
-    right = source.integers(-1, 3, everywhere.shape) * (np.pi / 2)
-    mixed = np.where(source.random(everywhere.shape) < 0.5, right, everywhere)
-    return np.concatenate([everywhere, right, mixed])
-
-
-def _follows_the_seed(derivation: Derivation, program: Program) -> bool:
-    """Whether rows are lost by another seed than the joint values that made the pose.
-
-    A joint was free there, and not every value of it makes the arm take the pose.
-    """
-    chain = derivation.problem.algebra.chain
-    arm, q = numeric_arm(chain), _tried(chain)
-    poses, given = arm.pose(q), given_values(arm, q)
-    own, other = (interpret(program, poses, seed, given) for seed in (q, q + OTHER))
-    return bool(np.any(own.solved & ~other.solved))
-
-
-def _has_strangers(derivation: Derivation, program: Program) -> bool:
-    """Whether rows come out that do not reproduce their pose.
-
-    Equations may leave a part of the task unsaid, be it only at right angles; then every row has to
-    be checked.
-    """
-    chain = derivation.problem.algebra.chain
-    arm, q = numeric_arm(chain), _tried(chain)
-    poses = arm.pose(q)
-    rows = interpret(program, poses, q, given_values(arm, q))
-    reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
-    miss = np.abs(reached - poses[:, None])
-    miss[..., :3, 3] /= chain.size
-    named = [(int(e[1]) - 1, int(e[2]) - 1) for e in task_entries(chain.task)]
-    worst = np.max([miss[..., i, j] for i, j in named], axis=0)
-    return bool(np.any(worst[rows.solved] > TOLERANCES.consistent))
+    return replace(program, tightened=replace(kernel, checked=checks.rows, most=program.rows))
 
 
 class Lowering:
@@ -125,20 +66,11 @@ class Lowering:
     Args:
         derivation: What to compute, and why.
         tolerances: Of the arithmetic that the program is for.
-        checked: Whether every row is compared with the pose.
-        again: Whether a row that fails this may pass by another value of a free joint.
+        checks: What is done about rows that do not reproduce their pose.
     """
 
-    def __init__(
-        self,
-        derivation: Derivation,
-        tolerances: Tolerances,
-        *,
-        checked: bool,
-        again: bool = False,
-    ) -> None:
-        self._checked = checked
-        self._again = again
+    def __init__(self, derivation: Derivation, tolerances: Tolerances, checks: Checks) -> None:
+        self._checks = checks
         self._derivation = derivation
         self._problem = derivation.problem
         self._algebra = derivation.problem.algebra
@@ -162,7 +94,7 @@ class Lowering:
             self.builder.heading(_unknowns(step), _source(step))
             KERNELS[step.kind](self, step)
             self._shoulder(step)
-        if self._checked:
+        if self._checks.rows:
             self._check()
         self.builder.heading("joint values")
         joints = {f"q{n}": self.angles.joint_value(n) for n in range(1, chain.dof + 1)}
@@ -293,7 +225,7 @@ class Lowering:
         builder = self.builder
         builder.heading("is the pose one that the arm can take?")
         misses = self._misses()
-        total = self._length(misses) if self._again else None
+        total = self._length(misses) if self._checks.again else None
         chosen = () if total is None else builder.deciding(self.angles.free_options(), total)
         groups: dict[tuple[int, ...], list[Node]] = {}  # by the signs that they depend on
         for miss, degree in misses:
@@ -329,7 +261,7 @@ class Lowering:
         builder, scales = self.builder, self.scales
         tolerances = scales.tolerances
         slack = scales.tolerance(tolerances.consistent, degree, "consistent")
-        if not _tightens(self.chain, tolerances):
+        if not self._checks.tightened:
             return slack
         wide = scales.tolerance(tolerances.doubtful, degree, "doubtful")
         flags = list(dict.fromkeys(option.flag for option in chosen))

@@ -16,6 +16,7 @@ from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import Derivation, derive
 from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind, Step
+from dhgen.program.checks import Checks
 from dhgen.program.interpret import Rows, interpret
 from dhgen.program.kernels import KERNELS
 from dhgen.program.lower import Lowering
@@ -72,7 +73,7 @@ def kernel_program(
     unknowns = (*angles, *((slide(),) if slides else ()))
     roots = {Kind.LENGTH: 1, Kind.ANGLE_PAIR: 1}.get(kind, 2)
     step = Step(kind, unknowns, (), tuple(values.items()), roots, 0)
-    context = Lowering(Derivation(pool(), (step,), ((),)), TOLERANCES, checked=False)
+    context = Lowering(Derivation(pool(), (step,), ((),)), TOLERANCES, Checks(rows=False))
     context.step_number = 1
     KERNELS[kind](context, step)
     results = {"r": context.value(slide().name)} if slides else {}

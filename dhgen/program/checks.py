@@ -1,0 +1,136 @@
+"""What a program's rows do on poses where they are tried, and what is to be done about it.
+
+Equations may leave a part of the task unsaid, or say it to few digits, be it only at right angles
+or just beside them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.problem import task_entries
+from dhgen.program.given import given_values
+from dhgen.program.interpret import interpret
+from dhgen.program.ir import Roots
+from dhgen.program.tolerances import TOLERANCES
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.chain import Chain
+    from dhgen.paul.derivation import Derivation
+    from dhgen.program.interpret import Rows
+    from dhgen.program.ir import Program
+    from dhgen.program.tolerances import Tolerances
+
+    FloatArray = NDArray[np.float64]
+
+TRIED = 50  # poses of each sort
+OTHER = 0.7  # from a pose's joint values to those of another seed [rad or length]
+BESIDE = tuple(10.0**power for power in range(-13, -2))  # of right angles [rad or length]
+
+
+@dataclass(frozen=True, slots=True)
+class Checks:
+    """What is done about rows that do not reproduce their pose.
+
+    Attributes:
+        rows: Every row is compared with the pose.
+        again: A row that fails this may pass by another value of a free joint.
+        tightened: A row that is not exact takes some steps of damped least squares.
+    """
+
+    rows: bool
+    again: bool = False
+    tightened: bool = False
+
+
+def checks_needed(
+    derivation: Derivation, tolerances: Tolerances, lowered: Callable[[Checks], Program]
+) -> Checks:
+    """No more than the arm needs.
+
+    Args:
+        derivation: What is to be computed.
+        tolerances: Of the arithmetic that the program is for.
+        lowered: The program with given checks.
+    """
+    chain = derivation.problem.algebra.chain
+    checks = Checks(rows=derivation.problem.redundant)
+    program = lowered(checks)
+    if not checks.rows and _has_strangers(chain, program):
+        checks = Checks(rows=True)
+        program = lowered(checks)
+    if checks.rows and _follows_the_seed(chain, program):
+        checks = replace(checks, again=True)
+        program = lowered(checks)
+    if not tolerances.tell_rounding or chain.arm_angle:
+        return checks  # exact rows can't be told, or the task doesn't say all of a row
+    # where roots nearly meet they are good to few digits, which poses that are tried don't show
+    rooted = any(isinstance(statement, Roots) for statement in program.body)
+    return replace(checks, tightened=rooted or (checks.rows and _is_inexact(chain, program)))
+
+
+def _everywhere(chain: Chain) -> FloatArray:
+    """Joint vectors anywhere, at right angles, and half of each."""
+    source = np.random.default_rng(17)
+    anywhere = source.uniform(-2.5, 2.5, (TRIED, chain.dof))
+    right = source.integers(-1, 3, anywhere.shape) * (np.pi / 2)
+    mixed = np.where(source.random(anywhere.shape) < 0.5, right, anywhere)
+    return np.concatenate([anywhere, right, mixed])
+
+
+def _beside(chain: Chain) -> FloatArray:
+    """Joint vectors beside right angles."""
+    source = np.random.default_rng(18)
+    shape = len(BESIDE), TRIED, chain.dof
+    right = source.integers(-1, 3, shape) * (np.pi / 2)
+    near = np.array(BESIDE)[:, None, None] * source.uniform(-1.0, 1.0, shape)
+    return np.asarray((right + near).reshape(-1, chain.dof))
+
+
+def _follows_the_seed(chain: Chain, program: Program) -> bool:
+    """Whether rows are lost by another seed than the joint values that made the pose.
+
+    A joint was free there, and not every value of it makes the arm take the pose.
+    """
+    arm, q = numeric_arm(chain), _everywhere(chain)
+    poses, given = arm.pose(q), given_values(arm, q)
+    own, other = (interpret(program, poses, seed, given) for seed in (q, q + OTHER))
+    return bool(np.any(own.solved & ~other.solved))
+
+
+def _has_strangers(chain: Chain, program: Program) -> bool:
+    """Whether rows come out that do not reproduce their pose.
+
+    Equations may leave a part of the task unsaid, be it only at right angles; then every row has to
+    be checked.
+    """
+    rows, misses = _misses(chain, program, _everywhere(chain))
+    return bool(np.any(misses[rows.solved] > TOLERANCES.consistent))
+
+
+def _is_inexact(chain: Chain, program: Program) -> bool:
+    """Whether rows that pass for solutions are not exact, or poses are left without a row."""
+    q = np.concatenate([_everywhere(chain), _beside(chain)])
+    rows, misses = _misses(chain, program, q)
+    lost = ~rows.solved.any(axis=1)
+    return bool(lost.any() or np.any(misses[rows.solved] > TOLERANCES.exact))
+
+
+def _misses(chain: Chain, program: Program, q: FloatArray) -> tuple[Rows, FloatArray]:
+    """The rows for the poses of joint vectors, and by how much each misses its pose."""
+    arm = numeric_arm(chain)
+    poses = arm.pose(q)
+    rows = interpret(program, poses, q, given_values(arm, q))
+    reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
+    miss = np.abs(reached - poses[:, None])
+    miss[..., :3, 3] /= chain.size
+    named = [(int(e[1]) - 1, int(e[2]) - 1) for e in task_entries(chain.task)]
+    return rows, np.max([miss[..., i, j] for i, j in named], axis=0)
