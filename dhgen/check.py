@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from dhgen.compiler import compile_robot
 from dhgen.errors import DhgenError, about
 from dhgen.program.tolerances import DOUBLE, SINGLE
+from dhgen.robot_files import same_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -45,10 +46,14 @@ def compare(files: tuple[Path, ...], out: Path, *, numerical: bool = False) -> C
     """The folder against what the compiler makes; a file that is refused hides no other."""
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}
-    refusals = []
+    refusals: list[DhgenError] = []
     for path, made in zip(files, _compile_all(files, numerical=numerical), strict=True):
         if isinstance(made, DhgenError):
             refusals.append(made)
+            continue
+        other = next((makers[n] for n, text in made.items() if expected.get(n, text) != text), None)
+        if other:
+            refusals.append(same_name(path, other))
             continue
         for name, text in made.items():
             expected[name] = text

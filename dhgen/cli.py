@@ -8,6 +8,7 @@ import io
 import os
 import sys
 import tempfile
+from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,12 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.compiler import Compilation
+    from dhgen.robot_files import RobotFile
     from dhgen.targets.module import SolverModule
+
+FAULT = """\
+the fault is dhgen's, not the file's; nothing is written
+a report with the robot file helps to mend it"""
 
 OUT = Path("generated")
 NUMERICAL = "numerical"
@@ -25,7 +31,7 @@ NUMERICAL = "numerical"
 # What the first word may be meant as where it is no file.
 MEANT = {
     **{verb: f"dhgen {verb}" for verb in ("explain", "survey")},
-    **{option: f"dhgen --{option}" for option in ("check", "numerical", "help")},
+    **{option: f"dhgen --{option}" for option in ("check", "numerical", "help", "version")},
 }
 
 EPILOG = """\
@@ -35,6 +41,7 @@ verbs:
   dhgen --numerical FILE   let the numerical solver take what nothing else solves
   dhgen explain FILE       print the whole derivation (--alternatives: other valid steps)
   dhgen survey PATH ...    count the solutions of many arms against a search (--poses N)
+  dhgen --version          print the version
 
 exit codes: 0 done, 1 stale or not solved, 2 a mistake in a file or on the command line
 """
@@ -84,7 +91,17 @@ def _parser() -> argparse.ArgumentParser:
         help="where to write, or with --check what to compare (default: generated)",
     )
     _add_numerical(parser)
+    parser.add_argument(
+        "--version", action="version", version=f"dhgen {_version()}", help="print the version"
+    )
     return parser
+
+
+def _version() -> str:
+    try:
+        return metadata.version("dhgen")
+    except metadata.PackageNotFoundError:  # a checkout
+        return "(not installed)"
 
 
 def _refuse_misspelt(first: Path) -> None:
@@ -152,10 +169,9 @@ def _survey_parser() -> argparse.ArgumentParser:
 
 
 def _positive(word: str) -> int:
-    number = int(word)
-    if number < 1:
-        raise argparse.ArgumentTypeError("at least 1")
-    return number
+    if not word.isdecimal() or int(word) < 1:
+        raise argparse.ArgumentTypeError(f"must be a whole number above zero, not '{word}'")
+    return int(word)
 
 
 def _tell(text: str) -> None:
@@ -164,54 +180,55 @@ def _tell(text: str) -> None:
         print(f"  {text} ...", file=sys.stderr, flush=True)
 
 
-def _compile(path: Path, options: argparse.Namespace) -> Compilation:
-    from dhgen.compiler import compile_robot  # noqa: PLC0415 - errors and --help need no sympy
+def _compile(file: RobotFile, options: argparse.Namespace) -> Compilation:
+    from dhgen.compiler import compile_loaded  # noqa: PLC0415 - errors and --help need no sympy
 
-    with about(path):
-        return compile_robot(path, _tell, numerical=options.numerical)
+    for notice in file.robot.notices:
+        print(f"note: {notice}", file=sys.stderr)
+    with about(file.path):
+        return compile_loaded(file, _tell, numerical=options.numerical)
 
 
 def _write(options: argparse.Namespace) -> int:
-    from dhgen.compiler import verified  # noqa: PLC0415
-    from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
+    from dhgen.robot_files import load_all  # noqa: PLC0415
 
-    worst = 0
-    written: dict[str, Path] = {}
-    for path in options.files:
+    files, refusals = load_all(options.files)
+    for refusal in refusals:
+        print(refusal, file=sys.stderr)
+    worst = max((refusal.exit_code for refusal in refusals), default=0)
+    for file in files:
         try:
-            compilation = _compile(path, options)
-            for notice in compilation.robot.notices:
-                print(f"note: {notice}", file=sys.stderr)
-            module = compilation.module
-            if options.numerical and module.method != NUMERICAL:
-                print("note: --numerical is not needed", file=sys.stderr)
-            print(f"{compilation.robot.name}: {compilation.robot.title}")
-            print(derivation_summary(compilation.robot, compilation.derivation, module.solver))
-            report = verified(compilation, _tell)
+            _write_one(file, options)
         except DhgenError as error:
             print(error, file=sys.stderr)
             if isinstance(error, VerificationError):
-                print("the fault is dhgen's, not the file's; nothing is written", file=sys.stderr)
+                print(FAULT, file=sys.stderr)
             worst = max(worst, error.exit_code)
-            continue
-        name = compilation.robot.name
-        if name in written:
-            print(f"{path}: {written[name]} has the same name, '{name}'", file=sys.stderr)
-            worst = max(worst, 2)
-            continue
-        written[name] = path
-        options.out.mkdir(parents=True, exist_ok=True)
-        for name, text in compilation.files.items():
-            (options.out / name).write_text(text, encoding="utf-8", newline="\n")
-        compiled = _compared(module) if report.compiled else "no C compiler found: C not tried"
-        print(
-            f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "
-            f"{report.residual:.1e} arm sizes; {compiled}"
-        )
-        if report.single is not None:
-            print(f"in single precision: largest residual {report.single:.1e} arm sizes")
-        print(f"wrote {', '.join(str(options.out / name) for name in _own(compilation))}\n")
     return worst
+
+
+def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
+    from dhgen.compiler import verified  # noqa: PLC0415
+    from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
+
+    compilation = _compile(file, options)
+    module = compilation.module
+    if options.numerical and module.method != NUMERICAL:
+        print("note: --numerical is not needed", file=sys.stderr)
+    print(f"{compilation.robot.name}: {compilation.robot.title}")
+    print(derivation_summary(compilation.robot, compilation.derivation, module.solver))
+    report = verified(compilation, _tell)
+    options.out.mkdir(parents=True, exist_ok=True)
+    for name, text in compilation.files.items():
+        (options.out / name).write_text(text, encoding="utf-8", newline="\n")
+    compiled = _compared(module) if report.compiled else "no C compiler found: C not tried"
+    print(
+        f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "
+        f"{report.residual:.1e} arm sizes; {compiled}"
+    )
+    if report.single is not None:
+        print(f"in single precision: largest residual {report.single:.1e} arm sizes")
+    print(f"wrote {', '.join(str(options.out / name) for name in _own(compilation))}\n")
 
 
 def _compared(module: SolverModule) -> str:
@@ -227,21 +244,24 @@ def _own(compilation: Compilation) -> list[str]:
 
 def _check(options: argparse.Namespace) -> int:
     from dhgen.check import compare  # noqa: PLC0415
+    from dhgen.robot_files import each_once  # noqa: PLC0415
 
-    found = compare(tuple(options.files), options.out, numerical=options.numerical)
+    files = each_once(options.files)
+    found = compare(files, options.out, numerical=options.numerical)
     for told in (*found.refusals, *found.problems):
         print(told, file=sys.stderr)
     if not found.exit_code:
-        count = len(options.files)
+        count = len(files)
         print(f"{options.out}: up to date with {count} robot file{'s' if count > 1 else ''}")
     return found.exit_code
 
 
 def _explain(options: argparse.Namespace) -> int:
     from dhgen.program.text import program_text  # noqa: PLC0415
+    from dhgen.robot_files import RobotFile  # noqa: PLC0415
     from dhgen.targets.derivation import alternatives_text, derivation_terminal  # noqa: PLC0415
 
-    compilation = _compile(options.file, options)
+    compilation = _compile(RobotFile.read(options.file), options)
     derivation, program = compilation.derivation, compilation.module.solver
     if options.alternatives:
         print(alternatives_text(derivation))

@@ -27,7 +27,7 @@ from dhgen.program.arm_plane import arm_angle_program
 from dhgen.program.forward import forward_program, jacobian_program
 from dhgen.program.lower import lower
 from dhgen.program.tolerances import DOUBLE, SINGLE
-from dhgen.robot.load import load
+from dhgen.robot_files import RobotFile
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
 from dhgen.verify.single import verify_single
@@ -77,16 +77,34 @@ def compile_robot(
         UnsolvedError: No derivation solves the arm.
         PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
-    robot = load(path)
+    return compile_loaded(RobotFile.read(path), tell, numerical=numerical)
+
+
+def compile_loaded(
+    file: RobotFile, tell: Callable[[str], None] = lambda _: None, *, numerical: bool = False
+) -> Compilation:
+    """Everything after the robot file has been read, but verification.
+
+    Args:
+        file: The robot file, read.
+        tell: Is told what is being done, for progress.
+        numerical: Whether the numerical solver may take what nothing else solves, as when the
+            file says so.
+
+    Raises:
+        UnsolvedError: No derivation solves the arm.
+        PrecisionError: The arm can't be solved in single precision, which the file asks for.
+    """
+    robot, source = file.robot, source_name(file.path)
     tell("deriving")
     chain = build_chain(robot)
     derivation = derive(chain, numerical=numerical or robot.numerical)
     tell("writing programs")
-    module = _module(robot, derivation, source_name(path), DOUBLE)
+    module = _module(robot, derivation, source, DOUBLE)
     single = None
     if robot.float32:
         _demand_closed_form(derivation)
-        single = _module(robot, derivation, source_name(path), SINGLE)
+        single = _module(robot, derivation, source, SINGLE)
     files = emit(robot, derivation, module, single)
     return Compilation(robot, derivation, module, single, files)
 

@@ -19,6 +19,7 @@ import ctypes
 import hashlib
 import importlib.util
 import os
+import shlex
 import shutil
 import subprocess
 import tempfile
@@ -54,7 +55,7 @@ class BuildError(RuntimeError):
 
 
 def native(
-    module: ModuleType, *, compiler: str | None = None, flags: Sequence[str] = FLAGS
+    module: ModuleType, *, compiler: str | None = None, flags: str | Sequence[str] = FLAGS
 ) -> ModuleType:
     """A robot's module whose solving is done in C.
 
@@ -62,7 +63,7 @@ def native(
         module: The robot's Python; its C and header are looked for in the same folder.
         compiler: A C compiler that takes the flags of gcc: a name or a path. Without it $CC, cc,
             gcc or clang, the first one that there is.
-        flags: For the compiler.
+        flags: For the compiler, in place of FLAGS: words, or a text that is split as a shell does.
 
     Raises:
         TypeError: What is given is no robot's module.
@@ -77,7 +78,8 @@ def native(
     for source in (path.with_suffix(".c"), path.with_suffix(".h")):
         if not source.exists():
             raise FileNotFoundError(f"{source} is not there: native compiles it beside {path.name}")
-    library = _build(path.with_suffix(".c"), _compiler(compiler), flags)
+    words = shlex.split(flags) if isinstance(flags, str) else flags
+    library = _build(path.with_suffix(".c"), _compiler(compiler), words)
     # The same text once more: its functions find those of the C where those of numba were.
     spec = importlib.util.spec_from_file_location(module.__name__, path)
     if spec is None or spec.loader is None:

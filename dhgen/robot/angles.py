@@ -80,6 +80,14 @@ def snap_notice(value: float, exact: float, meant: Expression) -> str | None:
     return f"is {distance:.1e} away from {to_text(meant)} and taken as {to_text(meant)}"
 
 
+def turns_notice(value: float) -> str | None:
+    """What the user is told about radians that look like degrees; None for NaN, too."""
+    if not MOST_TURNS * 2.0 * math.pi < abs(value) < math.inf:
+        return None
+    turns = abs(value) / (2.0 * math.pi)
+    return f"is {turns:.3g} turns: write {value:g} deg if degrees are meant"
+
+
 def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
     """What the user is told about an angle that looks like a slip.
 
@@ -91,9 +99,8 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
     """
     if not math.isfinite(value):
         return None
-    if unit == "pi" and abs(value) > MOST_TURNS * 2.0 * math.pi:
-        turns = abs(value) / (2.0 * math.pi)
-        return f"is {turns:.3g} turns: write {value:g} deg if degrees are meant"
+    if unit == "pi" and (notice := turns_notice(value)):
+        return notice
     quarters = round(value / (math.pi / 2))
     distance = abs(value - quarters * math.pi / 2)
     if not SNAP < distance <= SLIP:

@@ -14,6 +14,7 @@ from dhgen.robot.angles import (
     exact_cosine,
     slip_notice,
     snap_notice,
+    turns_notice,
     twelfths,
 )
 from dhgen.robot.arithmetic import parse
@@ -104,6 +105,14 @@ class Cells:
         if not self.degrees or expression in (ZERO, INVALID) or self._speaks_of_pi(expression):
             return expression
         return Binary("*", expression, DEGREE)
+
+    def note_turns(self, path: Path, text: str, expression: Expression) -> bool:
+        """Whether a plain number of radians looks like degrees, of which there is a notice then."""
+        if self._speaks_of_pi(expression):
+            return False
+        if notice := turns_notice(self.value(expression)):
+            self.report.notice(path, f"{quoted(text.strip())} {notice}")
+        return notice is not None
 
     def snap_length(self, path: Path, text: str, expression: Expression) -> Expression:
         """The exact form of a length."""

@@ -176,8 +176,16 @@ def _syntax_error(source: SourceText, error: MarkedYAMLError) -> Diagnostic:
     end = len(source.text.rstrip())
     mark = cast("StreamMark | None", error.problem_mark or error.context_mark)
     context = f" {error.context}" if error.context else ""
-    message = f"this is no YAML: {error.problem or 'unreadable'}{context}"
-    return source.point(Span(min(mark.index, end) if mark else 0), " ".join(message.split()))
+    place = Span(min(mark.index, end) if mark else 0)
+    message = f"this is no YAML: {error.problem or 'unreadable'}{context}{_tabs(source, place)}"
+    return source.point(place, " ".join(message.split()))
+
+
+def _tabs(source: SourceText, place: Span) -> str:
+    """The end of a message about a line that begins with a tab, which nobody sees."""
+    line = source.lines[source.number(place)]
+    indent = line[: len(line) - len(line.lstrip())]
+    return "; YAML wants spaces at the beginning of a line, not tabs" if "\t" in indent else ""
 
 
 def _index(source: SourceText, root: Node) -> tuple[dict[int, _Pairs], list[Diagnostic]]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from dhgen.errors import Diagnostic
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
-_LONGEST_SHOWN = 200
+_LONGEST_SHOWN = 120
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,10 +45,14 @@ class SourceText:
         lines = tuple(text[start:stop] for start, stop in zip(starts, stops, strict=True))
         return cls(file, text, lines, starts)
 
+    def number(self, span: Span) -> int:
+        """Which line a place stands in, from 0."""
+        return bisect.bisect_right(self.starts, max(span.start, 0)) - 1
+
     def point(self, span: Span, message: str) -> Diagnostic:
         """A remark with the line of the place and a caret under it."""
         start = min(max(span.start, 0), len(self.text))
-        number = bisect.bisect_right(self.starts, start) - 1
+        number = self.number(span)
         line = self.lines[number]
         column = min(start - self.starts[number], len(line))
         # A line that fills the screen hides the caret; the position alone then says more.

@@ -8,11 +8,16 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
 
 import numba
 import pytest
 
 from dhgen.cli import main
+from dhgen.errors import UnsolvedError
+
+if TYPE_CHECKING:
+    from dhgen.robot_files import RobotFile
 
 ROOT = Path(__file__).resolve().parents[2]
 PLANAR = ROOT / "robots" / "planar_rr.yaml"
@@ -218,6 +223,54 @@ def test_one_bad_file_among_good_ones(tmp_path: Path) -> None:
     assert names(tmp_path / "generated") == FILES
 
 
+@pytest.mark.parametrize("verb", [[], ["explain"]])
+def test_notes_are_told_once_and_before_a_refusal(
+    verb: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("slip.yaml").write_text(UNSOLVABLE.replace("0.4, alpha: 0", "0.4, limits: [-90, 90]"))
+    assert main([*verb, "slip.yaml"]) == 1
+    note, refusal = capsys.readouterr().err.split("slip.yaml: ", 1)
+    assert note.startswith("note: slip.yaml:6:39: '-90' is 14.3 turns: write -90 deg")
+    assert "turns" not in refusal
+
+
+def test_two_files_of_one_name_are_refused_before_the_work(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def work(file: RobotFile, *_: object) -> NoReturn:
+        worked.append(file.path)
+        raise UnsolvedError(capsys.readouterr().err)
+
+    worked: list[Path] = []
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("dhgen.cli._compile", work)
+    shutil.copy(PLANAR, "again.yaml")
+    again = "again.yaml: {} has a robot of the same name: give one of them another"
+    assert main([str(PLANAR), "again.yaml", os.path.relpath(PLANAR)]) == 2
+    assert capsys.readouterr().err.startswith(again.format(PLANAR))
+    assert worked == [PLANAR]
+
+
+def test_check_of_two_files_of_one_name_and_of_one_file_twice(
+    written: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(copy(written, tmp_path))
+    twice = ["--check", "robots/planar_rr.yaml", "./robots/../robots/planar_rr.yaml"]
+    assert main(twice) == 0
+    assert capfd.readouterr().out == "generated: up to date with 1 robot file\n"
+    shutil.copy(PLANAR, "again.yaml")
+    assert main([*twice, "again.yaml"]) == 2
+    told = "again.yaml: robots/planar_rr.yaml has a robot of the same name: "
+    assert capfd.readouterr() == ("", f"{told}give one of them another\n")
+
+
 def test_what_fails_verification_is_not_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -225,7 +278,9 @@ def test_what_fails_verification_is_not_written(
     monkeypatch.setattr("dhgen.verify.verify.RESIDUAL", 1e-30)
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
     assert main([str(PLANAR)]) == 1
-    assert "a row misses the pose" in capsys.readouterr().err
+    told = capsys.readouterr().err
+    assert "a row misses the pose" in told
+    assert told.endswith("nothing is written\na report with the robot file helps to mend it\n")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -242,7 +297,13 @@ def test_a_folder_that_cannot_be_written_is_found_out_before_the_work(
 
 
 @pytest.mark.parametrize(
-    ("word", "meant"), [("explan", "explain"), ("survy", "survey"), ("check", "--check")]
+    ("word", "meant"),
+    [
+        ("explan", "explain"),
+        ("survy", "survey"),
+        ("check", "--check"),
+        ("version", "--version"),
+    ],
 )
 def test_a_misspelt_verb(word: str, meant: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main([word, str(PLANAR)]) == 2
@@ -264,10 +325,21 @@ def test_a_mistake_on_the_command_line_is_exit_2(words: list[str], tmp_path: Pat
     assert done.stderr.startswith("usage: dhgen")
 
 
-def test_help_needs_no_sympy(tmp_path: Path) -> None:
-    done = dhgen("--help", folder=tmp_path, PYTHONPROFILEIMPORTTIME="1")
+def test_a_number_of_poses_that_is_none(capsys: pytest.CaptureFixture[str]) -> None:
+    for word in ("x", "0", "-3", "1.5"):
+        with pytest.raises(SystemExit, match="2"):
+            main(["survey", str(PLANAR), "--poses", word])
+        wanted = f"--poses: must be a whole number above zero, not '{word}'\n"
+        assert capsys.readouterr().err.endswith(wanted)
+
+
+@pytest.mark.parametrize(
+    ("option", "told"), [("--help", "exit codes: 0 done"), ("--version", "dhgen ")]
+)
+def test_help_and_version_need_no_sympy(option: str, told: str, tmp_path: Path) -> None:
+    done = dhgen(option, folder=tmp_path, PYTHONPROFILEIMPORTTIME="1")
     assert done.returncode == 0
-    assert "exit codes: 0 done" in done.stdout
+    assert told in done.stdout
     assert "argparse" in done.stderr
     assert "sympy" not in done.stderr
 

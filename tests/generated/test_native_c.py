@@ -160,4 +160,6 @@ def test_what_the_compiler_refuses(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     helper = module("dhgen_native")
     with pytest.raises(helper.BuildError, match="-fno-such-flag"):
         helper.native(module("scara"), flags=("-fno-such-flag",))
+    with pytest.raises(helper.BuildError, match="cc -fno-such-flag -DA=b c -dM"):
+        helper.native(module("scara"), compiler="cc", flags="-fno-such-flag '-DA=b c'")
     assert not list(tmp_path.iterdir())

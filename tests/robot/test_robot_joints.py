@@ -194,6 +194,33 @@ def test_degrees_in_a_file_of_radians_are_told() -> None:
     assert not robot(table("theta: q, alpha: 90 deg, limits: [-7, 7]")).notices
 
 
+@pytest.mark.parametrize(
+    ("limits", "message"),
+    [
+        ("[-170, 170]", "'-170' is 27.1 turns: write -170 deg if degrees are meant"),
+        ("[0, w]", "'w' is 25.5 turns: write 160 deg if degrees are meant"),
+    ],
+)
+def test_limits_of_many_turns_are_told_once_a_joint(limits: str, message: str) -> None:
+    loaded = robot(table(f"theta: q, limits: {limits}", parameters="{w: 160}"))
+    assert [notice.message for notice in loaded.notices] == [message]
+
+
+@pytest.mark.parametrize(
+    ("joint", "unit"),
+    [
+        ("theta: q, limits: [-1080 deg, 6*pi]", "rad"),
+        ("theta: q, limits: [-w, w]", "rad"),
+        ("theta: q, limits: [-1.5708, 12.566]", "rad"),  # limits may be rounded
+        ("theta: q, limits: [-1080, 1080]", "deg"),
+        ("d: q, limits: [-170, 170]", "rad"),
+    ],
+)
+def test_limits_of_turns_that_are_meant_are_left_alone(joint: str, unit: str) -> None:
+    text = table(joint, parameters="{w: 1080 deg}", units=f"{{angle: {unit}}}")
+    assert not robot(text).notices
+
+
 def test_axes() -> None:
     loaded = robot(axes(f"{TURN}, limits: [-1, 1]", SLIDE))
     assert isinstance(loaded.geometry, ReferenceAxes)

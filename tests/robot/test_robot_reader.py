@@ -123,3 +123,20 @@ def test_paths_and_texts_load_the_same(tmp_path: Path) -> None:
     path = tmp_path / "r.yaml"
     path.write_text(MINIMAL, encoding="utf-8")
     assert load(path) == load(str(path)) == load_text(MINIMAL, str(path))
+
+
+@pytest.mark.parametrize("text", ["name: r\njoints:\n\t- {theta: q}\n", "name: r\n \ttask: x\n"])
+def test_tabs_at_the_beginning_of_a_line_are_named(text: str) -> None:
+    assert mistake(text).endswith("; YAML wants spaces at the beginning of a line, not tabs")
+
+
+def test_other_mistakes_of_yaml_are_not_blamed_on_tabs() -> None:
+    assert "spaces" not in mistake("name: r\njoints: [\n\n")
+
+
+def test_what_is_no_text_does_not_fill_the_screen(tmp_path: Path) -> None:
+    path = tmp_path / "r.yaml"
+    path.write_bytes(b"4^" + b"\xff\xc3\xa9" * 1000)
+    with pytest.raises(RobotFileError, match="the file is not UTF-8: save it so") as info:
+        load(path)
+    assert max(len(line) for line in str(info.value).splitlines()[1:]) <= 124

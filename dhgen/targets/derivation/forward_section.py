@@ -18,10 +18,11 @@ from dhgen.targets.derivation.formula import (
     equal,
     times,
 )
+from dhgen.targets.derivation.given_pose import BASE, POSE, TOOL, given_pose
 from dhgen.targets.derivation.jacobian import jacobian_blocks, jacobian_columns
 from dhgen.targets.derivation.lines import WIDTH, laid_out, width
 from dhgen.targets.derivation.matrices import forward_of, link_matrix
-from dhgen.targets.derivation.names import forward_matrix, link, product_of
+from dhgen.targets.derivation.names import forward_matrix, link, product_of, target
 from dhgen.targets.derivation.style import PLAIN
 
 if TYPE_CHECKING:
@@ -35,7 +36,6 @@ if TYPE_CHECKING:
 PAGE = 60  # lines
 MOST_TERMS = 400  # more of them fill more than a page, however they are nested
 
-BASE, TOOL = Symbol("Z", "Z"), Symbol("E", "E")
 T_BASE_TOOL = Symbol(r"T_{\mathrm{base,tool}}", "T_base,tool")
 
 
@@ -182,11 +182,12 @@ def _relations(story: Story) -> list[Block]:
     if not found:
         return []
     text = (
-        "Whatever the joints do, some entries of {} are constant or repeat others; a pose that "
-        "breaks these relations is out of the arm's reach:"
+        "Let {} be the pose that the tool is to take, and {}. Whatever the joints do, some entries "
+        "of {} are constant or repeat others; a pose that breaks these relations is out of the "
+        "arm's reach:"
     )
-    given = equal(Symbol("U_0", "U₀"), Symbol("(t_{ij})", "(tᵢⱼ)"))
-    return [paragraph(text, given), display(Listing(tuple(found)))]
+    given = paragraph(text, POSE, given_pose(story), target(0))
+    return [given, display(Listing(tuple(found)))]
 
 
 def matrix_of(transform: Transform, write: Callable[[Polynomial], Formula]) -> Matrix:

@@ -11,7 +11,7 @@ from dhgen.paul.problem import task_entries
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.derivation.blocks import Given, Heading, display, joined, paragraph, say
 from dhgen.targets.derivation.formula import Element, Listing, Product, Symbol, equal, times
-from dhgen.targets.derivation.forward_section import BASE, TOOL
+from dhgen.targets.derivation.given_pose import BASE, POSE, TOOL, given_pose, moved_left
 from dhgen.targets.derivation.matrices import (
     known_matrix,
     left_name,
@@ -34,8 +34,6 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.matrices import Form
     from dhgen.targets.derivation.story import Story
 
-POSE = Symbol(r"\mathit{POS}", "POS")
-
 
 def inverse_beginning(story: Story) -> list[Block]:
     """Everything before the first step."""
@@ -54,14 +52,7 @@ def inverse_beginning(story: Story) -> list[Block]:
 
 def _given(story: Story) -> list[Block]:
     """U_0, and its entries where base or tool are moved to the left."""
-    problem = story.derivation.problem
-    algebra = story.algebra
-    still = identity(algebra.ring)
-    base, tool = algebra.lift(algebra.chain.base), algebra.lift(algebra.chain.tool)
-    left, right = problem.base_left and base != still, problem.tool_left and tool != still
-    factors = [*([inverse_name(BASE)] if left else []), POSE]
-    factors += [inverse_name(TOOL)] if right else []
-    name = equal(target(0), times(*factors), Symbol("(t_{ij})", "(tᵢⱼ)"))
+    left, right = moved_left(story)
     method = say(
         "Paul's method multiplies both sides of {} by {}, {} and so on from the left, {}, until an "
         "element holds one unknown or is of one of the types of document 003.",
@@ -70,13 +61,17 @@ def _given(story: Story) -> list[Block]:
         inverse_name(link(2)),
         equal(Symbol("U_i", "Uᵢ"), Symbol(r"A_i^{-1} U_{i-1}", "Aᵢ⁻¹ Uᵢ₋₁")),
     )
-    named = sorted(task_entries(algebra.chain.task))
+    named = sorted(task_entries(story.algebra.chain.task))
     which = say("")
     if len(named) < 12:
         which = say(" Of its entries the task gives {}.", _named(story))
     blocks: list[Block] = [
         paragraph(
-            "The pose {} of the tool is given, and with it {}.{} {}", POSE, name, which, method
+            "The pose {} of the tool is given, and with it {}.{} {}",
+            POSE,
+            given_pose(story),
+            which,
+            method,
         )
     ]
     if left or right:
