@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhgen.errors import PrecisionError
+from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import derive
 from dhgen.paul.step import Kind
@@ -155,7 +155,11 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
         report = verify(compilation.module, Path(folder))
         if compilation.single is None:
             return report
-        return replace(report, single=verify_single(compilation.single, Path(folder)))
+        try:
+            return replace(report, single=verify_single(compilation.single, Path(folder)))
+        except VerificationError as error:
+            way_out = "in double precision all is well: leave float32 out meanwhile"
+            raise VerificationError(f"{error}\n{way_out}") from error
 
 
 def source_name(path: Path) -> str:

@@ -14,7 +14,7 @@ import numba
 import pytest
 
 from dhgen.cli import main
-from dhgen.errors import UnsolvedError
+from dhgen.errors import UnsolvedError, VerificationError
 
 if TYPE_CHECKING:
     from dhgen.robot_files import RobotFile
@@ -282,6 +282,22 @@ def test_what_fails_verification_is_not_written(
     assert "a row misses the pose" in told
     assert told.endswith("nothing is written\na report with the robot file helps to mend it\n")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_what_fails_in_single_precision_only_is_told_the_way_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def miss(*_: object) -> NoReturn:
+        raise VerificationError("a row misses the pose")
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("dhgen.compiler.verify", lambda *_: None)
+    monkeypatch.setattr("dhgen.compiler.verify_single", miss)
+    Path("coarse.yaml").write_text(f"{PLANAR.read_text()}float32: true\n")
+    assert main(["coarse.yaml"]) == 1
+    told = "a row misses the pose\nin double precision all is well: leave float32 out meanwhile\n"
+    assert capsys.readouterr().err.startswith(told)
+    assert names(tmp_path) == ["coarse.yaml"]
 
 
 @pytest.mark.parametrize("out", ["file", "file/below"])
