@@ -501,7 +501,7 @@ typedef struct {
 
 static const welding_5r_formulation welding_5r_formulations[2] = {
     { { 3, 2, 1, 0, 5, 4 }, -1.0 },
-    { { 4, 5, 0, 1, 2, 3 }, 1.0 },
+    { { 1, 2, 3, 4, 5, 0 }, 1.0 },
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside

@@ -296,7 +296,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 3c6048eab135de08"
+_KEY = "welding_5r 98014f4be7174e20"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -688,7 +688,7 @@ _WELDING_5R_NUDGES = np.array([
 # A formulation: the joints phi_1 (hidden) ... phi_6 are; the sign of phi = sign q.
 _WELDING_5R_JOINTS = np.array([
     [3, 2, 1, 0, 5, 4],
-    [4, 5, 0, 1, 2, 3],
+    [1, 2, 3, 4, 5, 0],
 ])
 _WELDING_5R_SIGNS = np.array([-1.0, 1.0, ])
 

@@ -30,7 +30,7 @@ def general_kernel(chain: Chain) -> GeneralKernel | None:
     The others are held at the values that the caller gives. Five are enough, too, with a sixth that
     the arm does not have: where the tool only points, its turn about its own axis, whose value
     nobody needs; where the whole pose is asked for, a turn that has to come out as zero. None for
-    arms of other kinds, for tasks other than these, and where every elimination vanishes.
+    arms of other kinds, for tasks other than these, and where every elimination fails.
     """
     if not is_general(chain):
         return None

@@ -14,6 +14,9 @@ A joint may slide: its features are linear in (1, d, d²) as those of a turn are
 polynomial would not be one on the circle, nor be φ4. It is φ2 or φ3 as a rule; where axes
 side by side are parallel, or meet, at several places, the determinants of that kind may all vanish,
 but not those where it is φ5 or φ6.
+
+Three parallel axes, or three that meet, must not be φ4, φ5 and φ6: φ1, φ2 and φ3 then leave two
+solutions for them, and a root of the determinant leads to one.
 """
 
 from __future__ import annotations

@@ -26,7 +26,9 @@ SLIDES_OF_FOUR_TURNS = 2
 NOISE_LIMIT = 1e-9
 # A true angle that is displaced by more is no root at all: rounding moves even a triple one less.
 NO_ROOT = 1e-3
-
+# A ratio of singular values: of an angle that is not determined it is rounding, of axes which are
+# parallel but for a calibration it is above 1e-5. What is emitted squares it.
+UNDETERMINED = 1e-6
 
 MOST_OF_FOUR_TURNS = 8
 
@@ -54,16 +56,20 @@ class Score:
         typical: Median displacement of the true root by rounding [rad]. Near 1e-8 or above when
             every root is double.
         worst: Its 99 % quantile [rad].
+        determined: How well φ5 follows from φ1, φ2 and φ3: 0 where a root stands for two solutions,
+            of which one would be lost, and the certificate would not know of it.
     """
 
     noise: float
     typical: float
     worst: float
+    determined: float = 1.0
 
     @property
-    def vanishes(self) -> bool:
-        """Whether there is no polynomial to speak of, or none that has the true angles as roots."""
-        return self.noise >= NOISE_LIMIT or self.typical >= NO_ROOT
+    def fails(self) -> bool:
+        """Whether there is no polynomial to speak of, or not one with a root for each solution."""
+        no_polynomial = self.noise >= NOISE_LIMIT or self.typical >= NO_ROOT
+        return no_polynomial or self.determined <= UNDETERMINED
 
 
 @dataclass(frozen=True, slots=True)

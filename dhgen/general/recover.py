@@ -125,35 +125,78 @@ def remaining_angles(
     return (*phi, phi_4, phi_5, phi_6)
 
 
+def middle_determined(K: FloatArray, M: FloatArray, slides: Sequence[bool]) -> float:
+    """How well φ5 follows from B = J(φ4) K J(φ5) M J(φ6): 0 where B leaves two values, or any.
+
+    Where axes 4 to 6 are parallel, or meet in a point, all invariants have one and the same
+    combination of cos φ5 and sin φ5, which says φ5 but for a sign.
+
+    Args:
+        K: The link between φ4 and φ5, (4, 4), in arm sizes.
+        M: The link between φ5 and φ6.
+        slides: Which of φ1 ... φ6 is a length.
+
+    Returns:
+        The least singular value of what φ5 is solved from; of an angle over the largest one.
+    """
+    inner, outer = (slides[place] for place in OTHERS)
+    if outer:
+        return float(np.linalg.norm(K[2, :2]))
+    if inner:
+        return float(np.linalg.norm(_middle_slope(K, M)))
+    matrix, _ = _middle_equations(K, M)
+    largest, least = np.linalg.svd(matrix, compute_uv=False)
+    return float(least / (largest + TINY))
+
+
 def _middle_angle(B: FloatArray, K: FloatArray, M: FloatArray) -> float:
     """φ5 of B = Rz(φ4) K Rz(φ5) M Rz(φ6), by least squares on five invariants."""
     l, p = B[:3, 2], B[:3, 3]
+    t, e, u = K[:3, 3], M[:3, 2], M[:3, 3]
+    values = (
+        l[2],
+        p[2] - t[2],
+        p @ l - u @ e,
+        (p @ p - t @ t - u @ u) / 2,
+        np.cross(p, l)[2],
+    )
+    matrix, rest = _middle_equations(K, M)
+    (c, s), *_ = np.linalg.lstsq(matrix, np.array(values) - rest, rcond=None)
+    return atan2(s, c)
+
+
+def _middle_equations(K: FloatArray, M: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Five invariants' coefficients of cos φ5 and sin φ5, (5, 2), and of 1, (5,)."""
     R, t, e, u = K[:3, :3], K[:3, 3], M[:3, 2], M[:3, 3]
     axis, foot, side = R.T @ EZ, R.T @ t, R.T @ np.cross(EZ, t)
     terms = (
-        ([(axis, e)], l[2]),
-        ([(axis, u)], p[2] - t[2]),
-        ([(foot, e)], p @ l - u @ e),
-        ([(foot, u)], (p @ p - t @ t - u @ u) / 2),
-        ([(axis, np.cross(u, e)), (side, e)], np.cross(p, l)[2]),
+        [(axis, e)],
+        [(axis, u)],
+        [(foot, e)],
+        [(foot, u)],
+        [(axis, np.cross(u, e)), (side, e)],
     )
-    matrix = [[sum(a[:2] @ b[:2] for a, b in sides) for sides, _ in terms]]
-    matrix.append([sum(a[1] * b[0] - a[0] * b[1] for a, b in sides) for sides, _ in terms])
-    target = [value - sum(a[2] * b[2] for a, b in sides) for sides, value in terms]
-    (c, s), *_ = np.linalg.lstsq(np.array(matrix).T, np.array(target), rcond=None)
-    return atan2(s, c)
+    cosine = [sum(a[:2] @ b[:2] for a, b in sides) for sides in terms]
+    sine = [sum(a[1] * b[0] - a[0] * b[1] for a, b in sides) for sides in terms]
+    rest = [sum(a[2] * b[2] for a, b in sides) for sides in terms]
+    return np.array([cosine, sine]).T, np.array(rest)
 
 
 def _middle_length(B: FloatArray, K: FloatArray, M: FloatArray) -> float:
     """d of B = Rz(φ4) K Tz(d) M Rz(φ6), by least squares on three invariants."""
     l, p = B[:3, 2], B[:3, 3]
     R, t, e, u = K[:3, :3], K[:3, 3], M[:3, 2], M[:3, 3]
-    axis = R.T @ EZ
-    slope = np.array([axis @ EZ, EZ @ e, axis @ np.cross(EZ, e)])
+    slope = _middle_slope(K, M)
     start, direction = t + R @ u, R @ e
     rest = [p[2] - start[2], p @ l - start @ direction]
     rest.append((np.cross(p, l) - np.cross(start, direction))[2])
     return float(slope @ rest / (slope @ slope + TINY))
+
+
+def _middle_slope(K: FloatArray, M: FloatArray) -> FloatArray:
+    """The coefficients of a length φ5 in three invariants, (3,)."""
+    axis, e = K[2, :3], M[:3, 2]
+    return np.array([axis @ EZ, EZ @ e, axis @ np.cross(EZ, e)])
 
 
 def _before_a_slide(B: FloatArray, K: FloatArray, M: FloatArray) -> tuple[float, float, float]:

@@ -7,6 +7,7 @@ Those that never do are preferred, and at every such value one of those that are
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import log10, sqrt
 from random import Random
 from typing import TYPE_CHECKING
@@ -21,6 +22,7 @@ from dhgen.general.kernel import SLIDES_OF_FOUR_TURNS, GeneralKernel, Score
 from dhgen.general.links import Held, Value
 from dhgen.general.loop import JOINTS, QUARTERS, close_loop
 from dhgen.general.offset_wrist import offset_wrist
+from dhgen.general.recover import middle_determined
 from dhgen.general.rigid import multiply
 
 if TYPE_CHECKING:
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
 
 WITNESSES = 120
 FEW_WITNESSES = 40  # for each special value of a held joint
+SOME_WITNESSES = 5  # for what doesn't need a statistic
 SEED = 6
 
 # A median displacement above this comes from roots that are double for every pose: the square
@@ -57,7 +60,7 @@ def setup(constants: Sequence[Link], slides: tuple[int, ...] = ()) -> GeneralKer
         slides: Which of the six joints slide, from 0, two at most; the others turn.
 
     Returns:
-        The kernel, or None when all formulations vanish identically.
+        The kernel, or None when all formulations fail.
 
     Raises:
         ValueError: The constants are not those of an arm with six joints and with lengths.
@@ -70,14 +73,14 @@ def setup(constants: Sequence[Link], slides: tuple[int, ...] = ()) -> GeneralKer
 
 
 def _chosen(loop: Loop, every: Sequence[Formulation]) -> GeneralKernel | None:
-    """The kernel with the best of these formulations; None when all of them vanish."""
+    """The kernel with the best of these formulations; None when all of them fail."""
     scores = _scores(loop, every, WITNESSES)
     special = [_scores(loop, every, FEW_WITNESSES, held) for held in _special(loop)]
-    vanishing = [any(some[i].vanishes for some in special) for i in range(len(every))]
+    vanishing = [any(some[i].fails for some in special) for i in range(len(every))]
     ranked = sorted(
         (_rank(score) + (VANISHING_PENALTY if vanishing[i] else 0), i)
         for i, score in enumerate(scores)
-        if not score.vanishes
+        if not score.fails
     )
     if not ranked:
         return None
@@ -85,7 +88,7 @@ def _chosen(loop: Loop, every: Sequence[Formulation]) -> GeneralKernel | None:
     others = [i for _, i in ranked if every[i].joints[0] != every[first].joints[0]]
     chosen = [first, *others[:1]]
     for some in special:
-        serving = [i for i, score in enumerate(some) if not score.vanishes]
+        serving = [i for i, score in enumerate(some) if not score.fails]
         if serving and not set(serving) & set(chosen):
             chosen.append(min(serving, key=lambda i: (_rank(some[i]), i)))
     return GeneralKernel(
@@ -127,10 +130,23 @@ def _scores(
     sampled = _polynomials if of_four_turns else _determinants
     result = []
     for formulation in every:
-        samples = sampled(formulation.links(links, poses), formulation.slides(loop.slides))
+        around, slides = formulation.links(links, poses), formulation.slides(loop.slides)
+        samples = sampled(around, slides)
         hidden = [values[formulation.joints[0]] for values in q]
-        result.append(_score(samples, [(x.cosine, formulation.sign * x.sine) for x in hidden]))
+        score = _score(samples, [(x.cosine, formulation.sign * x.sine) for x in hidden])
+        if not of_four_turns:
+            score = replace(score, determined=_determined(around, slides))
+        result.append(score)
     return result
+
+
+def _determined(links: Sequence[FloatArray], slides: Sequence[bool]) -> float:
+    """How well φ5 follows from φ1 to φ3, at the best of some witnesses; links are (N, 4, 4) each.
+
+    What the arm's structure leaves open is open at all of them.
+    """
+    some = zip(links[3][:SOME_WITNESSES], links[4][:SOME_WITNESSES], strict=True)
+    return max(middle_determined(K, M, slides) for K, M in some)
 
 
 def _witnesses(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,14 +13,25 @@ from dhgen.general.pointing import any_turn
 from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.robot.load import load
 from dhgen.survey.oracle.newton import all_solutions
-from tests.general.files import SLIDE, TURNS, skew
+from tests.general.files import SLIDE, TURNS, alike, skew
 
 if TYPE_CHECKING:
     from pathlib import Path
 
 
 POSES = 2
+PARALLEL = """name: arm
+task: pointing
+tool: {{xyz: [0.05, 0, 0.2], rpy: [0, 45 deg, 0]}}
+joints:
+  - {{theta: q, d: 0.4, a: 0.1, alpha: pi/2}}
+  - {{theta: q, d: 0, a: 0.5, alpha: 0}}
+  - {{theta: q, d: 0, a: 0.45, alpha: 0}}
+  - {{theta: q + pi/2, d: {}, a: 0, alpha: pi/2}}
+  - {{theta: q, d: 0.12, a: 0, alpha: 0}}
+"""
 
 
 @pytest.mark.parametrize(
@@ -48,6 +60,34 @@ def test_all_solutions(tmp_path: Path, place: int, free: int | None) -> None:
         for row in expected[:, solved]:
             turns = np.remainder(rows_found - row + np.pi, 2 * np.pi) - np.pi
             assert np.abs(turns).max(axis=1).min() < 1e-6
+
+
+# q: where two and four of a pose's solutions used to be found
+@pytest.mark.parametrize(
+    ("d4", "q"),
+    [
+        (0.08, (1.0075, -1.5987, 1.6871, -1.8116, 2.0815)),
+        (0.0, (0.742, 2.783, 1.732, -1.727, -1.256)),
+    ],
+)
+def test_each_formulation_finds_both_elbows(
+    tmp_path: Path, d4: float, q: tuple[float, ...]
+) -> None:
+    """Axes 2 to 4 are parallel: on the right side of a formulation they leave two solutions."""
+    path = tmp_path / "arm.yaml"
+    path.write_text(PARALLEL.format(d4), encoding="utf-8")
+    arm = load(path)
+    chain = build_chain(arm)
+    kernel, T = general_kernel(chain), numeric_arm(chain).pose(np.array(q))
+    assert kernel is not None
+    expected = all_solutions(arm, T)
+    assert len(kernel.formulations) == 2
+    for formulation in kernel.formulations:
+        found = solve(T, replace(kernel, formulations=(formulation,)))
+        assert found.complete
+        same = alike(joint_values(found.q, chain), expected, np.full(5, fill_value=True))
+        np.testing.assert_array_equal(same.sum(axis=0), 1)
+        np.testing.assert_array_equal(same.sum(axis=1), 1)
 
 
 @pytest.mark.parametrize(
