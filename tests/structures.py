@@ -6,8 +6,6 @@ STRUCTURES = (
     "fanuc_crx10ia",
     "franka_panda",
     "kuka_iiwa14_arm_angle",
-    "kuka_youbot",
-    "olson_pprrrr",
     "planar_rrrr",
     "puma560",
     "scara",
@@ -20,10 +18,7 @@ STRUCTURES = (
 # Those whose Python numba compiles in the tests, at up to half a minute each; the Python of the
 # others runs there without it.
 COMPILED = (
-    "cuspidal_3r",
     "fanuc_crx10ia",
-    "kuka_iiwa14_arm_angle",
-    "puma560",
     "scara",
     "scorbot_pointing",
     "ur5",

@@ -215,7 +215,7 @@ def test_python_takes_any_numbers_and_tells_what_it_wants() -> None:
             call()
 
 
-@pytest.mark.parametrize("name", ["puma560", "scara"])
+@pytest.mark.parametrize("name", ["ur5", "scara"])
 def test_control_loops_allocate_nothing(name: str) -> None:
     """Also where a pose is only rounded, and made a rotation first."""
     _nrt.memsys_enable_stats()

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 # Joint 5 is straight where its value is this.
 STRAIGHT = {"kuka_kr6_r900": 0.0, "puma560": 0.0, "stanford": 0.0, "ur5": 0.0}
-POSES = 12
+POSES = 6
 BUILDS = ("vectors", "portable", "scalar", "libm")
 HELD = (0, 2, 3)  # OK, FREE_JOINT, OUT_OF_LIMITS
 NEARLY = 1e-3  # [rad or arm sizes]
