@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.problem import task_entries
 from dhgen.program.given import given_values
@@ -132,5 +133,5 @@ def _misses(chain: Chain, program: Program, q: FloatArray) -> tuple[Rows, FloatA
     reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
     miss = np.abs(reached - poses[:, None])
     miss[..., :3, 3] /= chain.size
-    named = [(int(e[1]) - 1, int(e[2]) - 1) for e in task_entries(chain.task)]
+    named = [POSE_PLACES[name] for name in task_entries(chain.task)]
     return rows, np.max([miss[..., i, j] for i, j in named], axis=0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial, reduce
+from functools import cache, partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
@@ -42,6 +42,7 @@ def lower(derivation: Derivation, tolerances: Tolerances = TOLERANCES) -> Progra
     if derivation.whole is not None:
         return whole_program(chain, derivation.whole)
 
+    @cache  # the last that was tried is mostly the one that is wanted
     def lowered(checks: Checks) -> Program:
         return Lowering(derivation, tolerances, checks).run()
 
