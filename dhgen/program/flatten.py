@@ -18,7 +18,7 @@ from dhgen.program.ir import Apply, Heading, Integer, Joint, Let, Pose, Variable
 if TYPE_CHECKING:
     from dhgen.program.graph import Node
     from dhgen.program.ir import Expression, Program
-    from dhgen.program.regular import Regular
+    from dhgen.program.unguarded import Regular
 
 FOLDED = "h"  # what the names of constants made here begin with
 PLUS, MINUS = 1, -1

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from dhgen.program.flatten import Choice, Flat
     from dhgen.program.ir import Expression, Program, Statement
-    from dhgen.program.regular import Regular
+    from dhgen.program.unguarded import Regular
     from dhgen.targets.c_lanes import Declaration
     from dhgen.targets.module import SolverModule
 

@@ -28,7 +28,7 @@ from dhgen.targets.walk import (
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.program.ir import NamedConstant, Program
-    from dhgen.program.regular import Regular
+    from dhgen.program.unguarded import Regular
 
 
 LAST = 3  # column of a pose: its translation

@@ -1,0 +1,306 @@
+"""A program without its guards: what is assumed of regular poses put in, and the doubts told."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import reduce
+from typing import TYPE_CHECKING
+
+from dhgen.program.assumptions import Assumptions, joined, meeting
+from dhgen.program.builder import Builder
+from dhgen.program.endings import Endings
+from dhgen.program.ir import (
+    Apply,
+    Failure,
+    Guard,
+    Heading,
+    Integer,
+    Joint,
+    Let,
+    Pose,
+    Variable,
+)
+from dhgen.program.limits import Limiting
+from dhgen.program.scales import DOUBTFUL, FREE_LIMIT
+from dhgen.program.signed import Signed, SignedArithmetic
+
+if TYPE_CHECKING:
+    from dhgen.program.graph import Node
+    from dhgen.program.ir import Expression, NamedConstant, Program
+    from dhgen.program.limits import Limits
+    from dhgen.program.tolerances import Tolerances
+
+FOLDED = "m"  # what the names of constants made here begin with
+
+
+@dataclass(frozen=True, slots=True)
+class Regular:
+    """What is computed for a regular pose.
+
+    Attributes:
+        program: Without guards. Its outputs are those of a row, and then truth values of which
+            one, in one branch, is enough to leave the pose to the whole program.
+        joints: The values of the joints, NaN in all of them where a branch has no solution.
+        outside: Whether one of them is outside its limits; None where there are no limits.
+        doubts: The truth values.
+    """
+
+    program: Program
+    joints: tuple[Expression, ...]
+    outside: Expression | None
+    doubts: tuple[Expression, ...]
+
+
+class Unguarded:
+    """The making of it, statement by statement."""
+
+    def __init__(
+        self,
+        program: Program,
+        limits: tuple[Limits | None, ...],
+        kept: frozenset[str],
+        tolerances: Tolerances,
+    ) -> None:
+        self._program = program
+        self._kept = kept  # the inverse lengths that stay in front as long as they can
+        self._limits = limits
+        self._tolerances = tolerances
+        # how much farther from where a joint is free regular poses end
+        self._wider = tolerances.near / tolerances.free
+        self._slacks: dict[Node, tuple[Node, Node]] = {}  # what is exact, and what may be rounded
+        self._exact = _compared(program)
+        self._builder = Builder(reserved=set(), folded=FOLDED)
+        self._arithmetic = SignedArithmetic(self._builder)
+        self._values: dict[str, Signed] = {}
+        self._assumptions = Assumptions(program)
+        self._doubts: list[Node] = []
+        self._endings = Endings(self._builder)
+        self._reached: Guard | None = None
+
+    def run(self) -> Regular:
+        """The whole body, then the outputs."""
+        builder = self._builder
+        for c in self._program.constants:
+            node = builder.constant(c.name, c.value, c.meaning, c.power, derived=c.derived)
+            self._values[c.name] = Signed(node)
+            if c.name.startswith(FREE_LIMIT):
+                self._widen(c)
+            if c.name.startswith(DOUBTFUL):
+                self._slacks[node] = self._exact_and_rounded(c)
+        for axis in self._program.axes:
+            sign = builder.sign(axis.meaning, axis.step)
+            self._values[axis.name] = Signed(builder.integer(1), frozenset({sign}))
+        for statement in self._program.body:
+            self._take(statement)
+        joints = [self._arithmetic.angle(self._value(o)) for o in self._program.outputs]
+        limiting = Limiting(builder)
+        joints = [
+            limiting.limited(place + 1, node, limits)
+            for place, (node, limits) in enumerate(zip(joints, self._limits, strict=True))
+        ]
+        results = {f"q{place + 1}": self._endings.ended(node) for place, node in enumerate(joints)}
+        outside = limiting.outside()
+        results |= {} if outside is None else {"outside": outside}
+        count = len(results)
+        doubts = builder.disjunctions(self._doubts)
+        results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
+        finished = builder.finish(self._program.name, results, [])
+        outputs = finished.outputs
+        return Regular(
+            finished,
+            joints=outputs[: len(joints)],
+            outside=None if outside is None else outputs[len(joints)],
+            doubts=outputs[count:],
+        )
+
+    def _widen(self, limit: NamedConstant) -> None:
+        """Near to where a joint is free a pose is doubtful, too.
+
+        The whole program takes a direction and all that follows from it from the same few digits;
+        here an identity may bring in others.
+        """
+        factor = self._wider**2 if "squared" in limit.name else self._wider
+        name, value = _wide(limit.name), factor * limit.value
+        node = self._builder.constant(
+            name, value, limit.meaning, limit.power, derived=limit.derived
+        )
+        self._values[name] = Signed(node)
+
+    def _exact_and_rounded(self, slack: NamedConstant) -> tuple[Node, Node]:
+        """What a row may miss here, where none is tightened: taken at once, and not for certain."""
+        tolerances = self._tolerances
+        parts = {
+            "exact_slack": (tolerances.exact, "a row that misses the pose by no more is exact"),
+            "pose_slack": (tolerances.consistent, "a pose may be rounded by this"),
+        }
+        exact, rounded = (
+            self._builder.constant(
+                slack.name.replace(DOUBTFUL, name),
+                part * (slack.value / tolerances.doubtful),
+                meaning,
+                slack.power,
+                derived=slack.derived,
+            )
+            for name, (part, meaning) in parts.items()
+        )
+        return exact, rounded
+
+    def _take(self, statement: object) -> None:
+        match statement:
+            case Heading(text, detail):
+                self._builder.heading(text, detail)
+                self._reached = None
+            case Let(name, expression) if self._assumptions.foresees(name, expression):
+                pass
+            case Let(name, expression):
+                doubt = statement.truth and self._assumptions.denies(name)
+                value = self._value(_widened(expression) if doubt else expression)
+                if not statement.truth and name not in self._exact:
+                    value = self._arithmetic.sooner(value, name)
+                self._values[name] = value
+                if not (name[0] == "v" and name[1:].isdigit()):
+                    self._builder.hint(value.node, name)
+                if doubt:
+                    self._doubts.append(value.node)
+            case Guard():
+                self._guard(statement)
+
+    def _guard(self, guard: Guard) -> None:
+        match guard.failure:
+            case Failure.MERGED:
+                self._meet(guard)
+            case Failure.INCONSISTENT:
+                self._take_if_consistent(guard.condition)
+            case Failure.REACH:
+                self._end(guard)
+                self._reached = guard
+
+    def _meet(self, guard: Guard) -> None:
+        """Branches that meet at a pose that is in reach are a doubt."""
+        met, reached = self._sharp(meeting(guard)), self._reached
+        match None if reached is None else reached.condition:
+            case None:
+                self._doubts.append(self._truth(met))
+            case Apply("at_most", (Apply("neg", (slack,)), margin)):
+                # rounding may take more from D than keeps branches apart: one slack is for both
+                size = self._arithmetic.apply("abs", [self._value(margin)])
+                near = self._arithmetic.apply("at_most", [size, self._value(slack)])
+                free = [each for each in joined(met, "or") if isinstance(each, Variable)]
+                self._doubts += [near.node, *map(self._truth, free)]
+            case within:
+                self._doubts.append(self._truth(Apply("and", (within, met))))
+
+    def _sharp(self, met: Expression) -> Expression:
+        """Without what needs an angle that is good to few digits: that is a doubt by itself."""
+        match met:
+            case Apply("or", (rest, Apply("and", (Variable(name), _)))) if (
+                name in self._program.near
+            ):
+                return self._sharp(rest)
+            case Apply("or", (rest, free)):
+                return Apply("or", (self._sharp(rest), free))
+            case _:
+                return met
+
+    def _take_if_consistent(self, condition: Expression) -> None:
+        """What must hold for the arm to take the pose, unless it does by an identity.
+
+        n values |x| <= limit hold where the sum of their squares is at most limit^2, and do not
+        where it is above n limit^2; between the two the pose is doubtful, and so it is above both
+        where no sign is to blame, since then there is no branch that could be right. Where rows
+        are tightened only exact ones are taken at once.
+        """
+        builder, arithmetic = self._builder, self._arithmetic
+        misses: dict[Node, list[Node]] = {}
+        for part in joined(condition, "and"):
+            match part:
+                case Apply("at_most", (Apply("abs", (miss,)), limit)):
+                    value = self._value(miss)
+                    if not arithmetic.vanishes(value):
+                        of = misses.setdefault(arithmetic.plain(self._value(limit)), [])
+                        of.append(builder.square(arithmetic.plain(value)))
+                case _:
+                    self._endings.unless(self._truth(part))
+        for limit_node, squares in misses.items():
+            accepted, allowed = self._slacks.get(limit_node, (limit_node, limit_node))
+            total, least = reduce(builder.add, squares), builder.square(accepted)
+            doubtful = builder.apply("less", least, total)
+            if builder.axes_of(total):
+                most = builder.mul(builder.integer(len(squares)), builder.square(allowed))
+                self._endings.unless(builder.apply("at_most", total, least))
+                doubtful = builder.apply("and", doubtful, builder.apply("at_most", total, most))
+            self._doubts.append(doubtful)
+
+    def _end(self, guard: Guard) -> None:
+        """A branch ends where it would be out of reach."""
+        if guard.margin is None:
+            self._endings.unless(self._truth(guard.condition))
+        else:
+            self._endings.at_root(self._arithmetic.plain(self._value(guard.margin)))
+
+    def _truth(self, expression: Expression) -> Node:
+        return self._value(expression).node
+
+    def _value(self, expression: Expression) -> Signed:
+        builder = self._builder
+        match expression:
+            case Variable(name):
+                value = self._values[name]
+                if name in self._kept:
+                    return Signed(builder.integer(1), value.signs, frozenset({value.node}))
+                return value
+            case Integer(value):
+                return Signed(builder.integer(value))
+            case Pose(row, column):
+                return Signed(builder.pose(row, column))
+            case Joint(number, role):
+                given = builder.seed if role == "seed" else builder.given
+                return Signed(given(number))
+            case Apply("select", (condition, yes, no)):
+                return self._choice(condition, yes, no)
+            case Apply(operator, operands):
+                parts = [self._value(operand) for operand in operands]
+                return self._arithmetic.apply(operator, parts)
+
+    def _choice(self, condition: Expression, yes: Expression, no: Expression) -> Signed:
+        known = self._assumptions.decided(condition)
+        if known is not None:
+            return self._value(yes if known else no)
+        first, second, common = self._arithmetic.shared(self._value(yes), self._value(no))
+        node = self._builder.select(self._truth(condition), first, second)
+        return Signed(node, common.signs, common.factors)
+
+
+def _compared(program: Program) -> frozenset[str]:
+    """The values that are compared or under a root: written as they are, so that they are exact."""
+    found: set[str] = set()
+
+    def look(expression: Expression, *, exact: bool) -> None:
+        match expression:
+            case Variable(name) if exact:
+                found.add(name)
+            case Apply(operator, operands):
+                keeps = operator in {"less", "at_most", "sqrt"} or (exact and operator == "select")
+                for operand in operands:
+                    look(operand, exact=keeps)
+            case _:
+                pass
+
+    for statement in program.body:
+        if isinstance(statement, Let):
+            look(statement.expression, exact=False)
+        elif isinstance(statement, Guard):
+            look(statement.condition, exact=False)
+    return frozenset(found)
+
+
+def _wide(name: str) -> str:
+    return name.replace("free", "doubt", 1)
+
+
+def _widened(condition: Expression) -> Expression:
+    """x <= limit with a wider limit, where it is one below which a joint is free."""
+    match condition:
+        case Apply("at_most", (value, Variable(name))) if name.startswith(FREE_LIMIT):
+            return Apply("at_most", (value, Variable(_wide(name))))
+    return condition
