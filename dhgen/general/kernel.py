@@ -57,19 +57,20 @@ class Score:
             every root is double.
         worst: Its 99 % quantile [rad].
         determined: How well φ5 follows from φ1, φ2 and φ3: 0 where a root stands for two solutions,
-            of which one would be lost, and the certificate would not know of it.
+            of which one would be lost, and the certificate would not know of it. None where
+            all joints follow in closed form: of an arm with two slides.
     """
 
     noise: float
     typical: float
     worst: float
-    determined: float = 1.0
+    determined: float | None
 
     @property
     def fails(self) -> bool:
         """Whether there is no polynomial to speak of, or not one with a root for each solution."""
         no_polynomial = self.noise >= NOISE_LIMIT or self.typical >= NO_ROOT
-        return no_polynomial or self.determined <= UNDETERMINED
+        return no_polynomial or (self.determined is not None and self.determined <= UNDETERMINED)
 
 
 @dataclass(frozen=True, slots=True)

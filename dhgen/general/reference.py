@@ -20,6 +20,7 @@ from dhgen.general.loop import reach
 from dhgen.general.pointing import any_turn
 from dhgen.general.polish import Target, is_singular, polish
 from dhgen.general.recover import null_vectors, partner_values, remaining_angles
+from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -37,7 +38,6 @@ if TYPE_CHECKING:
 
 STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearly double
 STEPS_FROM_AFAR = 40
-RESIDUAL = 1e-10  # what counts as a solution [arm sizes, rad]
 SAME = 1e-6  # solutions closer than this are one [rad]
 TOGETHER = 1e-3  # singular solutions closer than this are one [rad]
 NOISE = 1e-6  # harmonics beyond the eighth above this: f vanishes identically at this pose
@@ -122,7 +122,7 @@ class _Search:
         A doubtful candidate, from a double root, may be a singular solution and is then marked.
         """
         theta, residual = polish(self.target, theta, steps, afar=steps > STEPS)
-        if residual > RESIDUAL:
+        if residual > TOLERANCES.polished:
             return None
         theta = np.where(self.turns, np.pi - np.remainder(np.pi - theta, 2 * np.pi), theta)
         place = self._place(theta)

@@ -7,7 +7,6 @@ Those that never do are preferred, and at every such value one of those that are
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import log10, sqrt
 from random import Random
 from typing import TYPE_CHECKING
@@ -133,10 +132,9 @@ def _scores(
         around, slides = formulation.links(links, poses), formulation.slides(loop.slides)
         samples = sampled(around, slides)
         hidden = [values[formulation.joints[0]] for values in q]
-        score = _score(samples, [(x.cosine, formulation.sign * x.sine) for x in hidden])
-        if not of_four_turns:
-            score = replace(score, determined=_determined(around, slides))
-        result.append(score)
+        angles = [(x.cosine, formulation.sign * x.sine) for x in hidden]
+        determined = None if of_four_turns else _determined(around, slides)
+        result.append(_score(samples, angles, determined))
     return result
 
 
@@ -206,7 +204,9 @@ def _polynomials(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatAr
     return branches(lanes, slides, (cosines, sines)).polynomial.reshape(count, SAMPLES)
 
 
-def _score(samples: FloatArray, angles: Sequence[tuple[float, float]]) -> Score:
+def _score(
+    samples: FloatArray, angles: Sequence[tuple[float, float]], determined: float | None
+) -> Score:
     """The score from the witnesses' samples and their hidden angles' cosines and sines."""
     noise, displacement = [], []
     for angle, row in zip(angles, samples, strict=True):
@@ -218,4 +218,9 @@ def _score(samples: FloatArray, angles: Sequence[tuple[float, float]]) -> Score:
     count = len(angles)
     noise.sort()
     displacement.sort()
-    return Score(noise[count // 2], displacement[count // 2], displacement[(99 * count) // 100])
+    return Score(
+        noise=noise[count // 2],
+        typical=displacement[count // 2],
+        worst=displacement[(99 * count) // 100],
+        determined=determined,
+    )

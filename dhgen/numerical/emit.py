@@ -142,7 +142,7 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "floor": repr(constants.FLOOR),
         "longest": repr(constants.LONGEST),
         "steps": constants.STEPS,
-        "solution": repr(constants.RESIDUAL),
+        "solution": repr(TOLERANCES.polished),
         "exact": repr(TOLERANCES.exact),
         "tightenings": constants.TIGHTENINGS,
         "pull": repr(constants.PULL),

@@ -22,7 +22,6 @@ DAMPING = 0.1
 FLOOR = 1e-13
 LONGEST = 2.0  # of a step's components [rad, arm sizes]
 STEPS = 40  # from a start; 7 to 16 are usual
-RESIDUAL = 1e-10  # what counts as a solution [arm sizes, rad]
 SAME = 1e-6  # solutions closer than this are one [rad, arm sizes]
 TOGETHER = 1e-3  # singular solutions, known less well, closer than this are one
 STARTS = 48  # in a round; the search ends with the first round that finds nothing new
@@ -79,7 +78,7 @@ class NumericalKernel:
     @property
     def residual(self) -> float:
         """What counts as a solution [arm sizes, rad]: a pose that is checked may be rounded."""
-        return TOLERANCES.consistent if self.checked else RESIDUAL
+        return TOLERANCES.consistent if self.checked else TOLERANCES.polished
 
     @property
     def rows(self) -> int:

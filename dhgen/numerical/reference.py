@@ -16,6 +16,7 @@ import numpy as np
 from dhgen.numerical import kernel as constants
 from dhgen.numerical.miss import miss
 from dhgen.numerical.starts import directions
+from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -165,10 +166,10 @@ class Arm:
     def _exact_ones(self, kept: list[_Kept]) -> list[_Kept]:
         """Where one solution is exact the pose has not been rounded: then all have to be exact."""
         misses = [float(self.miss(each.u[None])[1][0]) for each in kept]
-        if min(misses, default=np.inf) > constants.RESIDUAL:
+        if min(misses, default=np.inf) > TOLERANCES.polished:
             return kept
         pairs = zip(kept, misses, strict=True)
-        return [each for each, missing in pairs if missing <= constants.RESIDUAL]
+        return [each for each, missing in pairs if missing <= TOLERANCES.polished]
 
     def _keep(self, u: FloatArray, kept: list[_Kept]) -> None:
         """A solution joins those found before, unless it is one of them."""
@@ -203,7 +204,7 @@ class Arm:
         running = np.ones(len(u), dtype=bool)
         for _ in range(constants.STEPS + 1):
             e, length, A = self.miss(u)
-            stalled = (length >= 0.5 * least) & (least <= constants.RESIDUAL)
+            stalled = (length >= 0.5 * least) & (least <= TOLERANCES.polished)
             better = running & (length < least)
             best, least = np.where(better[:, None], u, best), np.where(better, length, least)
             running &= ~stalled
@@ -252,7 +253,7 @@ class Arm:
         for number in range(constants.PULLED + constants.STEPS):
             e, length, A = self.miss(u[None])
             if pull == 0.0:
-                if length[0] >= 0.5 * least and least <= constants.RESIDUAL:
+                if length[0] >= 0.5 * least and least <= TOLERANCES.polished:
                     break
                 if length[0] < least:
                     best, least = u, float(length[0])

@@ -39,6 +39,8 @@ class Tolerances:
         longest: Where the factor of a slide nearly vanishes, a length above this is no solution:
             its last digits are worth more than rounding of a pose.
         limit: A joint value may miss its limit by this: rounding of the angle itself.
+        polished: A candidate that was polished on the whole pose is a solution if it misses that
+            by no more [arm sizes, rad]: far above rounding, far below where a near miss ends.
         double: An extremum of a polynomial this near to zero, relative to its coefficients, is a
             double root: rounding of the coefficients may move it either way.
         simple: Where the slope is above this, relative to the coefficients, a Newton step
@@ -58,6 +60,7 @@ class Tolerances:
     doubtful: float = 1e-2
     longest: float = 1e4
     limit: float = 1e-9
+    polished: float = 1e-10
     double: float = 1e-13
     simple: float = 1e-4
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.general import reference
 from dhgen.general.no_turn import NEARLY_NONE
 from dhgen.numerical.kernel import FEW_STARTS
 from dhgen.numerical.texts import given_places
@@ -56,7 +55,7 @@ def rows(kernel: GeneralKernel, chain: Chain) -> Rows:
         checked=kernel.checked,
         nearly_none=repr(NEARLY_NONE),
         pose="whole" if kernel.pointing else "T",
-        residual=repr(TOLERANCES.consistent if kernel.checked else reference.RESIDUAL),
+        residual=repr(TOLERANCES.consistent if kernel.checked else TOLERANCES.polished),
         starts=FEW_STARTS,
         given=given_places(chain),
     )

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from dhgen.general import circle, lens, polish, recover, reference
 from dhgen.general.determinant import TINY
 from dhgen.general.four_turns import NEARLY_FLAT, PARALLEL
+from dhgen.program.tolerances import TOLERANCES
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +24,7 @@ class Tolerances:
     strongest: str = repr(lens.STRONGEST)
     mean_per_harmonic: str = repr(lens.MEAN_PER_HARMONIC)
     noise: str = repr(reference.NOISE)
-    residual: str = repr(reference.RESIDUAL)
+    residual: str = repr(TOLERANCES.polished)
     together: str = repr(reference.TOGETHER)
     same: str = repr(reference.SAME)
     close: str = repr(4.0 - reference.CLOSE**2)  # the square of the sum of two such unit vectors

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.general.no_turn import NEARLY_NONE
-from dhgen.numerical.kernel import RESIDUAL
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.targets.derivation.blocks import Paragraph, paragraph, say
 from dhgen.targets.derivation.general_loop import joint_symbol
@@ -40,9 +39,9 @@ def check(kernel: GeneralKernel) -> Block:
             "is dropped, and damped least squares take the five joints to where they miss the "
             f"pose least. They count if that is within {_power(TOLERANCES.consistent)} arm sizes "
             "and rad, because a pose may have been rounded; where one misses it by less than "
-            f"{_power(RESIDUAL)}, the pose was not, and all have to. If none is left, the seed and "
-            "a few evenly spread starts are followed in the same way before the pose is "
-            "UNREACHABLE.",
+            f"{_power(TOLERANCES.polished)}, the pose was not, and all have to. If none is left, "
+            "the seed and a few evenly spread starts are followed in the same way before the pose "
+            "is UNREACHABLE.",
             sixth,
         ),
         say("5. The check."),
