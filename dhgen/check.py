@@ -11,13 +11,14 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhgen.compiler import compile_robot
+from dhgen.compiler import compile_loaded
 from dhgen.errors import DhgenError, about
 from dhgen.program.tolerances import DOUBLE, SINGLE
-from dhgen.robot_files import same_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+
+    from dhgen.robot_files import RobotFile, RobotFiles
 
 MOST_DIFFERENCES = 60  # lines of a diff that are shown
 
@@ -30,7 +31,7 @@ class Comparison:
 
     Attributes:
         problems: Everything in the folder that is not as it should be, as texts.
-        refusals: Why robot files are refused, in their order.
+        refusals: Why arms are refused, in the order of their files.
     """
 
     problems: tuple[str, ...]
@@ -38,55 +39,52 @@ class Comparison:
 
     @property
     def exit_code(self) -> int:
-        """0 when all is well, 1 when something is stale or not solved, 2 for mistakes in files."""
+        """0 when all is well, 1 when something is stale or not solved."""
         return max(bool(self.problems), *(each.exit_code for each in self.refusals), 0)
 
 
-def compare(files: tuple[Path, ...], out: Path, *, numerical: bool = False) -> Comparison:
+def compare(files: RobotFiles, out: Path, *, numerical: bool = False) -> Comparison:
     """The folder against what the compiler makes; a file that is refused hides no other."""
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}
     refusals: list[DhgenError] = []
-    for path, made in zip(files, _compile_all(files, numerical=numerical), strict=True):
+    compiled = _compile_all(files.loaded, numerical=numerical)
+    for file, made in zip(files.loaded, compiled, strict=True):
         if isinstance(made, DhgenError):
             refusals.append(made)
             continue
-        other = next((makers[n] for n, text in made.items() if expected.get(n, text) != text), None)
-        if other:
-            refusals.append(same_name(path, other))
-            continue
         for name, text in made.items():
             expected[name] = text
-            makers.setdefault(name, path)
+            makers.setdefault(name, file.path)
     problems = []
     for name, text in sorted(expected.items()):
         problem = _difference(out / name, text)
         if problem:
             problems.append(f"{problem}\n  to mend: dhgen {makers[name]}{_out_option(out)}")
-    looked = " or ".join(sorted({f"{path.parent}/" for path in files}))
+    looked = " or ".join(sorted({f"{path.parent}/" for path in files.paths}))
     problems += [
         f"{out / name}: extra file, no robot file in {looked} makes it\n"
         f"  to mend: name its robot file too, or rm {out / name}"
-        for name in _extra(files, set(makers.values()), out, set(expected))
+        for name in _extra(files.paths, set(makers.values()), out, set(expected))
     ]
     return Comparison(tuple(problems), tuple(refusals))
 
 
 def _compile_all(
-    files: tuple[Path, ...], *, numerical: bool = False
+    files: tuple[RobotFile, ...], *, numerical: bool = False
 ) -> list[dict[str, str] | DhgenError]:
     workers = min(len(files), os.cpu_count() or 1)
     files_of = partial(_files_of, numerical=numerical)
-    if workers == 1:
-        return [files_of(path) for path in files]
+    if workers <= 1:
+        return [files_of(file) for file in files]
     with ProcessPoolExecutor(workers) as pool:
         return list(pool.map(files_of, files))
 
 
-def _files_of(path: Path, *, numerical: bool) -> dict[str, str] | DhgenError:
+def _files_of(file: RobotFile, *, numerical: bool) -> dict[str, str] | DhgenError:
     try:
-        with about(path):
-            return compile_robot(path, numerical=numerical).files
+        with about(file.path):
+            return compile_loaded(file, numerical=numerical).files
     except DhgenError as refusal:
         return refusal
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.compiler import Compilation
-    from dhgen.robot_files import RobotFile
+    from dhgen.robot_files import RobotFile, RobotFiles
     from dhgen.targets.module import SolverModule
 
 FAULT = """\
@@ -183,20 +183,29 @@ def _tell(text: str) -> None:
 def _compile(file: RobotFile, options: argparse.Namespace) -> Compilation:
     from dhgen.compiler import compile_loaded  # noqa: PLC0415 - errors and --help need no sympy
 
-    for notice in file.robot.notices:
-        print(f"note: {notice}", file=sys.stderr)
+    _tell_notes(file)
     with about(file.path):
         return compile_loaded(file, _tell, numerical=options.numerical)
 
 
-def _write(options: argparse.Namespace) -> int:
+def _tell_notes(file: RobotFile) -> None:
+    for notice in file.robot.notices:
+        print(f"note: {notice}", file=sys.stderr)
+
+
+def _read(options: argparse.Namespace) -> tuple[RobotFiles, int]:
+    """The files, those that are refused told, and the exit code for these."""
     from dhgen.robot_files import load_all  # noqa: PLC0415
 
-    files, refusals = load_all(options.files)
-    for refusal in refusals:
+    files = load_all(options.files)
+    for refusal in files.refusals:
         print(refusal, file=sys.stderr)
-    worst = max((refusal.exit_code for refusal in refusals), default=0)
-    for file in files:
+    return files, max((refusal.exit_code for refusal in files.refusals), default=0)
+
+
+def _write(options: argparse.Namespace) -> int:
+    files, worst = _read(options)
+    for file in files.loaded:
         try:
             _write_one(file, options)
         except DhgenError as error:
@@ -244,16 +253,18 @@ def _own(compilation: Compilation) -> list[str]:
 
 def _check(options: argparse.Namespace) -> int:
     from dhgen.check import compare  # noqa: PLC0415
-    from dhgen.robot_files import each_once  # noqa: PLC0415
 
-    files = each_once(options.files)
+    files, refused = _read(options)
+    for file in files.loaded:
+        _tell_notes(file)
     found = compare(files, options.out, numerical=options.numerical)
     for told in (*found.refusals, *found.problems):
         print(told, file=sys.stderr)
-    if not found.exit_code:
-        count = len(files)
+    worst = max(refused, found.exit_code)
+    if not worst:
+        count = len(files.loaded)
         print(f"{options.out}: up to date with {count} robot file{'s' if count > 1 else ''}")
-    return found.exit_code
+    return worst
 
 
 def _explain(options: argparse.Namespace) -> int:
@@ -279,6 +290,8 @@ def _survey(options: argparse.Namespace) -> int:
     from dhgen.survey.table import survey_text  # noqa: PLC0415
 
     lines = survey(options.paths, options.poses, _tell)
+    for remark in (remark for line in lines for remark in line.remarks):
+        print(remark, file=sys.stderr)
     print(survey_text(lines), end="")
     if any(line.mistaken for line in lines):
         return 2

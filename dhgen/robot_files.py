@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.program.tolerances import DOUBLE, SINGLE
 from dhgen.robot.load import load
 
 if TYPE_CHECKING:
@@ -27,32 +28,56 @@ class RobotFile:
         """Reads one; RobotFileError where it has mistakes."""
         return cls(path, load(path))
 
+    @property
+    def stems(self) -> tuple[str, ...]:
+        """What the files are called that are made of it, without what follows the point."""
+        precisions = (DOUBLE, SINGLE) if self.robot.float32 else (DOUBLE,)
+        return tuple(self.robot.name + precision.suffix for precision in precisions)
 
-def load_all(paths: Iterable[Path]) -> tuple[tuple[RobotFile, ...], tuple[RobotFileError, ...]]:
-    """The robots of files, and why others are refused: mistakes, or a name that one above has."""
-    loaded: dict[str, RobotFile] = {}
-    refusals = []
-    for path in each_once(paths):
+
+@dataclass(frozen=True, slots=True)
+class RobotFiles:
+    """The robot files of a command.
+
+    Attributes:
+        paths: Every file once, as it was first called.
+        loaded: Those that are what they should be.
+        refusals: Why the others are not: mistakes, or a name that one above has.
+    """
+
+    paths: tuple[Path, ...]
+    loaded: tuple[RobotFile, ...]
+    refusals: tuple[RobotFileError, ...]
+
+
+def load_all(paths: Iterable[Path]) -> RobotFiles:
+    """Reads all files of a command."""
+    once = _each_once(paths)
+    makers: dict[str, Path] = {}
+    loaded, refusals = [], []
+    for path in once:
         try:
             file = RobotFile.read(path)
         except RobotFileError as refusal:
             refusals.append(refusal)
             continue
-        first = loaded.setdefault(file.robot.name, file)
-        if first is not file:
-            refusals.append(same_name(path, first.path))
-    return tuple(loaded.values()), tuple(refusals)
+        taken = next((stem for stem in file.stems if stem in makers), None)
+        if taken is None:
+            makers |= dict.fromkeys(file.stems, path)
+            loaded.append(file)
+        else:
+            refusals.append(_name_taken(path, makers[taken], taken))
+    return RobotFiles(once, tuple(loaded), tuple(refusals))
 
 
-def each_once(paths: Iterable[Path]) -> tuple[Path, ...]:
-    """Every file once, as it was first called."""
+def _each_once(paths: Iterable[Path]) -> tuple[Path, ...]:
     first: dict[Path, Path] = {}
     for path in paths:
         first.setdefault(path.resolve(), path)
     return tuple(first.values())
 
 
-def same_name(path: Path, other: Path) -> RobotFileError:
+def _name_taken(path: Path, other: Path, stem: str) -> RobotFileError:
     """The refusal of a file whose robot would be written over another's."""
-    message = f"{other} has a robot of the same name: give one of them another"
+    message = f"{other} makes files of the same name, '{stem}': give one of the robots another"
     return RobotFileError((Diagnostic(str(path), 0, 0, message),))

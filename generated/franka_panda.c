@@ -608,9 +608,9 @@ HELPER wide_mask solve_wide(
     const wide Z5 = c7 * w2y + s7 * w2x;
     const wide v16 = Z5 * Z5;
     const wide D5_p = N5_p - v16, D5_m = N5_m - v16;
-    const wide v17 = reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5));
     const wide w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m);
-    const wide v18 = w5_p - w5_p, v19 = w5_m - w5_m;
+    const wide v17 = w5_p - w5_p, v18 = w5_m - w5_m;
+    const wide v19 = reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5));
     const wide inverse5_p = 1.0 / N5_p, inverse5_m = 1.0 / N5_m;
     const wide v20 = v14 * w5_p, v21 = v15 * w5_m, v22 = inverse5_p * v20, v23 = inverse5_m * v21;
     const wide v24 = v14 * Z5, v25 = v15 * Z5;
@@ -737,9 +737,9 @@ HELPER wide_mask solve_wide(
     const wide q6_ppp = pick_wide(v157, angle4, v153), q6_pmp = pick_wide(v158, angle5, v154);
     const wide q6_mpp = pick_wide(v159, angle6, v155), q6_mmp = pick_wide(v160, angle7, v156);
     const wide_mask v161 = (free_joints[0] < low7) | (high7 < free_joints[0]);
-    const wide q4_ppp = v18 + v145, q4_mpp = v19 + v146;
+    const wide q4_ppp = v17 + v145, q4_mpp = v18 + v146;
     const wide v162 = free_joints[0] + (w4 - w4);
-    const wide q7_ppp = v18 + v162, q7_mpp = v19 + v162;
+    const wide q7_ppp = v17 + v162, q7_mpp = v18 + v162;
     const wide_mask outside_ppp = v161 | (v157 | (v149 | (v147 | (((angle12 < low3) | (high3 <
         angle12)) | (((angle8 < low1) | (high1 < angle8)) | ((angle16 < low2) | (high2 <
         angle16)))))));
@@ -765,8 +765,8 @@ HELPER wide_mask solve_wide(
         q3_mmm)) | (((q1_mmm < low1) | (high1 < q1_mmm)) | ((-angle19 < low2) | (high2 <
         -angle19)))))));
     const wide_mask doubt1 = (v76 <= m9) | ((v43 <= m8) | ((v75 <= m9) | ((v42 <= m8) | ((v74 <= m9)
-        | ((v41 <= m8) | ((v73 <= m9) | ((v40 <= m8) | ((abs_wide(D5_m) <= v17) | ((N5_m <=
-        doubt_limit_squared2) | ((abs_wide(D5_p) <= v17) | ((abs_wide(D4) <= reach_slack2 *
+        | ((v41 <= m8) | ((v73 <= m9) | ((v40 <= m8) | ((abs_wide(D5_m) <= v19) | ((N5_m <=
+        doubt_limit_squared2) | ((abs_wide(D5_p) <= v19) | ((abs_wide(D4) <= reach_slack2 *
         (reach_slack2 + 2.0 * abs_wide(Z4))) | (N5_p <= doubt_limit_squared2))))))))))));
 
     q[0] = angle8; q[1] = angle16; q[2] = angle12; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
@@ -836,9 +836,9 @@ HELPER int solve_regular(
     const double Z5 = c7 * w2y + s7 * w2x;
     const double v9 = Z5 * Z5;
     const four D5 = N5 - v9;
-    const double v10 = reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5));
     const four w5 = sqrt_four(D5);
-    const four v11 = w5 - w5;
+    const four v10 = w5 - w5;
+    const double v11 = reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5));
     const four inverse5 = 1.0 / N5;
     const four v12 = v8 * w5, v13 = inverse5 * v12, v14 = v8 * Z5;
     const four s5 = inverse5 * v14;
@@ -890,8 +890,8 @@ HELPER int solve_regular(
     /* joint values */
     const int v85 = (free_joints[0] < low7) | (high7 < free_joints[0]);
     const double v86 = free_joints[0] + (w4 - w4);
-    const four q7_p = v11 + v86;
-    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v10);
+    const four q7_p = v10 + v86;
+    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v11);
     const four_mask doubt3 = (v23 <= m8) | (v39 <= m9);
 
     const four angle3 = atan2_four(-v20, C6), angle4 = atan2_four(-v38, -X1);
@@ -912,7 +912,7 @@ HELPER int solve_regular(
     const four v83 = angle3 + only_four(angle3 < low6, whole_turn);
     const four_mask v84 = (v83 < low6) | (high6 < v83);
     const four q6_p = pick_four(v84, angle3, v83);
-    const four q4_p = v11 + v80;
+    const four q4_p = v10 + v80;
     const four_mask outside_p = where_four(v85) | (v84 | (v82 | (v81 | (((angle5 < low3) | (high3 <
         angle5)) | (((angle4 < low1) | (high1 < angle4)) | ((angle6 < low2) | (high2 <
         angle6)))))));

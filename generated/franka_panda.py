@@ -725,11 +725,11 @@ def _regular(pose, q_free, q, status):
     v16 = Z5 * Z5
     D5_p = N5_p - v16
     D5_m = N5_m - v16
-    v17 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
     w5_p = math.sqrt(D5_p)
     w5_m = math.sqrt(D5_m)
-    v18 = w5_p - w5_p
-    v19 = w5_m - w5_m
+    v17 = w5_p - w5_p
+    v18 = w5_m - w5_m
+    v19 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
     inverse5_p = 1.0 / N5_p
     inverse5_m = 1.0 / N5_m
     v20 = v14 * w5_p
@@ -908,11 +908,11 @@ def _regular(pose, q_free, q, status):
 
     # joint values
     v162 = q_free[0] + (w4 - w4)
-    q7_ppp = v18 + v162
-    q7_mpp = v19 + v162
+    q7_ppp = v17 + v162
+    q7_mpp = v18 + v162
     doubt1 = (
         v76 <= m9 or (v43 <= m8 or (v75 <= m9 or (v42 <= m8 or (v74 <= m9 or (v41 <= m8 or (v73 <=
-        m9 or (v40 <= m8 or (abs(D5_m) <= v17 or (N5_m <= doubt_limit_squared2 or (abs(D5_p) <= v17
+        m9 or (v40 <= m8 or (abs(D5_m) <= v19 or (N5_m <= doubt_limit_squared2 or (abs(D5_p) <= v19
         or (abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or N5_p <=
         doubt_limit_squared2)))))))))))
     )
@@ -1033,8 +1033,8 @@ def _regular(pose, q_free, q, status):
     q6_pmp = angle5 if v158 else v154
     q6_mpp = angle6 if v159 else v155
     q6_mmp = angle7 if v160 else v156
-    q4_ppp = v18 + v145
-    q4_mpp = v19 + v146
+    q4_ppp = v17 + v145
+    q4_mpp = v18 + v146
     outside_ppp = (
         v161 or (v157 or (v149 or (v147 or (angle12 < low3 or high3 < angle12 or (angle8 < low1 or
         high1 < angle8 or (angle16 < low2 or high2 < angle16))))))
@@ -1437,11 +1437,11 @@ def _in_tiles(T, q_free, q, status):
             v16 = Z5 * Z5
             D5_p = N5_p - v16
             D5_m = N5_m - v16
-            v17 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
             w5_p = math.sqrt(D5_p)
             w5_m = math.sqrt(D5_m)
-            v18 = w5_p - w5_p
-            v19 = w5_m - w5_m
+            v17 = w5_p - w5_p
+            v18 = w5_m - w5_m
+            v19 = reach_slack1 * (reach_slack1 + 2.0 * abs(Z5))
             inverse5_p = 1.0 / N5_p
             inverse5_m = 1.0 / N5_m
             v20 = v14 * w5_p
@@ -1610,16 +1610,16 @@ def _in_tiles(T, q_free, q, status):
             v143 = v22 * v126
             v144 = v23 * v126
             v162 = given1 + (w4 - w4)
-            q7_ppp = v18 + v162
-            q7_mpp = v19 + v162
+            q7_ppp = v17 + v162
+            q7_mpp = v18 + v162
             doubt1 = (
                 v76 <= m9 or (v43 <= m8 or (v75 <= m9 or (v42 <= m8 or (v74 <= m9 or (v41 <= m8 or
-                (v73 <= m9 or (v40 <= m8 or (abs(D5_m) <= v17 or (N5_m <= doubt_limit_squared2 or
-                (abs(D5_p) <= v17 or (abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or
+                (v73 <= m9 or (v40 <= m8 or (abs(D5_m) <= v19 or (N5_m <= doubt_limit_squared2 or
+                (abs(D5_p) <= v19 or (abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or
                 N5_p <= doubt_limit_squared2)))))))))))
             )
-            work[960 + k] = v18
-            work[992 + k] = v19
+            work[960 + k] = v17
+            work[992 + k] = v18
             work[1024 + k] = v24
             work[1056 + k] = v25
             work[1088 + k] = v69
@@ -1687,8 +1687,8 @@ def _in_tiles(T, q_free, q, status):
             work[k] = _atan2(work[k], work[k + 608])
         for k in range(0, 32):
             v161 = work[864 + k] != 0.0
-            v18 = work[960 + k]
-            v19 = work[992 + k]
+            v17 = work[960 + k]
+            v18 = work[992 + k]
             v24 = work[1024 + k]
             v25 = work[1056 + k]
             v69 = work[1088 + k]
@@ -1753,8 +1753,8 @@ def _in_tiles(T, q_free, q, status):
             q6_pmp = angle5 if v158 else v154
             q6_mpp = angle6 if v159 else v155
             q6_mmp = angle7 if v160 else v156
-            q4_ppp = v18 + v145
-            q4_mpp = v19 + v146
+            q4_ppp = v17 + v145
+            q4_mpp = v18 + v146
             outside_ppp = (
                 v161 or (v157 or (v149 or (v147 or (angle12 < low3 or high3 < angle12 or (angle8 <
                 low1 or high1 < angle8 or (angle16 < low2 or high2 < angle16))))))

@@ -60,6 +60,7 @@ class Line:
         answers: Of the solver; None without one.
         reason: Why there is none.
         mistaken: Whether that is a mistake in the file.
+        remarks: Notes on the file, or all its mistakes, each with its place.
     """
 
     name: str
@@ -68,6 +69,7 @@ class Line:
     answers: Answers | None
     reason: str = ""
     mistaken: bool = False
+    remarks: tuple[str, ...] = ()
 
     @property
     def complete(self) -> bool:

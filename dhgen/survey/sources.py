@@ -30,13 +30,11 @@ class Source:
     name: str
     place: str = ""
 
-    def tell(self, error: RobotFileError) -> str:
-        """The first mistake and its place, in one line; of a list the user never saw the file."""
-        first = error.diagnostics[0]
+    def tell(self, remark: Diagnostic) -> str:
+        """A remark and its place; of a list the user never saw the file."""
         if not self.place:
-            return str(first).splitlines()[0]
-        cell = first.source.strip(" ,[{")
-        return ": ".join(filter(None, [self.place, first.message, cell]))
+            return str(remark)
+        return ": ".join(filter(None, [self.place, remark.message, remark.source.strip(" ,[{")]))
 
 
 def robot_files(given: Sequence[Path], folder: Path) -> tuple[Source, ...]:

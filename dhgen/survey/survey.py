@@ -45,7 +45,7 @@ def survey(
         tell: Is told of every arm that is done.
 
     Raises:
-        RobotFileError: A path leads nowhere, or a list can't be read. Faults of single robot
+        RobotFileError: A path leads nowhere, or a list can't be read. Mistakes in single robot
             files stand in their lines.
     """
     lines: list[Line] = []
@@ -61,19 +61,24 @@ def survey(
 def survey_arm(source: Source, poses: int) -> Line:
     """One arm's line; the same at every run but for the CPU time."""
     name, joints, structure = source.name, "", ""
+    remarks: tuple[str, ...] = ()
     try:
         robot = load(source.path)
         name = robot.name
+        remarks = tuple(f"note: {source.tell(notice)}" for notice in robot.notices)
         chain = build_chain(robot)
         joints, structure = joint_letters(chain), arm_class(chain)
         start = time.process_time()
         compilation = compile_robot(source.path)
         answers = _answers(compilation, poses, time.process_time() - start)
     except RobotFileError as error:
-        return Line(name, joints, structure, None, source.tell(error), mistaken=True)
+        remarks = tuple(map(source.tell, error.diagnostics))
+        first = remarks[0].splitlines()[0]
+        return Line(name, joints, structure, None, first, mistaken=True, remarks=remarks)
     except DhgenError as error:
-        return Line(name, joints, structure, None, str(error).splitlines()[0])
-    return Line(name, joints, structure, answers)
+        first = str(error).splitlines()[0]
+        return Line(name, joints, structure, None, first, remarks=remarks)
+    return Line(name, joints, structure, answers, remarks=remarks)
 
 
 def _alone(line: Line, others: Sequence[Line]) -> Line:

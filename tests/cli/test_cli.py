@@ -15,6 +15,7 @@ import pytest
 
 from dhgen.cli import main
 from dhgen.errors import UnsolvedError, VerificationError
+from dhgen.robot_files import load_all
 
 if TYPE_CHECKING:
     from dhgen.robot_files import RobotFile
@@ -223,7 +224,7 @@ def test_one_bad_file_among_good_ones(tmp_path: Path) -> None:
     assert names(tmp_path / "generated") == FILES
 
 
-@pytest.mark.parametrize("verb", [[], ["explain"]])
+@pytest.mark.parametrize("verb", [[], ["explain"], ["--check"]])
 def test_notes_are_told_once_and_before_a_refusal(
     verb: list[str],
     tmp_path: Path,
@@ -249,9 +250,11 @@ def test_two_files_of_one_name_are_refused_before_the_work(
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("dhgen.cli._compile", work)
     shutil.copy(PLANAR, "again.yaml")
-    again = "again.yaml: {} has a robot of the same name: give one of them another"
+    again = (
+        f"again.yaml: {PLANAR} makes files of the same name, 'planar_rr': give one of the robots"
+    )
     assert main([str(PLANAR), "again.yaml", os.path.relpath(PLANAR)]) == 2
-    assert capsys.readouterr().err.startswith(again.format(PLANAR))
+    assert capsys.readouterr().err.startswith(again)
     assert worked == [PLANAR]
 
 
@@ -267,8 +270,17 @@ def test_check_of_two_files_of_one_name_and_of_one_file_twice(
     assert capfd.readouterr().out == "generated: up to date with 1 robot file\n"
     shutil.copy(PLANAR, "again.yaml")
     assert main([*twice, "again.yaml"]) == 2
-    told = "again.yaml: robots/planar_rr.yaml has a robot of the same name: "
-    assert capfd.readouterr() == ("", f"{told}give one of them another\n")
+    told = "again.yaml: robots/planar_rr.yaml makes files of the same name, 'planar_rr': "
+    assert capfd.readouterr() == ("", f"{told}give one of the robots another\n")
+
+
+def test_single_precision_has_a_name_of_its_own_that_another_robot_may_have(tmp_path: Path) -> None:
+    planar = PLANAR.read_text()
+    (tmp_path / "a.yaml").write_text(planar.replace("planar_rr", "arm") + "float32: true\n")
+    (tmp_path / "b.yaml").write_text(planar.replace("planar_rr", "arm_f32"))
+    files = load_all([tmp_path / "a.yaml", tmp_path / "b.yaml"])
+    assert [file.robot.name for file in files.loaded] == ["arm"]
+    assert "a.yaml makes files of the same name, 'arm_f32'" in str(files.refusals[0])
 
 
 def test_what_fails_verification_is_not_written(

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhgen.cli import main
+from dhgen.errors import RobotFileError
+from dhgen.robot.load import load
 from tests.robots.cases import ROBOTS
 
 if TYPE_CHECKING:
@@ -54,10 +56,26 @@ def test_a_file_with_mistakes_stands_in_the_table(
     (tmp_path / "torn.yaml").write_text("name: torn\n")
     planar = str(ROBOTS / "planar_rr.yaml")
     assert main(["survey", str(tmp_path), planar, planar, "--poses", "2"]) == 2
-    torn, whole, again = capsys.readouterr().out.splitlines()[1:4]
-    assert re.match(rf"torn +not solved: {tmp_path}/torn.yaml:1:1: \S", torn)
+    out, err = capsys.readouterr()
+    torn, whole, again = out.splitlines()[1:4]
+    first = re.match(rf"torn +not solved: ({tmp_path}/torn.yaml:1:1: \S.*)", torn)
+    assert first
+    with pytest.raises(RobotFileError) as refused:
+        load(tmp_path / "torn.yaml")
+    assert err == f"{refused.value}\n"
+    assert err.startswith(first[1])
     assert "4/4" in whole
     assert again.endswith("not solved: another arm above has the same name, 'planar_rr'")
+
+
+def test_a_note_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    planar = (ROBOTS / "planar_rr.yaml").read_text(encoding="utf-8")
+    slip = tmp_path / "slip.yaml"
+    slip.write_text(planar.replace("a1, alpha: 0", "a1, alpha: 0, limits: [-90, 90]"))
+    assert main(["survey", str(slip), "--poses", "2"]) == 0
+    err = capsys.readouterr().err
+    assert err.startswith(f"note: {slip}:")
+    assert "'-90' is 14.3 turns: write -90 deg" in err
 
 
 def test_what_is_not_there_is_told_before_anything_is_done(

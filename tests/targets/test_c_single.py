@@ -13,6 +13,7 @@ from dhgen.check import compare
 from dhgen.compiler import compile_robot, verified
 from dhgen.errors import PrecisionError, VerificationError
 from dhgen.program.tolerances import SINGLE
+from dhgen.robot_files import load_all
 from dhgen.targets.c_single import in_single_precision
 from dhgen.verify.native import c_compiler
 from dhgen.verify.single import verify_single
@@ -133,13 +134,13 @@ def test_files_that_are_no_longer_asked_for_are_found(tmp_path: Path) -> None:
     for name, text in {**made(SCARA).files, **made("ur5").files}.items():
         (tmp_path / name).write_text(text, encoding="utf-8")
     own, other = ROBOTS / "scara.yaml", ROBOTS / "ur5.yaml"
-    assert compare((own,), tmp_path).exit_code == 0
+    assert compare(load_all([own]), tmp_path).exit_code == 0
     copies = tmp_path / "robots"
     copies.mkdir()
     for path in (own, other):
         (copies / path.name).write_text(path.read_text(encoding="utf-8"), encoding="utf-8")
     copy = copies / "scara.yaml"
     copy.write_text(re.sub(r"float32:.*\n", "", copy.read_text(encoding="utf-8")), encoding="utf-8")
-    extra = [line for line in compare((copy,), tmp_path).problems if "extra file" in line]
+    extra = [line for line in compare(load_all([copy]), tmp_path).problems if "extra file" in line]
     assert len(extra) == 2
     assert all(SINGLE.suffix in line for line in extra)
