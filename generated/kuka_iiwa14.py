@@ -1274,73 +1274,76 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q_free, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q_free[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q_free[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [3872, 3904, 3936, 3968, 4000, 4032, 4064],
-    [3872, 3904, 3936, 3968, 4096, 4128, 4160],
-    [4192, 4224, 3936, 3968, 4256, 4288, 4320],
-    [4192, 4224, 3936, 3968, 4352, 4384, 4416],
-    [4448, 4480, 3936, 4512, 4544, 4576, 4608],
-    [4448, 4480, 3936, 4512, 4640, 4672, 4704],
-    [4736, 4768, 3936, 4512, 4800, 4832, 4864],
-    [4736, 4768, 3936, 4512, 4896, 4928, 4960],
+    [1936, 1952, 1968, 1984, 2000, 2016, 2032],
+    [1936, 1952, 1968, 1984, 2048, 2064, 2080],
+    [2096, 2112, 1968, 1984, 2128, 2144, 2160],
+    [2096, 2112, 1968, 1984, 2176, 2192, 2208],
+    [2224, 2240, 1968, 2256, 2272, 2288, 2304],
+    [2224, 2240, 1968, 2256, 2320, 2336, 2352],
+    [2368, 2384, 1968, 2256, 2400, 2416, 2432],
+    [2368, 2384, 1968, 2256, 2448, 2464, 2480],
 ])
-_KINDS = np.array([4992, 5024, 5056, 5088, 5120, 5152, 5184, 5216])
-_LEFT_OVER = 255
+_KINDS = np.array([2496, 2512, 2528, 2544, 2560, 2576, 2592, 2608])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q_free, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(5248)
+    work = np.empty(2624)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
             for i in range(1):
-                work[(16 + i) * 32 + k] = q_free[first + k, i]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                work[(16 + i) * 16 + k] = q_free[first + k, i]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k] + work[512 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k] + work[256 + k])
             )
             exact = miss <= 1e-24
-            work[544 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[272 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
-            given1 = work[512 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
+            given1 = work[256 + k]
             wx = T14 - d7 * T13
             wy = T24 - d7 * T23
             v1 = wy * wy
@@ -1368,77 +1371,77 @@ def _in_tiles(T, q_free, q, status):
             v77 = v5 * T11
             v78 = v5 * T21
             v101 = given1 < low3 or high3 < given1
-            work[576 + k] = wx
-            work[608 + k] = wy
-            work[640 + k] = Z1_2
-            work[672 + k] = V4
-            work[704 + k] = w4
-            work[736 + k] = v3
-            work[768 + k] = v5
-            work[800 + k] = N1
-            work[832 + k] = inverse1
-            work[864 + k] = X2_2
-            work[896 + k] = v20
-            work[928 + k] = v32
-            work[960 + k] = v33
-            work[992 + k] = v34
-            work[1024 + k] = v54
-            work[1056 + k] = v55
-            work[1088 + k] = v56
-            work[1120 + k] = v65
-            work[1152 + k] = v66
-            work[1184 + k] = v67
-            work[1216 + k] = v76
-            work[1248 + k] = v77
-            work[1280 + k] = v78
-            work[1312 + k] = v101
-            work[1344 + k] = given1
-            work[1376 + k] = given1
-            work[1408 + k] = -v4
-            work[1440 + k] = -v2
-        for k in range(1344, 1376):
+            work[288 + k] = wx
+            work[304 + k] = wy
+            work[320 + k] = Z1_2
+            work[336 + k] = V4
+            work[352 + k] = w4
+            work[368 + k] = v3
+            work[384 + k] = v5
+            work[400 + k] = N1
+            work[416 + k] = inverse1
+            work[432 + k] = X2_2
+            work[448 + k] = v20
+            work[464 + k] = v32
+            work[480 + k] = v33
+            work[496 + k] = v34
+            work[512 + k] = v54
+            work[528 + k] = v55
+            work[544 + k] = v56
+            work[560 + k] = v65
+            work[576 + k] = v66
+            work[592 + k] = v67
+            work[608 + k] = v76
+            work[624 + k] = v77
+            work[640 + k] = v78
+            work[656 + k] = v101
+            work[672 + k] = given1
+            work[688 + k] = given1
+            work[704 + k] = -v4
+            work[720 + k] = -v2
+        for k in range(672, 688):
             work[k] = math.sin(work[k])
-        for k in range(1376, 1408):
+        for k in range(688, 704):
             work[k] = math.cos(work[k])
-        for k in range(1408, 1440):
-            work[k] = _atan2(work[k], work[k + 32])
-        for k in range(0, 32):
+        for k in range(704, 720):
+            work[k] = _atan2(work[k], work[k + 16])
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            given1 = work[512 + k]
-            wx = work[576 + k]
-            wy = work[608 + k]
-            Z1_2 = work[640 + k]
-            V4 = work[672 + k]
-            w4 = work[704 + k]
-            v3 = work[736 + k]
-            v5 = work[768 + k]
-            N1 = work[800 + k]
-            inverse1 = work[832 + k]
-            X2_2 = work[864 + k]
-            v20 = work[896 + k]
-            v32 = work[928 + k]
-            v33 = work[960 + k]
-            v34 = work[992 + k]
-            v54 = work[1024 + k]
-            v55 = work[1056 + k]
-            v56 = work[1088 + k]
-            v65 = work[1120 + k]
-            v66 = work[1152 + k]
-            v67 = work[1184 + k]
-            v76 = work[1216 + k]
-            v77 = work[1248 + k]
-            v78 = work[1280 + k]
-            s3 = work[1344 + k]
-            c3 = work[1376 + k]
-            angle17 = work[1408 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            given1 = work[256 + k]
+            wx = work[288 + k]
+            wy = work[304 + k]
+            Z1_2 = work[320 + k]
+            V4 = work[336 + k]
+            w4 = work[352 + k]
+            v3 = work[368 + k]
+            v5 = work[384 + k]
+            N1 = work[400 + k]
+            inverse1 = work[416 + k]
+            X2_2 = work[432 + k]
+            v20 = work[448 + k]
+            v32 = work[464 + k]
+            v33 = work[480 + k]
+            v34 = work[496 + k]
+            v54 = work[512 + k]
+            v55 = work[528 + k]
+            v56 = work[544 + k]
+            v65 = work[560 + k]
+            v66 = work[576 + k]
+            v67 = work[592 + k]
+            v76 = work[608 + k]
+            v77 = work[624 + k]
+            v78 = work[640 + k]
+            s3 = work[672 + k]
+            c3 = work[688 + k]
+            angle17 = work[704 + k]
             Z1 = d5 * (s3 * v5)
             D1 = N1 - Z1 * Z1
             w1 = math.sqrt(D1)
@@ -1567,188 +1570,188 @@ def _in_tiles(T, q_free, q, status):
                 (v50 <= m2 or (v49 <= m2 or (v26 <= m1 or (v48 <= m2 or (abs(D1) <= reach_slack1 *
                 (reach_slack1 + 2.0 * abs(Z1)) or v25 <= m1))))))))
             )
-            work[1472 + k] = c1_pp
-            work[1504 + k] = v12
-            work[1536 + k] = v13
-            work[1568 + k] = s1_pp
-            work[1600 + k] = s1_mp
-            work[1632 + k] = s1_mm
-            work[1664 + k] = S2_pp
-            work[1696 + k] = S2_mp
-            work[1728 + k] = v22
-            work[1760 + k] = v23
-            work[1792 + k] = factor2_pp
-            work[1824 + k] = factor2_pm
-            work[1856 + k] = factor2_mm
-            work[1888 + k] = X5_pp
-            work[1920 + k] = X5_mp
-            work[1952 + k] = X5_mm
-            work[1984 + k] = Y5_pp
-            work[2016 + k] = v47
-            work[2048 + k] = Y5_mp
-            work[2080 + k] = Y5_mm
-            work[2112 + k] = v69
-            work[2144 + k] = v70
-            work[2176 + k] = v72
-            work[2208 + k] = v73
-            work[2240 + k] = v74
-            work[2272 + k] = v75
-            work[2304 + k] = v79
-            work[2336 + k] = v80
-            work[2368 + k] = v81
-            work[2400 + k] = v102
-            work[2432 + k] = v103
-            work[2464 + k] = q3_ppp
-            work[2496 + k] = q4_ppp
-            work[2528 + k] = q4_mpp
-            work[2560 + k] = doubt1
-            work[2592 + k] = Y5_pp
-            work[2624 + k] = -v47
-            work[2656 + k] = Y5_mp
-            work[2688 + k] = Y5_mm
-            work[2720 + k] = (
+            work[736 + k] = c1_pp
+            work[752 + k] = v12
+            work[768 + k] = v13
+            work[784 + k] = s1_pp
+            work[800 + k] = s1_mp
+            work[816 + k] = s1_mm
+            work[832 + k] = S2_pp
+            work[848 + k] = S2_mp
+            work[864 + k] = v22
+            work[880 + k] = v23
+            work[896 + k] = factor2_pp
+            work[912 + k] = factor2_pm
+            work[928 + k] = factor2_mm
+            work[944 + k] = X5_pp
+            work[960 + k] = X5_mp
+            work[976 + k] = X5_mm
+            work[992 + k] = Y5_pp
+            work[1008 + k] = v47
+            work[1024 + k] = Y5_mp
+            work[1040 + k] = Y5_mm
+            work[1056 + k] = v69
+            work[1072 + k] = v70
+            work[1088 + k] = v72
+            work[1104 + k] = v73
+            work[1120 + k] = v74
+            work[1136 + k] = v75
+            work[1152 + k] = v79
+            work[1168 + k] = v80
+            work[1184 + k] = v81
+            work[1200 + k] = v102
+            work[1216 + k] = v103
+            work[1232 + k] = q3_ppp
+            work[1248 + k] = q4_ppp
+            work[1264 + k] = q4_mpp
+            work[1280 + k] = doubt1
+            work[1296 + k] = Y5_pp
+            work[1312 + k] = -v47
+            work[1328 + k] = Y5_mp
+            work[1344 + k] = Y5_mm
+            work[1360 + k] = (
                 -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 * (s3 * (c1_pp * T11 + s1_pp *
                 T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp
                 * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78)))))
             )
-            work[2752 + k] = v81
-            work[2784 + k] = (
+            work[1376 + k] = v81
+            work[1392 + k] = (
                 -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 * (s1_mp * T21 - v12 * T11)))) +
                 Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) -
                 v23 * (v76 + (s1_mp * v75 - v12 * v74)))))
             )
-            work[2816 + k] = (
+            work[1408 + k] = (
                 -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 - v22 * (s3 * (s1_mm * T21 - v13 *
                 T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp * (v79 + (v13 * v77 -
                 s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74)))))
             )
-            work[2848 + k] = s1_pp
-            work[2880 + k] = s1_pm
-            work[2912 + k] = s1_mp
-            work[2944 + k] = s1_mm
-            work[2976 + k] = S2_pp
-            work[3008 + k] = -S2_mp
-            work[3040 + k] = S2_mp
-            work[3072 + k] = -S2_pp
-            work[3104 + k] = math.sqrt(v48)
-            work[3136 + k] = math.sqrt(v49)
-            work[3168 + k] = math.sqrt(v50)
-            work[3200 + k] = math.sqrt(v51)
-            work[3232 + k] = -X5_pp
-            work[3264 + k] = -X5_pm
-            work[3296 + k] = -X5_mp
-            work[3328 + k] = -X5_mm
-            work[3360 + k] = (
+            work[1424 + k] = s1_pp
+            work[1440 + k] = s1_pm
+            work[1456 + k] = s1_mp
+            work[1472 + k] = s1_mm
+            work[1488 + k] = S2_pp
+            work[1504 + k] = -S2_mp
+            work[1520 + k] = S2_mp
+            work[1536 + k] = -S2_pp
+            work[1552 + k] = math.sqrt(v48)
+            work[1568 + k] = math.sqrt(v49)
+            work[1584 + k] = math.sqrt(v50)
+            work[1600 + k] = math.sqrt(v51)
+            work[1616 + k] = -X5_pp
+            work[1632 + k] = -X5_pm
+            work[1648 + k] = -X5_mp
+            work[1664 + k] = -X5_mm
+            work[1680 + k] = (
                 -(X5_pp * (c3 * v59 - factor2_pp * (S2_pp * v58 - v22 * (s3 * (c1_pp * T12 + s1_pp *
                 T22)))) + Y5_pp * (v3 * (s3 * v59) + factor2_pp * (v22 * (v65 - (c1_pp * v63 + s1_pp
                 * v64)) + S2_pp * (v68 + (c1_pp * v66 + s1_pp * v67)))))
             )
-            work[3392 + k] = (
+            work[1696 + k] = (
                 v47 * (v3 * (s3 * v60) + factor2_pm * (v23 * (v65 - (c1_pm * v63 + s1_pm * v64)) -
                 S2_mp * (v68 + (c1_pm * v66 + s1_pm * v67)))) - X5_pm * (c3 * v60 + factor2_pm *
                 (v82 + v23 * (s3 * (c1_pm * T12 + s1_pm * T22))))
             )
-            work[3424 + k] = (
+            work[1712 + k] = (
                 -(X5_mp * (c3 * v61 - factor2_pm * (v82 - v23 * (s3 * (s1_mp * T22 - v12 * T12)))) +
                 Y5_mp * (v3 * (s3 * v61) + factor2_pm * (S2_mp * (v68 + (v12 * v66 - s1_mp * v67)) -
                 v23 * (v65 + (s1_mp * v64 - v12 * v63)))))
             )
-            work[3456 + k] = (
+            work[1728 + k] = (
                 -(X5_mm * (c3 * v62 - factor2_mm * (-S2_pp * v58 - v22 * (s3 * (s1_mm * T22 - v13 *
                 T12)))) + Y5_mm * (v3 * (s3 * v62) + factor2_mm * (-S2_pp * (v68 + (v13 * v66 -
                 s1_mm * v67)) - v22 * (v65 + (s1_mm * v64 - v13 * v63)))))
             )
-            work[3488 + k] = c1_pp
-            work[3520 + k] = c1_pm
-            work[3552 + k] = -v12
-            work[3584 + k] = -v13
-            work[3616 + k] = -v22
-            work[3648 + k] = -v23
-            work[3680 + k] = -v23
-            work[3712 + k] = -v22
-            work[3744 + k] = (
+            work[1744 + k] = c1_pp
+            work[1760 + k] = c1_pm
+            work[1776 + k] = -v12
+            work[1792 + k] = -v13
+            work[1808 + k] = -v22
+            work[1824 + k] = -v23
+            work[1840 + k] = -v23
+            work[1856 + k] = -v22
+            work[1872 + k] = (
                 v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 + s1_pp * v56 - v57) + v22 * (v54 +
                 (c1_pp * v52 + s1_pp * v53)))
             )
-            work[3776 + k] = (
+            work[1888 + k] = (
                 v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm * v52 + s1_pm * v53)) - S2_mp * (c1_pm
                 * v55 + s1_pm * v56 - v57))
             )
-            work[3808 + k] = (
+            work[1904 + k] = (
                 -(v5 * v43 + factor2_pm * (S2_mp * (v57 + (s1_mp * v56 - v12 * v55)) + v23 * (v54 +
                 (v12 * v52 - s1_mp * v53))))
             )
-            work[3840 + k] = (
+            work[1920 + k] = (
                 -(v5 * v44 + factor2_mm * (-S2_pp * (v57 + (s1_mm * v56 - v13 * v55)) + v22 * (v54 +
                 (v13 * v52 - s1_mm * v53))))
             )
-        for k in range(2592, 3232):
-            work[k] = _atan2(work[k], work[k + 640])
-        for k in range(0, 32):
+        for k in range(1296, 1616):
+            work[k] = _atan2(work[k], work[k + 320])
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T21 = work[128 + k]
-            v3 = work[736 + k]
-            v76 = work[1216 + k]
-            v77 = work[1248 + k]
-            v78 = work[1280 + k]
-            v101 = work[1312 + k] != 0.0
-            s3 = work[1344 + k]
-            c3 = work[1376 + k]
-            c1_pp = work[1472 + k]
-            v12 = work[1504 + k]
-            v13 = work[1536 + k]
-            s1_pp = work[1568 + k]
-            s1_mp = work[1600 + k]
-            s1_mm = work[1632 + k]
-            S2_pp = work[1664 + k]
-            S2_mp = work[1696 + k]
-            v22 = work[1728 + k]
-            v23 = work[1760 + k]
-            factor2_pp = work[1792 + k]
-            factor2_pm = work[1824 + k]
-            factor2_mm = work[1856 + k]
-            X5_pp = work[1888 + k]
-            X5_mp = work[1920 + k]
-            X5_mm = work[1952 + k]
-            Y5_pp = work[1984 + k]
-            v47 = work[2016 + k]
-            Y5_mp = work[2048 + k]
-            Y5_mm = work[2080 + k]
-            v69 = work[2112 + k]
-            v70 = work[2144 + k]
-            v72 = work[2176 + k]
-            v73 = work[2208 + k]
-            v74 = work[2240 + k]
-            v75 = work[2272 + k]
-            v79 = work[2304 + k]
-            v80 = work[2336 + k]
-            v81 = work[2368 + k]
-            v102 = work[2400 + k] != 0.0
-            v103 = work[2432 + k] != 0.0
-            q3_ppp = work[2464 + k]
-            q4_ppp = work[2496 + k]
-            q4_mpp = work[2528 + k]
-            doubt1 = work[2560 + k] != 0.0
-            angle1 = work[2592 + k]
-            angle2 = work[2624 + k]
-            angle3 = work[2656 + k]
-            angle4 = work[2688 + k]
-            angle5 = work[2720 + k]
-            angle6 = work[2752 + k]
-            angle7 = work[2784 + k]
-            angle8 = work[2816 + k]
-            angle9 = work[2848 + k]
-            angle10 = work[2880 + k]
-            angle11 = work[2912 + k]
-            angle12 = work[2944 + k]
-            angle13 = work[2976 + k]
-            angle14 = work[3008 + k]
-            angle15 = work[3040 + k]
-            angle16 = work[3072 + k]
-            angle18 = work[3104 + k]
-            angle19 = work[3136 + k]
-            angle20 = work[3168 + k]
-            angle21 = work[3200 + k]
+            T21 = work[64 + k]
+            v3 = work[368 + k]
+            v76 = work[608 + k]
+            v77 = work[624 + k]
+            v78 = work[640 + k]
+            v101 = work[656 + k] != 0.0
+            s3 = work[672 + k]
+            c3 = work[688 + k]
+            c1_pp = work[736 + k]
+            v12 = work[752 + k]
+            v13 = work[768 + k]
+            s1_pp = work[784 + k]
+            s1_mp = work[800 + k]
+            s1_mm = work[816 + k]
+            S2_pp = work[832 + k]
+            S2_mp = work[848 + k]
+            v22 = work[864 + k]
+            v23 = work[880 + k]
+            factor2_pp = work[896 + k]
+            factor2_pm = work[912 + k]
+            factor2_mm = work[928 + k]
+            X5_pp = work[944 + k]
+            X5_mp = work[960 + k]
+            X5_mm = work[976 + k]
+            Y5_pp = work[992 + k]
+            v47 = work[1008 + k]
+            Y5_mp = work[1024 + k]
+            Y5_mm = work[1040 + k]
+            v69 = work[1056 + k]
+            v70 = work[1072 + k]
+            v72 = work[1088 + k]
+            v73 = work[1104 + k]
+            v74 = work[1120 + k]
+            v75 = work[1136 + k]
+            v79 = work[1152 + k]
+            v80 = work[1168 + k]
+            v81 = work[1184 + k]
+            v102 = work[1200 + k] != 0.0
+            v103 = work[1216 + k] != 0.0
+            q3_ppp = work[1232 + k]
+            q4_ppp = work[1248 + k]
+            q4_mpp = work[1264 + k]
+            doubt1 = work[1280 + k] != 0.0
+            angle1 = work[1296 + k]
+            angle2 = work[1312 + k]
+            angle3 = work[1328 + k]
+            angle4 = work[1344 + k]
+            angle5 = work[1360 + k]
+            angle6 = work[1376 + k]
+            angle7 = work[1392 + k]
+            angle8 = work[1408 + k]
+            angle9 = work[1424 + k]
+            angle10 = work[1440 + k]
+            angle11 = work[1456 + k]
+            angle12 = work[1472 + k]
+            angle13 = work[1488 + k]
+            angle14 = work[1504 + k]
+            angle15 = work[1520 + k]
+            angle16 = work[1536 + k]
+            angle18 = work[1552 + k]
+            angle19 = work[1568 + k]
+            angle20 = work[1584 + k]
+            angle21 = work[1600 + k]
             q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
             q5_pmm = angle2 - math.copysign(half_turn, -v47) * h1
             q5_mpm = angle3 - math.copysign(half_turn, Y5_mp) * h1
@@ -1852,104 +1855,103 @@ def _in_tiles(T, q_free, q, status):
                 q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v107 or
                 (q5_mmm < low5 or high5 < q5_mmm)))
             )
-            _3872 = q1_ppp
-            work[3872 + k] = _3872
-            _3904 = q2_ppp
-            work[3904 + k] = _3904
-            _3936 = q3_ppp
-            work[3936 + k] = _3936
-            _3968 = q4_ppp
-            work[3968 + k] = _3968
-            _4000 = angle1
-            work[4000 + k] = _4000
-            _4032 = q6_ppp
-            work[4032 + k] = _4032
-            _4064 = angle5
-            work[4064 + k] = _4064
-            _4096 = q5_ppm
-            work[4096 + k] = _4096
-            _4128 = q6_ppm
-            work[4128 + k] = _4128
-            _4160 = q7_ppm
-            work[4160 + k] = _4160
-            _4192 = q1_pmp
-            work[4192 + k] = _4192
-            _4224 = q2_pmp
-            work[4224 + k] = _4224
-            _4256 = angle2
-            work[4256 + k] = _4256
-            _4288 = q6_pmp
-            work[4288 + k] = _4288
-            _4320 = angle6
-            work[4320 + k] = _4320
-            _4352 = q5_pmm
-            work[4352 + k] = _4352
-            _4384 = q6_pmm
-            work[4384 + k] = _4384
-            _4416 = q7_pmm
-            work[4416 + k] = _4416
-            _4448 = q1_mpp
-            work[4448 + k] = _4448
-            _4480 = q2_mpp
-            work[4480 + k] = _4480
-            _4512 = q4_mpp
-            work[4512 + k] = _4512
-            _4544 = angle3
-            work[4544 + k] = _4544
-            _4576 = q6_mpp
-            work[4576 + k] = _4576
-            _4608 = angle7
-            work[4608 + k] = _4608
-            _4640 = q5_mpm
-            work[4640 + k] = _4640
-            _4672 = q6_mpm
-            work[4672 + k] = _4672
-            _4704 = q7_mpm
-            work[4704 + k] = _4704
-            _4736 = q1_mmp
-            work[4736 + k] = _4736
-            _4768 = q2_mmp
-            work[4768 + k] = _4768
-            _4800 = angle4
-            work[4800 + k] = _4800
-            _4832 = q6_mmp
-            work[4832 + k] = _4832
-            _4864 = angle8
-            work[4864 + k] = _4864
-            _4896 = q5_mmm
-            work[4896 + k] = _4896
-            _4928 = q6_mmm
-            work[4928 + k] = _4928
-            _4960 = q7_mmm
-            work[4960 + k] = _4960
-            work[4992 + k] = (
-                UNREACHABLE if _3872 != _3872 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1936 = q1_ppp
+            work[1936 + k] = _1936
+            _1952 = q2_ppp
+            work[1952 + k] = _1952
+            _1968 = q3_ppp
+            work[1968 + k] = _1968
+            _1984 = q4_ppp
+            work[1984 + k] = _1984
+            _2000 = angle1
+            work[2000 + k] = _2000
+            _2016 = q6_ppp
+            work[2016 + k] = _2016
+            _2032 = angle5
+            work[2032 + k] = _2032
+            _2048 = q5_ppm
+            work[2048 + k] = _2048
+            _2064 = q6_ppm
+            work[2064 + k] = _2064
+            _2080 = q7_ppm
+            work[2080 + k] = _2080
+            _2096 = q1_pmp
+            work[2096 + k] = _2096
+            _2112 = q2_pmp
+            work[2112 + k] = _2112
+            _2128 = angle2
+            work[2128 + k] = _2128
+            _2144 = q6_pmp
+            work[2144 + k] = _2144
+            _2160 = angle6
+            work[2160 + k] = _2160
+            _2176 = q5_pmm
+            work[2176 + k] = _2176
+            _2192 = q6_pmm
+            work[2192 + k] = _2192
+            _2208 = q7_pmm
+            work[2208 + k] = _2208
+            _2224 = q1_mpp
+            work[2224 + k] = _2224
+            _2240 = q2_mpp
+            work[2240 + k] = _2240
+            _2256 = q4_mpp
+            work[2256 + k] = _2256
+            _2272 = angle3
+            work[2272 + k] = _2272
+            _2288 = q6_mpp
+            work[2288 + k] = _2288
+            _2304 = angle7
+            work[2304 + k] = _2304
+            _2320 = q5_mpm
+            work[2320 + k] = _2320
+            _2336 = q6_mpm
+            work[2336 + k] = _2336
+            _2352 = q7_mpm
+            work[2352 + k] = _2352
+            _2368 = q1_mmp
+            work[2368 + k] = _2368
+            _2384 = q2_mmp
+            work[2384 + k] = _2384
+            _2400 = angle4
+            work[2400 + k] = _2400
+            _2416 = q6_mmp
+            work[2416 + k] = _2416
+            _2432 = angle8
+            work[2432 + k] = _2432
+            _2448 = q5_mmm
+            work[2448 + k] = _2448
+            _2464 = q6_mmm
+            work[2464 + k] = _2464
+            _2480 = q7_mmm
+            work[2480 + k] = _2480
+            work[2496 + k] = (
+                UNREACHABLE if _1936 != _1936 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[5024 + k] = (
-                UNREACHABLE if _3872 != _3872 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[2512 + k] = (
+                UNREACHABLE if _1936 != _1936 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[5056 + k] = (
-                UNREACHABLE if _4192 != _4192 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[2528 + k] = (
+                UNREACHABLE if _2096 != _2096 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[5088 + k] = (
-                UNREACHABLE if _4192 != _4192 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[2544 + k] = (
+                UNREACHABLE if _2096 != _2096 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[5120 + k] = (
-                UNREACHABLE if _4448 != _4448 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[2560 + k] = (
+                UNREACHABLE if _2224 != _2224 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[5152 + k] = (
-                UNREACHABLE if _4448 != _4448 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[2576 + k] = (
+                UNREACHABLE if _2224 != _2224 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[5184 + k] = (
-                UNREACHABLE if _4736 != _4736 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[2592 + k] = (
+                UNREACHABLE if _2368 != _2368 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[5216 + k] = (
-                UNREACHABLE if _4736 != _4736 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[2608 + k] = (
+                UNREACHABLE if _2368 != _2368 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[544 + k] = 1.0 if doubt1 else work[544 + k]
+            work[272 + k] = 1.0 if doubt1 else work[272 + k]
         for k in range(count):
-            if work[544 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[272 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1972,13 +1974,12 @@ def ik_batch(T, q_free, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 7)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     q_free = _array(q_free, (len(T), 1), "q_free")
     if _COMPILED:
         _share(_in_tiles, cores, T, q_free, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q_free[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q_free, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
 
 

@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm7 d5bf3a6187fb6104"
+_KEY = "xarm7 61a3f4f2ec18476f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2089,10 +2089,14 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q_free, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q_free[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q_free[k], q[k], status[k])
 
 
 def ik_batch(T, q_free, *, cores=None):
@@ -2110,8 +2114,10 @@ def ik_batch(T, q_free, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 16, 7)), np.empty((len(T), 16), _BYTE)
+    status[:, 0] = _UNSOLVED
     q_free = _array(q_free, (len(T), 1), "q_free")
-    _share(_one_by_one, cores, T, q_free, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
 
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from dhgen.targets.stages import Call, Stage
 
 LOOP = INDENT * 3  # inside a loop over the poses of a tile
-TILE = 32  # poses: eight lanes of the widest vectors, four times
+TILE = 16  # poses: two of the widest vectors; what a tile needs stays in the first cache
 
 
 def regular_values(module: SolverModule, flat: Flat) -> dict[str, object]:
