@@ -1605,6 +1605,14 @@ typedef struct {
     double double_c[ABB_GOFA_5_ROOTS], double_s[ABB_GOFA_5_ROOTS];
 } abb_gofa_5_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} abb_gofa_5_window;
+
 static void abb_gofa_5_fit(const double samples[24], abb_gofa_5_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1797,8 +1805,9 @@ static double abb_gofa_5_between(const abb_gofa_5_trigonometric *f, int order, d
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void abb_gofa_5_few(const abb_gofa_5_trigonometric *f, double low, const double at_low[3],
-                        double high, const double at_high[3], abb_gofa_5_roots *roots)
+static void abb_gofa_5_few(const abb_gofa_5_trigonometric *f, double lifted, double low,
+                        const double at_low[3], double high, const double at_high[3],
+                        abb_gofa_5_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1810,7 +1819,7 @@ static void abb_gofa_5_few(const abb_gofa_5_trigonometric *f, double low, const 
     x = abb_gofa_5_between(f, 1, low, at_low, high, at_high);
     abb_gofa_5_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         abb_gofa_5_add_root(roots, x, 1);
         return;
     }
@@ -1868,7 +1877,8 @@ static int abb_gofa_5_kind(const abb_gofa_5_trigonometric *f, const double low[3
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void abb_gofa_5_many(const abb_gofa_5_trigonometric *f, double low, double high,
+static void abb_gofa_5_many(const abb_gofa_5_trigonometric *f, double lifted, double low, double
+    high,
                          const double first[3], const double last[3], int *budget,
                          abb_gofa_5_roots *roots)
 {
@@ -1887,7 +1897,7 @@ static void abb_gofa_5_many(const abb_gofa_5_trigonometric *f, double low, doubl
         const int kind = abb_gofa_5_kind(f, at_low, at[top], h);
         if (kind != ABB_GOFA_5_ROOTLESS) {
             if (kind == ABB_GOFA_5_TAME) {
-                abb_gofa_5_few(f, low, at_low, edge[top], at[top], roots);
+                abb_gofa_5_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == ABB_GOFA_5_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 abb_gofa_5_add_root(roots, low + 0.5 * h, 1);
@@ -1994,7 +2004,9 @@ static int abb_gofa_5_lowest(unsigned long long bits)
 #endif
 }
 
-static void abb_gofa_5_find_roots(const abb_gofa_5_trigonometric *f, abb_gofa_5_roots *roots)
+static void abb_gofa_5_find_roots(const abb_gofa_5_trigonometric *f, const abb_gofa_5_window
+    *window,
+                               abb_gofa_5_roots *roots)
 {
     abb_gofa_5_grid g;
     int plain[ABB_GOFA_5_ROOTS], special[256], plains = 0, specials = 0;
@@ -2008,6 +2020,10 @@ static void abb_gofa_5_find_roots(const abb_gofa_5_trigonometric *f, abb_gofa_5_
             abb_gofa_5_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + abb_gofa_5_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < ABB_GOFA_5_ROOTS &&
@@ -2028,9 +2044,9 @@ static void abb_gofa_5_find_roots(const abb_gofa_5_trigonometric *f, abb_gofa_5_
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (abb_gofa_5_kind(f, low, high, h) == ABB_GOFA_5_TAME) {
-            abb_gofa_5_few(f, i * h, low, (i + 1) * h, high, roots);
+            abb_gofa_5_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            abb_gofa_5_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            abb_gofa_5_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
         }
     }
 }
@@ -2100,18 +2116,131 @@ static void abb_gofa_5_behind(const abb_gofa_5_lens *a, int count, double *cosin
     }
 }
 
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*abb_gofa_5_sampler)(const void *of, const abb_gofa_5_lens *lens, double samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int abb_gofa_5_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int abb_gofa_5_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < ABB_GOFA_5_ROOTS; i++) {
+        if (abb_gofa_5_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int abb_gofa_5_magnify(abb_gofa_5_sampler sample, const void *of, double cosine, double sine,
+                           abb_gofa_5_roots *roots)
+{
+    const abb_gofa_5_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const abb_gofa_5_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    abb_gofa_5_trigonometric f;
+    abb_gofa_5_roots found;
+    sample(of, &lens, samples);
+    abb_gofa_5_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    abb_gofa_5_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    abb_gofa_5_behind(&lens, found.simple, found.c, found.s);
+    abb_gofa_5_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = abb_gofa_5_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = abb_gofa_5_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = abb_gofa_5_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = abb_gofa_5_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void abb_gofa_5_look_closer(abb_gofa_5_sampler sample, const void *of, abb_gofa_5_roots
+    *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == ABB_GOFA_5_ROOTS || roots->doubles == ABB_GOFA_5_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= abb_gofa_5_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= abb_gofa_5_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int abb_gofa_5_real_roots(abb_gofa_5_sampler sample, const void *of, abb_gofa_5_roots *roots)
+{
+    const abb_gofa_5_window all = {0, 128, 5e-09};
+    double samples[24];
+    abb_gofa_5_trigonometric f;
+    abb_gofa_5_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (abb_gofa_5_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    abb_gofa_5_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    abb_gofa_5_find_roots(&f, &all, roots);
+    abb_gofa_5_behind(&lens, roots->simple, roots->c, roots->s);
+    abb_gofa_5_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    abb_gofa_5_look_closer(sample, of, roots);
+    return 1;
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root. */
+ * the same for all that belong to one such root, which is none where the matrix is regular. */
 typedef struct {
-    int count, groups, group[ABB_GOFA_5_CANDIDATES];
+    int count, groups, group[ABB_GOFA_5_CANDIDATES], regular[ABB_GOFA_5_CANDIDATES];
     double c[ABB_GOFA_5_CANDIDATES], s[ABB_GOFA_5_CANDIDATES], n[6][ABB_GOFA_5_CANDIDATES];
 } abb_gofa_5_candidates;
 
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
-static inline void abb_gofa_5_inverse_iteration(abb_gofa_5_lane U[6][6], const abb_gofa_5_lane
-    inverse[6],
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+static inline abb_gofa_5_lane abb_gofa_5_inverse_iteration(abb_gofa_5_lane U[6][6], const
+    abb_gofa_5_lane inverse[6],
                                              abb_gofa_5_lane x[6])
 {
     abb_gofa_5_lane square = {0};
@@ -2128,10 +2257,11 @@ static inline void abb_gofa_5_inverse_iteration(abb_gofa_5_lane U[6][6], const a
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    square = 1.0 / abb_gofa_5_sqrt(square);
+    const abb_gofa_5_lane length = abb_gofa_5_sqrt(square);
     for (int i = 0; i < 6; i++) {
-        x[i] *= square;
+        x[i] *= 1.0 / length;
     }
+    return length;
 }
 
 /* The reciprocals of a diagonal, kept finite. */
@@ -2169,8 +2299,8 @@ static void abb_gofa_5_null_vectors(const double *E, const abb_gofa_5_roots *roo
         for (int i = 0; i < 6; i++) {
             x[i] = abb_gofa_5_all(start[i]);
         }
-        abb_gofa_5_inverse_iteration(factor, inverse, x);
-        abb_gofa_5_inverse_iteration(factor, inverse, x);
+        (void)abb_gofa_5_inverse_iteration(factor, inverse, x);
+        (void)abb_gofa_5_inverse_iteration(factor, inverse, x);
         ABB_GOFA_5_STORE(out->c + from, c);
         ABB_GOFA_5_STORE(out->s + from, s);
         for (int i = 0; i < 6; i++) {
@@ -2257,18 +2387,24 @@ static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    abb_gofa_5_lane factor[6][6], inverse[6], x[2][6];
+    abb_gofa_5_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
     double n[2][6];
+    if (out->groups == ABB_GOFA_5_CANDIDATES) {
+        return;
+    }
     (void)abb_gofa_5_fold(E, abb_gofa_5_all(c), abb_gofa_5_all(s), factor);
     abb_gofa_5_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = abb_gofa_5_all(start[0][i]);
         x[1][i] = abb_gofa_5_all(start[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
     }
     for (int step = 0; step < 4; step++) {
         abb_gofa_5_lane along = {0};
-        abb_gofa_5_inverse_iteration(factor, inverse, x[0]);
-        abb_gofa_5_inverse_iteration(factor, inverse, x[1]);
+        length = abb_gofa_5_inverse_iteration(factor, inverse, x[0]);
+        (void)abb_gofa_5_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2276,15 +2412,16 @@ static void abb_gofa_5_null_plane(const double *E, double c, double s, abb_gofa_
             x[1][i] -= along * x[0][i];
         }
     }
+    out->regular[out->groups] = abb_gofa_5_largest(length * squares) < 9.999999999999999e+17;
     for (int r = 0; r < 2; r++) {
-        double length = 0.0;
+        double square = 0.0;
         for (int i = 0; i < 6; i++) {
             n[r][i] = abb_gofa_5_largest(x[r][i]);
-            length += n[r][i] * n[r][i];
+            square += n[r][i] * n[r][i];
         }
-        length = sqrt(length) + 1e-300;
+        square = sqrt(square) + 1e-300;
         for (int i = 0; i < 6; i++) {
-            n[r][i] /= length;
+            n[r][i] /= square;
         }
     }
     abb_gofa_5_add_candidate(out, c, s, n[0]);
@@ -2898,15 +3035,15 @@ static int abb_gofa_5_settle_ways(const abb_gofa_5_loop *loop, const abb_gofa_5_
 }
 
 /* The polynomial at the sample angles, through a lens. */
-static void abb_gofa_5_sample_closed(const abb_gofa_5_setting *set, const abb_gofa_5_lens *lens,
-    double samples[24])
+static void abb_gofa_5_sample_closed(const void *setting, const abb_gofa_5_lens *lens, double
+    samples[24])
 {
     for (int k = 0; k < 24; k += ABB_GOFA_5_LANES) {
         abb_gofa_5_lane c = ABB_GOFA_5_LOAD(abb_gofa_5_sample_c + k), s =
             ABB_GOFA_5_LOAD(abb_gofa_5_sample_s + k);
         const abb_gofa_5_lane square = abb_gofa_5_through(lens, &c, &s);
-        ABB_GOFA_5_STORE(samples + k, abb_gofa_5_weighted(abb_gofa_5_closed_polynomial(set, c, s),
-            square));
+        ABB_GOFA_5_STORE(samples + k, abb_gofa_5_weighted(abb_gofa_5_closed_polynomial(setting, c,
+            s), square));
     }
 }
 
@@ -2914,24 +3051,13 @@ static void abb_gofa_5_sample_closed(const abb_gofa_5_setting *set, const abb_go
 static int abb_gofa_5_attempt_closed(int which, const abb_gofa_5_loop *loop, abb_gofa_5_found
     *found)
 {
-    double samples[24];
     abb_gofa_5_setting set;
-    abb_gofa_5_trigonometric f;
     abb_gofa_5_roots roots;
     abb_gofa_5_ways ways;
-    abb_gofa_5_lens lens = {0.0, 0.0};
     abb_gofa_5_prepare(&set, which, loop);
-    abb_gofa_5_sample_closed(&set, &lens, samples);
-    if (abb_gofa_5_spread(samples, &lens)) {
-        abb_gofa_5_sample_closed(&set, &lens, samples);
-    }
-    abb_gofa_5_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!abb_gofa_5_real_roots(abb_gofa_5_sample_closed, &set, &roots)) {
         return 0;
     }
-    abb_gofa_5_find_roots(&f, &roots);
-    abb_gofa_5_behind(&lens, roots.simple, roots.c, roots.s);
-    abb_gofa_5_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     ways.count = 0;
     for (int i = 0; i < 2 * ABB_GOFA_5_ROOTS; i++) {
         ways.far[i] = 0;
@@ -2962,7 +3088,7 @@ static void abb_gofa_5_close_roots(const double *E, const abb_gofa_5_roots *root
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_5_loop *loop,
                           double link[6][12], const abb_gofa_5_candidates *all, int simple,
                           int doubles, abb_gofa_5_found *found)
@@ -2997,21 +3123,25 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
         }
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
-        expected += of_group[i] & found->singular ? 1 : 2;
+        if (of_group[i] || !all->regular[i]) {
+            found->doubles++;
+            expected += of_group[i] & found->singular ? 1 : 2;
+        }
     }
     return complete && abb_gofa_5_bits(met) >= expected && abb_gofa_5_paired(found);
 }
 
 /* The determinant at the sample angles, through a lens. */
-static void abb_gofa_5_sample(const double *E, const abb_gofa_5_lens *lens, double samples[24])
+static void abb_gofa_5_sample(const void *equations, const abb_gofa_5_lens *lens, double
+    samples[24])
 {
     for (int k = 0; k < 24; k += ABB_GOFA_5_LANES) {
         abb_gofa_5_lane factor[6][6];
         abb_gofa_5_lane c = ABB_GOFA_5_LOAD(abb_gofa_5_sample_c + k), s =
             ABB_GOFA_5_LOAD(abb_gofa_5_sample_s + k);
         const abb_gofa_5_lane square = abb_gofa_5_through(lens, &c, &s);
-        ABB_GOFA_5_STORE(samples + k, abb_gofa_5_weighted(abb_gofa_5_fold(E, c, s, factor),
-            square));
+        const abb_gofa_5_lane determinant = abb_gofa_5_fold(equations, c, s, factor);
+        ABB_GOFA_5_STORE(samples + k, abb_gofa_5_weighted(determinant, square));
     }
 }
 
@@ -3019,30 +3149,19 @@ static void abb_gofa_5_sample(const double *E, const abb_gofa_5_lens *lens, doub
 static int abb_gofa_5_attempt(const abb_gofa_5_formulation *form, const abb_gofa_5_loop *loop,
                            abb_gofa_5_found *found)
 {
-    double link[6][12], E[192], samples[24];
-    abb_gofa_5_trigonometric f;
+    double link[6][12], E[192];
     abb_gofa_5_roots roots;
     abb_gofa_5_candidates all;
-    abb_gofa_5_lens lens = {0.0, 0.0};
     abb_gofa_5_around(form, loop, link);
     abb_gofa_5_equations(form, link, E);
-    abb_gofa_5_sample(E, &lens, samples);
-    if (abb_gofa_5_spread(samples, &lens)) {
-        abb_gofa_5_sample(E, &lens, samples);
-    }
-    abb_gofa_5_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!abb_gofa_5_real_roots(abb_gofa_5_sample, E, &roots)) {
         return 0;
     }
-    abb_gofa_5_find_roots(&f, &roots);
-    abb_gofa_5_behind(&lens, roots.simple, roots.c, roots.s);
-    abb_gofa_5_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     abb_gofa_5_null_vectors(E, &roots, &all);
     abb_gofa_5_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
         abb_gofa_5_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    found->doubles += roots.doubles;
     return abb_gofa_5_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }

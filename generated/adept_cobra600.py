@@ -637,64 +637,67 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [864, 896, 928, 960],
-    [992, 1024, 928, 1056],
+    [432, 448, 464, 480],
+    [496, 512, 464, 528],
 ])
-_KINDS = np.array([1088, 1120])
-_LEFT_OVER = 255
+_KINDS = np.array([544, 560])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1152)
+    work = np.empty(576)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             r3 = d1 - T34
             v1 = T21 * T21 + T11 * T11
             v2 = math.sqrt(v1) * (1.0 / v1)
@@ -720,49 +723,48 @@ def _in_tiles(T, q, status):
                 (v12 * v12 + (T13 * T13 + (v11 * v11 + (v10 * v10 + (T23 * T23 + (T31 * T31 + (v9 *
                 v9 + T32 * T32))))))) or m4 < v8 * v8)))
             )
-            work[544 + k] = q3_p
-            work[576 + k] = doubt1
-            work[608 + k] = T21
-            work[640 + k] = w2
-            work[672 + k] = v4 - v6
-            work[704 + k] = v4 + v6
-            work[736 + k] = T11
-            work[768 + k] = N2 - k1
-            work[800 + k] = v5 + v7
-            work[832 + k] = v5 - v7
-        for k in range(608, 736):
-            work[k] = _atan2(work[k], work[k + 128])
-        for k in range(0, 32):
-            q3_p = work[544 + k]
-            doubt1 = work[576 + k] != 0.0
-            angle1 = work[608 + k]
-            angle2 = work[640 + k]
-            angle3 = work[672 + k]
-            angle4 = work[704 + k]
+            work[272 + k] = q3_p
+            work[288 + k] = doubt1
+            work[304 + k] = T21
+            work[320 + k] = w2
+            work[336 + k] = v4 - v6
+            work[352 + k] = v4 + v6
+            work[368 + k] = T11
+            work[384 + k] = N2 - k1
+            work[400 + k] = v5 + v7
+            work[416 + k] = v5 - v7
+        for k in range(304, 368):
+            work[k] = _atan2(work[k], work[k + 64])
+        for k in range(0, 16):
+            q3_p = work[272 + k]
+            doubt1 = work[288 + k] != 0.0
+            angle1 = work[304 + k]
+            angle2 = work[320 + k]
+            angle3 = work[336 + k]
+            angle4 = work[352 + k]
             v14 = angle2 + angle3 - angle1
             v15 = angle4 - angle2 - angle1
             q4_p = v14 - (m6 if half_turn < v14 else 0.0) + (m6 if v14 <= -half_turn else 0.0)
             q4_m = v15 - (m6 if half_turn < v15 else 0.0) + (m6 if v15 <= -half_turn else 0.0)
-            _864 = angle3
-            work[864 + k] = _864
-            _896 = angle2
-            work[896 + k] = _896
-            _928 = q3_p
-            work[928 + k] = _928
-            _960 = q4_p
-            work[960 + k] = _960
-            _992 = angle4
-            work[992 + k] = _992
-            _1024 = -angle2
-            work[1024 + k] = _1024
-            _1056 = q4_m
-            work[1056 + k] = _1056
-            work[1088 + k] = UNREACHABLE if _864 != _864 else OK
-            work[1120 + k] = UNREACHABLE if _992 != _992 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _432 = angle3
+            work[432 + k] = _432
+            _448 = angle2
+            work[448 + k] = _448
+            _464 = q3_p
+            work[464 + k] = _464
+            _480 = q4_p
+            work[480 + k] = _480
+            _496 = angle4
+            work[496 + k] = _496
+            _512 = -angle2
+            work[512 + k] = _512
+            _528 = q4_m
+            work[528 + k] = _528
+            work[544 + k] = UNREACHABLE if _432 != _432 else OK
+            work[560 + k] = UNREACHABLE if _496 != _496 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(2):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -785,12 +787,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 2, 4)), np.empty((len(T), 2), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

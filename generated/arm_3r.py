@@ -604,46 +604,49 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1024, 1056, 1088],
-    [1024, 1120, 1152],
-    [1184, 1216, 1088],
-    [1184, 1248, 1152],
+    [512, 528, 544],
+    [512, 560, 576],
+    [592, 608, 544],
+    [592, 624, 576],
 ])
-_KINDS = np.array([1280, 1312, 1344, 1376])
-_LEFT_OVER = 255
+_KINDS = np.array([640, 656, 672, 688])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1408)
+    work = np.empty(704)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            miss = 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            T24 = work[224 + k]
-            T34 = work[352 + k]
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            T24 = work[112 + k]
+            T34 = work[176 + k]
             v1 = T14 * T14 + T24 * T24
             w1 = math.sqrt(v1)
             Z1_3 = T34 - d1
@@ -669,61 +672,60 @@ def _in_tiles(T, q, status):
                 < longest3_apart)) or (v1 <= m1 or (v14 + v13 * v13 <= m5 or (v15 + v12 * v12 <= m5
                 or (v14 + v10 * v10 <= m5 or v15 + v11 * v11 <= m5))))
             )
-            work[544 + k] = N3
-            work[576 + k] = v2
-            work[608 + k] = doubt1
-            work[640 + k] = -T24
-            work[672 + k] = -(k1 * (N3 - k2))
-            work[704 + k] = S2_pp
-            work[736 + k] = -v6
-            work[768 + k] = -v6
-            work[800 + k] = S2_pp
-            work[832 + k] = -T14
-            work[864 + k] = k1 * w3
-            work[896 + k] = -v10
-            work[928 + k] = -v11
-            work[960 + k] = -v12
-            work[992 + k] = -v13
-        for k in range(640, 832):
-            work[k] = _atan2(work[k], work[k + 192])
-        for k in range(0, 32):
-            T24 = work[224 + k]
-            N3 = work[544 + k]
-            v2 = work[576 + k]
-            doubt1 = work[608 + k] != 0.0
-            angle1 = work[640 + k]
-            angle2 = work[672 + k]
-            angle3 = work[704 + k]
-            angle4 = work[736 + k]
-            angle5 = work[768 + k]
-            angle6 = work[800 + k]
+            work[272 + k] = N3
+            work[288 + k] = v2
+            work[304 + k] = doubt1
+            work[320 + k] = -T24
+            work[336 + k] = -(k1 * (N3 - k2))
+            work[352 + k] = S2_pp
+            work[368 + k] = -v6
+            work[384 + k] = -v6
+            work[400 + k] = S2_pp
+            work[416 + k] = -T14
+            work[432 + k] = k1 * w3
+            work[448 + k] = -v10
+            work[464 + k] = -v11
+            work[480 + k] = -v12
+            work[496 + k] = -v13
+        for k in range(320, 416):
+            work[k] = _atan2(work[k], work[k + 96])
+        for k in range(0, 16):
+            T24 = work[112 + k]
+            N3 = work[272 + k]
+            v2 = work[288 + k]
+            doubt1 = work[304 + k] != 0.0
+            angle1 = work[320 + k]
+            angle2 = work[336 + k]
+            angle3 = work[352 + k]
+            angle4 = work[368 + k]
+            angle5 = work[384 + k]
+            angle6 = work[400 + k]
             q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle2
             q1_pp = angle1 + v2
             q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
-            _1024 = q1_pp
-            work[1024 + k] = _1024
-            _1056 = angle3
-            work[1056 + k] = _1056
-            _1088 = angle2
-            work[1088 + k] = _1088
-            _1120 = angle4
-            work[1120 + k] = _1120
-            _1152 = q3_pm
-            work[1152 + k] = _1152
-            _1184 = q1_mp
-            work[1184 + k] = _1184
-            _1216 = angle5
-            work[1216 + k] = _1216
-            _1248 = angle6
-            work[1248 + k] = _1248
-            work[1280 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[1312 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[1344 + k] = UNREACHABLE if _1184 != _1184 else OK
-            work[1376 + k] = UNREACHABLE if _1184 != _1184 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _512 = q1_pp
+            work[512 + k] = _512
+            _528 = angle3
+            work[528 + k] = _528
+            _544 = angle2
+            work[544 + k] = _544
+            _560 = angle4
+            work[560 + k] = _560
+            _576 = q3_pm
+            work[576 + k] = _576
+            _592 = q1_mp
+            work[592 + k] = _592
+            _608 = angle5
+            work[608 + k] = _608
+            _624 = angle6
+            work[624 + k] = _624
+            work[640 + k] = UNREACHABLE if _512 != _512 else OK
+            work[656 + k] = UNREACHABLE if _512 != _512 else OK
+            work[672 + k] = UNREACHABLE if _592 != _592 else OK
+            work[688 + k] = UNREACHABLE if _592 != _592 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(4):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -746,12 +748,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

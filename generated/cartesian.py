@@ -354,57 +354,59 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [544, 576, 608],
+    [272, 288, 304],
 ])
-_KINDS = np.array([640])
-_LEFT_OVER = 255
+_KINDS = np.array([320])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(672)
+    work = np.empty(336)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            miss = 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            T24 = work[224 + k]
-            T34 = work[352 + k]
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            T24 = work[112 + k]
+            T34 = work[176 + k]
             outside = (
                 T14 < low3 or high3 < T14 or (T34 < low1 or high1 < T34 or (T24 < low2 or high2 <
                 T24))
             )
-            _544 = T34
-            work[544 + k] = _544
-            _576 = T24
-            work[576 + k] = _576
-            _608 = T14
-            work[608 + k] = _608
-            work[640 + k] = UNREACHABLE if _544 != _544 else (OUT_OF_LIMITS if outside else OK)
+            _272 = T34
+            work[272 + k] = _272
+            _288 = T24
+            work[288 + k] = _288
+            _304 = T14
+            work[304 + k] = _304
+            work[320 + k] = UNREACHABLE if _272 != _272 else (OUT_OF_LIMITS if outside else OK)
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(1):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -427,12 +429,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 1, 3)), np.empty((len(T), 1), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

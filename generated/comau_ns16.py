@@ -1059,70 +1059,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2112, 2144, 2176, 2208, 2240, 2272],
-    [2112, 2144, 2176, 2304, 2336, 2368],
-    [2112, 2400, 2432, 2464, 2496, 2528],
-    [2112, 2400, 2432, 2560, 2592, 2624],
-    [2656, 2688, 2720, 2752, 2784, 2816],
-    [2656, 2688, 2720, 2848, 2880, 2912],
-    [2656, 2944, 2976, 3008, 3040, 3072],
-    [2656, 2944, 2976, 3104, 3136, 3168],
+    [1056, 1072, 1088, 1104, 1120, 1136],
+    [1056, 1072, 1088, 1152, 1168, 1184],
+    [1056, 1200, 1216, 1232, 1248, 1264],
+    [1056, 1200, 1216, 1280, 1296, 1312],
+    [1328, 1344, 1360, 1376, 1392, 1408],
+    [1328, 1344, 1360, 1424, 1440, 1456],
+    [1328, 1472, 1488, 1504, 1520, 1536],
+    [1328, 1472, 1488, 1552, 1568, 1584],
 ])
-_KINDS = np.array([3200, 3232, 3264, 3296, 3328, 3360, 3392, 3424])
-_LEFT_OVER = 255
+_KINDS = np.array([1600, 1616, 1632, 1648, 1664, 1680, 1696, 1712])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3456)
+    work = np.empty(1728)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             X1 = d6 * T13 - T14
             wy = d6 * T23 - T24
             N1 = X1 * X1 + wy * wy
@@ -1212,87 +1215,87 @@ def _in_tiles(T, q, status):
                 (shortest3_apart < N3_p and N3_p < longest3_apart)) or (abs(D1) <= k2 or (N1 <=
                 doubt_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))))
             )
-            work[544 + k] = w3_p
-            work[576 + k] = w3_m
-            work[608 + k] = s6_pp
-            work[640 + k] = s6_pm
-            work[672 + k] = s6_mp
-            work[704 + k] = s6_mm
-            work[736 + k] = v51
-            work[768 + k] = v52
-            work[800 + k] = doubt1
-            work[832 + k] = s1_p
-            work[864 + k] = s1_m
-            work[896 + k] = v5 + w3_p * (m1 * Z2_3_p)
-            work[928 + k] = v5 + w3_p * (m1 * -Z2_3_p)
-            work[960 + k] = v6 - v43
-            work[992 + k] = v6 + v43
-            work[1024 + k] = w3_p
-            work[1056 + k] = w3_m
-            work[1088 + k] = Y4_p
-            work[1120 + k] = Y4_p
-            work[1152 + k] = Y4_m
-            work[1184 + k] = Y4_m
-            work[1216 + k] = -math.sqrt(v28)
-            work[1248 + k] = -math.sqrt(v29)
-            work[1280 + k] = -math.sqrt(v30)
-            work[1312 + k] = -math.sqrt(v31)
-            work[1344 + k] = s6_pp
-            work[1376 + k] = s6_pm
-            work[1408 + k] = s6_mp
-            work[1440 + k] = s6_mm
-            work[1472 + k] = c1_p
-            work[1504 + k] = c1_m
-            work[1536 + k] = v7 - v40
-            work[1568 + k] = v7 + v40
-            work[1600 + k] = -(v8 + v44)
-            work[1632 + k] = v44 - v8
-            work[1664 + k] = N3_p - k6
-            work[1696 + k] = N3_m - k6
-            work[1728 + k] = -X4_pp
-            work[1760 + k] = -X4_pm
-            work[1792 + k] = -X4_mp
-            work[1824 + k] = -X4_mm
-            work[1856 + k] = T33 * c2m3_pp + s2m3_pp * v24
-            work[1888 + k] = T33 * c2m3_pm + s2m3_pm * v24
-            work[1920 + k] = T33 * c2m3_mp + s2m3_mp * v25
-            work[1952 + k] = T33 * c2m3_mm + s2m3_mm * v25
-            work[1984 + k] = v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)
-            work[2016 + k] = v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)
-            work[2048 + k] = v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32)
-            work[2080 + k] = v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32)
-        for k in range(832, 1472):
-            work[k] = _atan2(work[k], work[k + 640])
-        for k in range(0, 32):
-            w3_p = work[544 + k]
-            w3_m = work[576 + k]
-            s6_pp = work[608 + k]
-            s6_pm = work[640 + k]
-            s6_mp = work[672 + k]
-            s6_mm = work[704 + k]
-            v51 = work[736 + k]
-            v52 = work[768 + k]
-            doubt1 = work[800 + k] != 0.0
-            angle1 = work[832 + k]
-            angle2 = work[864 + k]
-            angle3 = work[896 + k]
-            angle4 = work[928 + k]
-            angle5 = work[960 + k]
-            angle6 = work[992 + k]
-            angle7 = work[1024 + k]
-            angle8 = work[1056 + k]
-            angle9 = work[1088 + k]
-            angle10 = work[1120 + k]
-            angle11 = work[1152 + k]
-            angle12 = work[1184 + k]
-            angle13 = work[1216 + k]
-            angle14 = work[1248 + k]
-            angle15 = work[1280 + k]
-            angle16 = work[1312 + k]
-            angle17 = work[1344 + k]
-            angle18 = work[1376 + k]
-            angle19 = work[1408 + k]
-            angle20 = work[1440 + k]
+            work[272 + k] = w3_p
+            work[288 + k] = w3_m
+            work[304 + k] = s6_pp
+            work[320 + k] = s6_pm
+            work[336 + k] = s6_mp
+            work[352 + k] = s6_mm
+            work[368 + k] = v51
+            work[384 + k] = v52
+            work[400 + k] = doubt1
+            work[416 + k] = s1_p
+            work[432 + k] = s1_m
+            work[448 + k] = v5 + w3_p * (m1 * Z2_3_p)
+            work[464 + k] = v5 + w3_p * (m1 * -Z2_3_p)
+            work[480 + k] = v6 - v43
+            work[496 + k] = v6 + v43
+            work[512 + k] = w3_p
+            work[528 + k] = w3_m
+            work[544 + k] = Y4_p
+            work[560 + k] = Y4_p
+            work[576 + k] = Y4_m
+            work[592 + k] = Y4_m
+            work[608 + k] = -math.sqrt(v28)
+            work[624 + k] = -math.sqrt(v29)
+            work[640 + k] = -math.sqrt(v30)
+            work[656 + k] = -math.sqrt(v31)
+            work[672 + k] = s6_pp
+            work[688 + k] = s6_pm
+            work[704 + k] = s6_mp
+            work[720 + k] = s6_mm
+            work[736 + k] = c1_p
+            work[752 + k] = c1_m
+            work[768 + k] = v7 - v40
+            work[784 + k] = v7 + v40
+            work[800 + k] = -(v8 + v44)
+            work[816 + k] = v44 - v8
+            work[832 + k] = N3_p - k6
+            work[848 + k] = N3_m - k6
+            work[864 + k] = -X4_pp
+            work[880 + k] = -X4_pm
+            work[896 + k] = -X4_mp
+            work[912 + k] = -X4_mm
+            work[928 + k] = T33 * c2m3_pp + s2m3_pp * v24
+            work[944 + k] = T33 * c2m3_pm + s2m3_pm * v24
+            work[960 + k] = T33 * c2m3_mp + s2m3_mp * v25
+            work[976 + k] = T33 * c2m3_mm + s2m3_mm * v25
+            work[992 + k] = v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)
+            work[1008 + k] = v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)
+            work[1024 + k] = v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32)
+            work[1040 + k] = v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32)
+        for k in range(416, 736):
+            work[k] = _atan2(work[k], work[k + 320])
+        for k in range(0, 16):
+            w3_p = work[272 + k]
+            w3_m = work[288 + k]
+            s6_pp = work[304 + k]
+            s6_pm = work[320 + k]
+            s6_mp = work[336 + k]
+            s6_mm = work[352 + k]
+            v51 = work[368 + k]
+            v52 = work[384 + k]
+            doubt1 = work[400 + k] != 0.0
+            angle1 = work[416 + k]
+            angle2 = work[432 + k]
+            angle3 = work[448 + k]
+            angle4 = work[464 + k]
+            angle5 = work[480 + k]
+            angle6 = work[496 + k]
+            angle7 = work[512 + k]
+            angle8 = work[528 + k]
+            angle9 = work[544 + k]
+            angle10 = work[560 + k]
+            angle11 = work[576 + k]
+            angle12 = work[592 + k]
+            angle13 = work[608 + k]
+            angle14 = work[624 + k]
+            angle15 = work[640 + k]
+            angle16 = work[656 + k]
+            angle17 = work[672 + k]
+            angle18 = work[688 + k]
+            angle19 = work[704 + k]
+            angle20 = work[720 + k]
             v41 = angle3 - offset2
             v42 = angle4 - offset2
             v45 = angle5 - offset2
@@ -1373,102 +1376,101 @@ def _in_tiles(T, q, status):
             outside_mpm = v81 or (q5_mpm < low5 or high5 < q5_mpm)
             outside_mmp = v82 or (q5_mmp < low5 or high5 < q5_mmp)
             outside_mmm = v82 or (q5_mmm < low5 or high5 < q5_mmm)
-            _2112 = q1_ppp
-            work[2112 + k] = _2112
-            _2144 = q2_ppp
-            work[2144 + k] = _2144
-            _2176 = q3_ppp
-            work[2176 + k] = _2176
-            _2208 = q4_ppp
-            work[2208 + k] = _2208
-            _2240 = q5_ppp
-            work[2240 + k] = _2240
-            _2272 = q6_ppp
-            work[2272 + k] = _2272
-            _2304 = q4_ppm
-            work[2304 + k] = _2304
-            _2336 = q5_ppm
-            work[2336 + k] = _2336
-            _2368 = q6_ppm
-            work[2368 + k] = _2368
-            _2400 = q2_pmp
-            work[2400 + k] = _2400
-            _2432 = q3_pmp
-            work[2432 + k] = _2432
-            _2464 = q4_pmp
-            work[2464 + k] = _2464
-            _2496 = q5_pmp
-            work[2496 + k] = _2496
-            _2528 = q6_pmp
-            work[2528 + k] = _2528
-            _2560 = q4_pmm
-            work[2560 + k] = _2560
-            _2592 = q5_pmm
-            work[2592 + k] = _2592
-            _2624 = q6_pmm
-            work[2624 + k] = _2624
-            _2656 = q1_mpp
-            work[2656 + k] = _2656
-            _2688 = q2_mpp
-            work[2688 + k] = _2688
-            _2720 = q3_mpp
-            work[2720 + k] = _2720
-            _2752 = q4_mpp
-            work[2752 + k] = _2752
-            _2784 = q5_mpp
-            work[2784 + k] = _2784
-            _2816 = q6_mpp
-            work[2816 + k] = _2816
-            _2848 = q4_mpm
-            work[2848 + k] = _2848
-            _2880 = q5_mpm
-            work[2880 + k] = _2880
-            _2912 = q6_mpm
-            work[2912 + k] = _2912
-            _2944 = q2_mmp
-            work[2944 + k] = _2944
-            _2976 = q3_mmp
-            work[2976 + k] = _2976
-            _3008 = q4_mmp
-            work[3008 + k] = _3008
-            _3040 = q5_mmp
-            work[3040 + k] = _3040
-            _3072 = q6_mmp
-            work[3072 + k] = _3072
-            _3104 = q4_mmm
-            work[3104 + k] = _3104
-            _3136 = q5_mmm
-            work[3136 + k] = _3136
-            _3168 = q6_mmm
-            work[3168 + k] = _3168
-            work[3200 + k] = (
-                UNREACHABLE if _2112 != _2112 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1056 = q1_ppp
+            work[1056 + k] = _1056
+            _1072 = q2_ppp
+            work[1072 + k] = _1072
+            _1088 = q3_ppp
+            work[1088 + k] = _1088
+            _1104 = q4_ppp
+            work[1104 + k] = _1104
+            _1120 = q5_ppp
+            work[1120 + k] = _1120
+            _1136 = q6_ppp
+            work[1136 + k] = _1136
+            _1152 = q4_ppm
+            work[1152 + k] = _1152
+            _1168 = q5_ppm
+            work[1168 + k] = _1168
+            _1184 = q6_ppm
+            work[1184 + k] = _1184
+            _1200 = q2_pmp
+            work[1200 + k] = _1200
+            _1216 = q3_pmp
+            work[1216 + k] = _1216
+            _1232 = q4_pmp
+            work[1232 + k] = _1232
+            _1248 = q5_pmp
+            work[1248 + k] = _1248
+            _1264 = q6_pmp
+            work[1264 + k] = _1264
+            _1280 = q4_pmm
+            work[1280 + k] = _1280
+            _1296 = q5_pmm
+            work[1296 + k] = _1296
+            _1312 = q6_pmm
+            work[1312 + k] = _1312
+            _1328 = q1_mpp
+            work[1328 + k] = _1328
+            _1344 = q2_mpp
+            work[1344 + k] = _1344
+            _1360 = q3_mpp
+            work[1360 + k] = _1360
+            _1376 = q4_mpp
+            work[1376 + k] = _1376
+            _1392 = q5_mpp
+            work[1392 + k] = _1392
+            _1408 = q6_mpp
+            work[1408 + k] = _1408
+            _1424 = q4_mpm
+            work[1424 + k] = _1424
+            _1440 = q5_mpm
+            work[1440 + k] = _1440
+            _1456 = q6_mpm
+            work[1456 + k] = _1456
+            _1472 = q2_mmp
+            work[1472 + k] = _1472
+            _1488 = q3_mmp
+            work[1488 + k] = _1488
+            _1504 = q4_mmp
+            work[1504 + k] = _1504
+            _1520 = q5_mmp
+            work[1520 + k] = _1520
+            _1536 = q6_mmp
+            work[1536 + k] = _1536
+            _1552 = q4_mmm
+            work[1552 + k] = _1552
+            _1568 = q5_mmm
+            work[1568 + k] = _1568
+            _1584 = q6_mmm
+            work[1584 + k] = _1584
+            work[1600 + k] = (
+                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[3232 + k] = (
-                UNREACHABLE if _2112 != _2112 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1616 + k] = (
+                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[3264 + k] = (
-                UNREACHABLE if _2112 != _2112 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1632 + k] = (
+                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[3296 + k] = (
-                UNREACHABLE if _2112 != _2112 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1648 + k] = (
+                UNREACHABLE if _1056 != _1056 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[3328 + k] = (
-                UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1664 + k] = (
+                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[3360 + k] = (
-                UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1680 + k] = (
+                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[3392 + k] = (
-                UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[1696 + k] = (
+                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[3424 + k] = (
-                UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[1712 + k] = (
+                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1491,12 +1493,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -827,64 +827,67 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1152, 1184, 1216, 1248],
-    [1280, 1312, 1344, 1376],
+    [576, 592, 608, 624],
+    [640, 656, 672, 688],
 ])
-_KINDS = np.array([1408, 1440])
-_LEFT_OVER = 255
+_KINDS = np.array([704, 720])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1472)
+    work = np.empty(736)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             N1 = T13 * T13 + T23 * T23
             D1 = N1 - k3
             w1 = math.sqrt(D1)
@@ -1024,40 +1027,40 @@ def _in_tiles(T, q, status):
                 ((m6 < v89 and v89 <= m7) or (abs(D1) <= k4 or (N1 <= doubt_limit_squared or ((m8 <
                 v95 and v95 <= m9) or (v16 <= m1 or (m8 < v94 and v94 <= m9))))))))))
             )
-            work[544 + k] = v92
-            work[576 + k] = v93
-            work[608 + k] = v96
-            work[640 + k] = v97
-            work[672 + k] = doubt1
-            work[704 + k] = -S2
-            work[736 + k] = -v42
-            work[768 + k] = -v43
-            work[800 + k] = v22
-            work[832 + k] = v23
-            work[864 + k] = -v13
-            work[896 + k] = -v14
-            work[928 + k] = v15
-            work[960 + k] = c3_p
-            work[992 + k] = c3_m
-            work[1024 + k] = v26
-            work[1056 + k] = v27
-            work[1088 + k] = c1_p
-            work[1120 + k] = c1_m
-        for k in range(704, 928):
-            work[k] = _atan2(work[k], work[k + 224])
-        for k in range(0, 32):
-            v92 = work[544 + k]
-            v93 = work[576 + k]
-            v96 = work[608 + k]
-            v97 = work[640 + k]
-            doubt1 = work[672 + k] != 0.0
-            angle1 = work[704 + k]
-            angle2 = work[736 + k]
-            angle3 = work[768 + k]
-            angle4 = work[800 + k]
-            angle5 = work[832 + k]
-            angle6 = work[864 + k]
-            angle7 = work[896 + k]
+            work[272 + k] = v92
+            work[288 + k] = v93
+            work[304 + k] = v96
+            work[320 + k] = v97
+            work[336 + k] = doubt1
+            work[352 + k] = -S2
+            work[368 + k] = -v42
+            work[384 + k] = -v43
+            work[400 + k] = v22
+            work[416 + k] = v23
+            work[432 + k] = -v13
+            work[448 + k] = -v14
+            work[464 + k] = v15
+            work[480 + k] = c3_p
+            work[496 + k] = c3_m
+            work[512 + k] = v26
+            work[528 + k] = v27
+            work[544 + k] = c1_p
+            work[560 + k] = c1_m
+        for k in range(352, 464):
+            work[k] = _atan2(work[k], work[k + 112])
+        for k in range(0, 16):
+            v92 = work[272 + k]
+            v93 = work[288 + k]
+            v96 = work[304 + k]
+            v97 = work[320 + k]
+            doubt1 = work[336 + k] != 0.0
+            angle1 = work[352 + k]
+            angle2 = work[368 + k]
+            angle3 = work[384 + k]
+            angle4 = work[400 + k]
+            angle5 = work[416 + k]
+            angle6 = work[432 + k]
+            angle7 = work[448 + k]
             v98 = angle4 - angle2
             v99 = angle5 - angle3
             q1_p = v96 + (v92 + angle6)
@@ -1074,28 +1077,27 @@ def _in_tiles(T, q, status):
                 v97 + (v93 + (v99 - (m10 if half_turn < v99 else 0.0) + (m10 if v99 <= -half_turn
                 else 0.0)))
             )
-            _1152 = q1_p
-            work[1152 + k] = _1152
-            _1184 = q2_p
-            work[1184 + k] = _1184
-            _1216 = q3_p
-            work[1216 + k] = _1216
-            _1248 = q4_p
-            work[1248 + k] = _1248
-            _1280 = q1_m
-            work[1280 + k] = _1280
-            _1312 = q2_m
-            work[1312 + k] = _1312
-            _1344 = q3_m
-            work[1344 + k] = _1344
-            _1376 = q4_m
-            work[1376 + k] = _1376
-            work[1408 + k] = UNREACHABLE if _1152 != _1152 else OK
-            work[1440 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _576 = q1_p
+            work[576 + k] = _576
+            _592 = q2_p
+            work[592 + k] = _592
+            _608 = q3_p
+            work[608 + k] = _608
+            _624 = q4_p
+            work[624 + k] = _624
+            _640 = q1_m
+            work[640 + k] = _640
+            _656 = q2_m
+            work[656 + k] = _656
+            _672 = q3_m
+            work[672 + k] = _672
+            _688 = q4_m
+            work[688 + k] = _688
+            work[704 + k] = UNREACHABLE if _576 != _576 else OK
+            work[720 + k] = UNREACHABLE if _640 != _640 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(2):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1118,12 +1120,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 2, 4)), np.empty((len(T), 2), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -659,66 +659,69 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [992, 1024, 1056, 1088, 1120, 1152],
-    [992, 1024, 1056, 1184, 1216, 1248],
-    [1280, 1024, 1312, 1344, 1376, 1248],
-    [1280, 1024, 1312, 1408, 1440, 1152],
+    [496, 512, 528, 544, 560, 576],
+    [496, 512, 528, 592, 608, 624],
+    [640, 512, 656, 672, 688, 624],
+    [640, 512, 656, 704, 720, 576],
 ])
-_KINDS = np.array([1472, 1504, 1536, 1568])
-_LEFT_OVER = 255
+_KINDS = np.array([736, 752, 768, 784])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1600)
+    work = np.empty(800)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             q2_pp = T34 - d6 * T33 - d1
             wy = T24 - d6 * T23
             s1 = d6 * T13 - T14
@@ -730,76 +733,75 @@ def _in_tiles(T, q, status):
             v3 = T33 * T33 + factor1 * (X4 * v2)
             v4 = X4 * T31 - T33 * (wy * T11 + s1 * T21)
             doubt1 = v1 <= m1 or v3 <= m3
-            work[544 + k] = q2_pp
-            work[576 + k] = s1
-            work[608 + k] = q3_pp
-            work[640 + k] = v3
-            work[672 + k] = v4
-            work[704 + k] = doubt1
-            work[736 + k] = s1
-            work[768 + k] = T33
-            work[800 + k] = -math.sqrt(v3)
-            work[832 + k] = v4
-            work[864 + k] = wy
-            work[896 + k] = -v2
-            work[928 + k] = factor1 * (T23 * wy - T13 * s1)
-            work[960 + k] = X4 * T32 - T33 * (wy * T12 + s1 * T22)
-        for k in range(736, 864):
-            work[k] = _atan2(work[k], work[k + 128])
-        for k in range(0, 32):
-            T33 = work[320 + k]
-            q2_pp = work[544 + k]
-            s1 = work[576 + k]
-            q3_pp = work[608 + k]
-            v3 = work[640 + k]
-            v4 = work[672 + k]
-            doubt1 = work[704 + k] != 0.0
-            angle1 = work[736 + k]
-            angle2 = work[768 + k]
-            angle3 = work[800 + k]
-            angle4 = work[832 + k]
+            work[272 + k] = q2_pp
+            work[288 + k] = s1
+            work[304 + k] = q3_pp
+            work[320 + k] = v3
+            work[336 + k] = v4
+            work[352 + k] = doubt1
+            work[368 + k] = s1
+            work[384 + k] = T33
+            work[400 + k] = -math.sqrt(v3)
+            work[416 + k] = v4
+            work[432 + k] = wy
+            work[448 + k] = -v2
+            work[464 + k] = factor1 * (T23 * wy - T13 * s1)
+            work[480 + k] = X4 * T32 - T33 * (wy * T12 + s1 * T22)
+        for k in range(368, 432):
+            work[k] = _atan2(work[k], work[k + 64])
+        for k in range(0, 16):
+            T33 = work[160 + k]
+            q2_pp = work[272 + k]
+            s1 = work[288 + k]
+            q3_pp = work[304 + k]
+            v3 = work[320 + k]
+            v4 = work[336 + k]
+            doubt1 = work[352 + k] != 0.0
+            angle1 = work[368 + k]
+            angle2 = work[384 + k]
+            angle3 = work[400 + k]
+            angle4 = work[416 + k]
             q1_mp = angle1 - math.copysign(half_turn, s1) * h1
             q4_pm = angle2 - h1 * math.copysign(half_turn, T33)
             q5_mp = h1 * math.copysign(half_turn, -math.sqrt(v3)) - angle3
             q6_pm = angle4 - h1 * math.copysign(half_turn, v4)
-            _992 = angle1
-            work[992 + k] = _992
-            _1024 = q2_pp
-            work[1024 + k] = _1024
-            _1056 = q3_pp
-            work[1056 + k] = _1056
-            _1088 = angle2
-            work[1088 + k] = _1088
-            _1120 = angle3
-            work[1120 + k] = _1120
-            _1152 = angle4
-            work[1152 + k] = _1152
-            _1184 = q4_pm
-            work[1184 + k] = _1184
-            _1216 = -angle3
-            work[1216 + k] = _1216
-            _1248 = q6_pm
-            work[1248 + k] = _1248
-            _1280 = q1_mp
-            work[1280 + k] = _1280
-            _1312 = -q3_pp
-            work[1312 + k] = _1312
-            _1344 = -q4_pm
-            work[1344 + k] = _1344
-            _1376 = q5_mp
-            work[1376 + k] = _1376
-            _1408 = -angle2
-            work[1408 + k] = _1408
-            _1440 = -q5_mp
-            work[1440 + k] = _1440
-            work[1472 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1504 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1536 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[1568 + k] = UNREACHABLE if _1280 != _1280 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _496 = angle1
+            work[496 + k] = _496
+            _512 = q2_pp
+            work[512 + k] = _512
+            _528 = q3_pp
+            work[528 + k] = _528
+            _544 = angle2
+            work[544 + k] = _544
+            _560 = angle3
+            work[560 + k] = _560
+            _576 = angle4
+            work[576 + k] = _576
+            _592 = q4_pm
+            work[592 + k] = _592
+            _608 = -angle3
+            work[608 + k] = _608
+            _624 = q6_pm
+            work[624 + k] = _624
+            _640 = q1_mp
+            work[640 + k] = _640
+            _656 = -q3_pp
+            work[656 + k] = _656
+            _672 = -q4_pm
+            work[672 + k] = _672
+            _688 = q5_mp
+            work[688 + k] = _688
+            _704 = -angle2
+            work[704 + k] = _704
+            _720 = -q5_mp
+            work[720 + k] = _720
+            work[736 + k] = UNREACHABLE if _496 != _496 else OK
+            work[752 + k] = UNREACHABLE if _496 != _496 else OK
+            work[768 + k] = UNREACHABLE if _640 != _640 else OK
+            work[784 + k] = UNREACHABLE if _640 != _640 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(4):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -822,12 +824,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 4, 6)), np.empty((len(T), 4), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -1609,6 +1609,14 @@ typedef struct {
     double double_c[FANUC_CRX10IA_ROOTS], double_s[FANUC_CRX10IA_ROOTS];
 } fanuc_crx10ia_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} fanuc_crx10ia_window;
+
 static void fanuc_crx10ia_fit(const double samples[24], fanuc_crx10ia_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1805,9 +1813,9 @@ static double fanuc_crx10ia_between(const fanuc_crx10ia_trigonometric *f, int or
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void fanuc_crx10ia_few(const fanuc_crx10ia_trigonometric *f, double low, const double
-    at_low[3],
-                        double high, const double at_high[3], fanuc_crx10ia_roots *roots)
+static void fanuc_crx10ia_few(const fanuc_crx10ia_trigonometric *f, double lifted, double low,
+                        const double at_low[3], double high, const double at_high[3],
+                        fanuc_crx10ia_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1820,7 +1828,7 @@ static void fanuc_crx10ia_few(const fanuc_crx10ia_trigonometric *f, double low, 
     x = fanuc_crx10ia_between(f, 1, low, at_low, high, at_high);
     fanuc_crx10ia_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         fanuc_crx10ia_add_root(roots, x, 1);
         return;
     }
@@ -1878,7 +1886,8 @@ static int fanuc_crx10ia_kind(const fanuc_crx10ia_trigonometric *f, const double
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void fanuc_crx10ia_many(const fanuc_crx10ia_trigonometric *f, double low, double high,
+static void fanuc_crx10ia_many(const fanuc_crx10ia_trigonometric *f, double lifted, double low,
+    double high,
                          const double first[3], const double last[3], int *budget,
                          fanuc_crx10ia_roots *roots)
 {
@@ -1897,7 +1906,7 @@ static void fanuc_crx10ia_many(const fanuc_crx10ia_trigonometric *f, double low,
         const int kind = fanuc_crx10ia_kind(f, at_low, at[top], h);
         if (kind != FANUC_CRX10IA_ROOTLESS) {
             if (kind == FANUC_CRX10IA_TAME) {
-                fanuc_crx10ia_few(f, low, at_low, edge[top], at[top], roots);
+                fanuc_crx10ia_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == FANUC_CRX10IA_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 fanuc_crx10ia_add_root(roots, low + 0.5 * h, 1);
@@ -2005,8 +2014,9 @@ static int fanuc_crx10ia_lowest(unsigned long long bits)
 #endif
 }
 
-static void fanuc_crx10ia_find_roots(const fanuc_crx10ia_trigonometric *f, fanuc_crx10ia_roots
-    *roots)
+static void fanuc_crx10ia_find_roots(const fanuc_crx10ia_trigonometric *f, const
+    fanuc_crx10ia_window *window,
+                               fanuc_crx10ia_roots *roots)
 {
     fanuc_crx10ia_grid g;
     int plain[FANUC_CRX10IA_ROOTS], special[256], plains = 0, specials = 0;
@@ -2020,6 +2030,10 @@ static void fanuc_crx10ia_find_roots(const fanuc_crx10ia_trigonometric *f, fanuc
             fanuc_crx10ia_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + fanuc_crx10ia_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < FANUC_CRX10IA_ROOTS &&
@@ -2040,9 +2054,9 @@ static void fanuc_crx10ia_find_roots(const fanuc_crx10ia_trigonometric *f, fanuc
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (fanuc_crx10ia_kind(f, low, high, h) == FANUC_CRX10IA_TAME) {
-            fanuc_crx10ia_few(f, i * h, low, (i + 1) * h, high, roots);
+            fanuc_crx10ia_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            fanuc_crx10ia_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            fanuc_crx10ia_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
         }
     }
 }
@@ -2114,17 +2128,133 @@ static void fanuc_crx10ia_behind(const fanuc_crx10ia_lens *a, int count, double 
     }
 }
 
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*fanuc_crx10ia_sampler)(const void *of, const fanuc_crx10ia_lens *lens, double
+    samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int fanuc_crx10ia_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int fanuc_crx10ia_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < FANUC_CRX10IA_ROOTS; i++) {
+        if (fanuc_crx10ia_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int fanuc_crx10ia_magnify(fanuc_crx10ia_sampler sample, const void *of, double cosine, double
+    sine,
+                           fanuc_crx10ia_roots *roots)
+{
+    const fanuc_crx10ia_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const fanuc_crx10ia_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    fanuc_crx10ia_trigonometric f;
+    fanuc_crx10ia_roots found;
+    sample(of, &lens, samples);
+    fanuc_crx10ia_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    fanuc_crx10ia_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    fanuc_crx10ia_behind(&lens, found.simple, found.c, found.s);
+    fanuc_crx10ia_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = fanuc_crx10ia_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = fanuc_crx10ia_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = fanuc_crx10ia_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = fanuc_crx10ia_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void fanuc_crx10ia_look_closer(fanuc_crx10ia_sampler sample, const void *of,
+    fanuc_crx10ia_roots *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == FANUC_CRX10IA_ROOTS || roots->doubles == FANUC_CRX10IA_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= fanuc_crx10ia_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= fanuc_crx10ia_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int fanuc_crx10ia_real_roots(fanuc_crx10ia_sampler sample, const void *of,
+    fanuc_crx10ia_roots *roots)
+{
+    const fanuc_crx10ia_window all = {0, 128, 5e-09};
+    double samples[24];
+    fanuc_crx10ia_trigonometric f;
+    fanuc_crx10ia_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (fanuc_crx10ia_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    fanuc_crx10ia_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    fanuc_crx10ia_find_roots(&f, &all, roots);
+    fanuc_crx10ia_behind(&lens, roots->simple, roots->c, roots->s);
+    fanuc_crx10ia_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    fanuc_crx10ia_look_closer(sample, of, roots);
+    return 1;
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root. */
+ * the same for all that belong to one such root, which is none where the matrix is regular. */
 typedef struct {
-    int count, groups, group[FANUC_CRX10IA_CANDIDATES];
+    int count, groups, group[FANUC_CRX10IA_CANDIDATES], regular[FANUC_CRX10IA_CANDIDATES];
     double c[FANUC_CRX10IA_CANDIDATES], s[FANUC_CRX10IA_CANDIDATES], n[6][FANUC_CRX10IA_CANDIDATES];
 } fanuc_crx10ia_candidates;
 
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
-static inline void fanuc_crx10ia_inverse_iteration(fanuc_crx10ia_lane U[6][6], const
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+static inline fanuc_crx10ia_lane fanuc_crx10ia_inverse_iteration(fanuc_crx10ia_lane U[6][6], const
     fanuc_crx10ia_lane inverse[6],
                                              fanuc_crx10ia_lane x[6])
 {
@@ -2142,10 +2272,11 @@ static inline void fanuc_crx10ia_inverse_iteration(fanuc_crx10ia_lane U[6][6], c
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    square = 1.0 / fanuc_crx10ia_sqrt(square);
+    const fanuc_crx10ia_lane length = fanuc_crx10ia_sqrt(square);
     for (int i = 0; i < 6; i++) {
-        x[i] *= square;
+        x[i] *= 1.0 / length;
     }
+    return length;
 }
 
 /* The reciprocals of a diagonal, kept finite. */
@@ -2184,8 +2315,8 @@ static void fanuc_crx10ia_null_vectors(const double *E, const fanuc_crx10ia_root
         for (int i = 0; i < 6; i++) {
             x[i] = fanuc_crx10ia_all(start[i]);
         }
-        fanuc_crx10ia_inverse_iteration(factor, inverse, x);
-        fanuc_crx10ia_inverse_iteration(factor, inverse, x);
+        (void)fanuc_crx10ia_inverse_iteration(factor, inverse, x);
+        (void)fanuc_crx10ia_inverse_iteration(factor, inverse, x);
         FANUC_CRX10IA_STORE(out->c + from, c);
         FANUC_CRX10IA_STORE(out->s + from, s);
         for (int i = 0; i < 6; i++) {
@@ -2273,18 +2404,24 @@ static void fanuc_crx10ia_null_plane(const double *E, double c, double s, fanuc_
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    fanuc_crx10ia_lane factor[6][6], inverse[6], x[2][6];
+    fanuc_crx10ia_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
     double n[2][6];
+    if (out->groups == FANUC_CRX10IA_CANDIDATES) {
+        return;
+    }
     (void)fanuc_crx10ia_fold(E, fanuc_crx10ia_all(c), fanuc_crx10ia_all(s), factor);
     fanuc_crx10ia_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = fanuc_crx10ia_all(start[0][i]);
         x[1][i] = fanuc_crx10ia_all(start[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
     }
     for (int step = 0; step < 4; step++) {
         fanuc_crx10ia_lane along = {0};
-        fanuc_crx10ia_inverse_iteration(factor, inverse, x[0]);
-        fanuc_crx10ia_inverse_iteration(factor, inverse, x[1]);
+        length = fanuc_crx10ia_inverse_iteration(factor, inverse, x[0]);
+        (void)fanuc_crx10ia_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2292,15 +2429,16 @@ static void fanuc_crx10ia_null_plane(const double *E, double c, double s, fanuc_
             x[1][i] -= along * x[0][i];
         }
     }
+    out->regular[out->groups] = fanuc_crx10ia_largest(length * squares) < 9.999999999999999e+17;
     for (int r = 0; r < 2; r++) {
-        double length = 0.0;
+        double square = 0.0;
         for (int i = 0; i < 6; i++) {
             n[r][i] = fanuc_crx10ia_largest(x[r][i]);
-            length += n[r][i] * n[r][i];
+            square += n[r][i] * n[r][i];
         }
-        length = sqrt(length) + 1e-300;
+        square = sqrt(square) + 1e-300;
         for (int i = 0; i < 6; i++) {
-            n[r][i] /= length;
+            n[r][i] /= square;
         }
     }
     fanuc_crx10ia_add_candidate(out, c, s, n[0]);
@@ -2919,15 +3057,15 @@ static int fanuc_crx10ia_settle_ways(const fanuc_crx10ia_loop *loop, const fanuc
 }
 
 /* The polynomial at the sample angles, through a lens. */
-static void fanuc_crx10ia_sample_closed(const fanuc_crx10ia_setting *set, const fanuc_crx10ia_lens
-    *lens, double samples[24])
+static void fanuc_crx10ia_sample_closed(const void *setting, const fanuc_crx10ia_lens *lens, double
+    samples[24])
 {
     for (int k = 0; k < 24; k += FANUC_CRX10IA_LANES) {
         fanuc_crx10ia_lane c = FANUC_CRX10IA_LOAD(fanuc_crx10ia_sample_c + k), s =
             FANUC_CRX10IA_LOAD(fanuc_crx10ia_sample_s + k);
         const fanuc_crx10ia_lane square = fanuc_crx10ia_through(lens, &c, &s);
-        FANUC_CRX10IA_STORE(samples + k, fanuc_crx10ia_weighted(fanuc_crx10ia_closed_polynomial(set,
-            c, s), square));
+        FANUC_CRX10IA_STORE(samples + k,
+            fanuc_crx10ia_weighted(fanuc_crx10ia_closed_polynomial(setting, c, s), square));
     }
 }
 
@@ -2935,24 +3073,13 @@ static void fanuc_crx10ia_sample_closed(const fanuc_crx10ia_setting *set, const 
 static int fanuc_crx10ia_attempt_closed(int which, const fanuc_crx10ia_loop *loop,
     fanuc_crx10ia_found *found)
 {
-    double samples[24];
     fanuc_crx10ia_setting set;
-    fanuc_crx10ia_trigonometric f;
     fanuc_crx10ia_roots roots;
     fanuc_crx10ia_ways ways;
-    fanuc_crx10ia_lens lens = {0.0, 0.0};
     fanuc_crx10ia_prepare(&set, which, loop);
-    fanuc_crx10ia_sample_closed(&set, &lens, samples);
-    if (fanuc_crx10ia_spread(samples, &lens)) {
-        fanuc_crx10ia_sample_closed(&set, &lens, samples);
-    }
-    fanuc_crx10ia_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!fanuc_crx10ia_real_roots(fanuc_crx10ia_sample_closed, &set, &roots)) {
         return 0;
     }
-    fanuc_crx10ia_find_roots(&f, &roots);
-    fanuc_crx10ia_behind(&lens, roots.simple, roots.c, roots.s);
-    fanuc_crx10ia_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     ways.count = 0;
     for (int i = 0; i < 2 * FANUC_CRX10IA_ROOTS; i++) {
         ways.far[i] = 0;
@@ -2984,7 +3111,7 @@ static void fanuc_crx10ia_close_roots(const double *E, const fanuc_crx10ia_roots
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fanuc_crx10ia_loop
     *loop,
                           double link[6][12], const fanuc_crx10ia_candidates *all, int simple,
@@ -3020,13 +3147,16 @@ static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fan
         }
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
-        expected += of_group[i] & found->singular ? 1 : 2;
+        if (of_group[i] || !all->regular[i]) {
+            found->doubles++;
+            expected += of_group[i] & found->singular ? 1 : 2;
+        }
     }
     return complete && fanuc_crx10ia_bits(met) >= expected && fanuc_crx10ia_paired(found);
 }
 
 /* The determinant at the sample angles, through a lens. */
-static void fanuc_crx10ia_sample(const double *E, const fanuc_crx10ia_lens *lens, double
+static void fanuc_crx10ia_sample(const void *equations, const fanuc_crx10ia_lens *lens, double
     samples[24])
 {
     for (int k = 0; k < 24; k += FANUC_CRX10IA_LANES) {
@@ -3034,8 +3164,8 @@ static void fanuc_crx10ia_sample(const double *E, const fanuc_crx10ia_lens *lens
         fanuc_crx10ia_lane c = FANUC_CRX10IA_LOAD(fanuc_crx10ia_sample_c + k), s =
             FANUC_CRX10IA_LOAD(fanuc_crx10ia_sample_s + k);
         const fanuc_crx10ia_lane square = fanuc_crx10ia_through(lens, &c, &s);
-        FANUC_CRX10IA_STORE(samples + k, fanuc_crx10ia_weighted(fanuc_crx10ia_fold(E, c, s, factor),
-            square));
+        const fanuc_crx10ia_lane determinant = fanuc_crx10ia_fold(equations, c, s, factor);
+        FANUC_CRX10IA_STORE(samples + k, fanuc_crx10ia_weighted(determinant, square));
     }
 }
 
@@ -3044,30 +3174,19 @@ static int fanuc_crx10ia_attempt(const fanuc_crx10ia_formulation *form, const fa
     *loop,
                            fanuc_crx10ia_found *found)
 {
-    double link[6][12], E[192], samples[24];
-    fanuc_crx10ia_trigonometric f;
+    double link[6][12], E[192];
     fanuc_crx10ia_roots roots;
     fanuc_crx10ia_candidates all;
-    fanuc_crx10ia_lens lens = {0.0, 0.0};
     fanuc_crx10ia_around(form, loop, link);
     fanuc_crx10ia_equations(form, link, E);
-    fanuc_crx10ia_sample(E, &lens, samples);
-    if (fanuc_crx10ia_spread(samples, &lens)) {
-        fanuc_crx10ia_sample(E, &lens, samples);
-    }
-    fanuc_crx10ia_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!fanuc_crx10ia_real_roots(fanuc_crx10ia_sample, E, &roots)) {
         return 0;
     }
-    fanuc_crx10ia_find_roots(&f, &roots);
-    fanuc_crx10ia_behind(&lens, roots.simple, roots.c, roots.s);
-    fanuc_crx10ia_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     fanuc_crx10ia_null_vectors(E, &roots, &all);
     fanuc_crx10ia_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
         fanuc_crx10ia_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    found->doubles += roots.doubles;
     return fanuc_crx10ia_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }

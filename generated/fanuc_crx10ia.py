@@ -332,7 +332,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia c38dd452908c83be"
+_KEY = "fanuc_crx10ia fb3f7c2d0a682baf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1093,13 +1093,13 @@ def _fanuc_crx10ia_between(f, order, low, high, rising):
 
 
 @_inner
-def _fanuc_crx10ia_few(f, rounding, low, at_low, high, at_high, roots, counts):
+def _fanuc_crx10ia_few(f, rounding, near, low, at_low, high, at_high, roots, counts):
     """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double)."""
     middle, at_middle = high, at_high[0]
     if at_low[1] * at_high[1] < 0.0:
         middle = _fanuc_crx10ia_between(f, 1, low, high, at_low[1] < 0.0)
         at_middle, _, bend = _fanuc_crx10ia_at(f, middle)
-        lifted = at_middle * bend > 0.0 and abs(at_middle) <= abs(bend) * 5e-09
+        lifted = at_middle * bend > 0.0 and abs(at_middle) <= abs(bend) * near
         if abs(at_middle) <= rounding or lifted:
             _fanuc_crx10ia_add_root(roots, counts, 1, middle)
             return
@@ -1125,9 +1125,11 @@ def _fanuc_crx10ia_add_root(roots, counts, twice, x):
     counts[twice] += 1
 
 
-@_apart("Tuple((float64[:, ::1], int64[::1]))(float64[::1], float64, float64)")
-def _fanuc_crx10ia_find_roots(f, scale, rounding):
-    """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]]."""
+@_apart("Tuple((float64[:, ::1], int64[::1]))(float64[::1], float64, float64, int64, int64, float64)")
+def _fanuc_crx10ia_find_roots(f, scale, rounding, middle, reach, near):
+    """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]], in so many
+    cells on both sides of the middle one. Two complex roots count as a double one where the value of
+    a parabola over its bend is below `near`."""
     roots = np.empty((2, 24))
     counts = np.array([0, 0, 1])
     grid = _fanuc_crx10ia_grid(f)
@@ -1136,6 +1138,8 @@ def _fanuc_crx10ia_find_roots(f, scale, rounding):
     at, at_low = np.empty((16, 3)), np.empty(3)
     depth = np.zeros(16, dtype=np.int64)
     for i in range(256):
+        if min(abs(i - middle), 256 - abs(i - middle)) > reach:
+            continue
         if _fanuc_crx10ia_kind(grid[i], grid[i + 1], 0.02454369260617026, scale, rounding) == 0:
             continue
         low = i * 0.02454369260617026
@@ -1148,7 +1152,7 @@ def _fanuc_crx10ia_find_roots(f, scale, rounding):
             h = edge[top] - low
             kind = _fanuc_crx10ia_kind(at_low, at[top], h, scale, rounding)
             if kind == 2:
-                _fanuc_crx10ia_few(f, rounding, low, at_low, edge[top], at[top], roots, counts)
+                _fanuc_crx10ia_few(f, rounding, near, low, at_low, edge[top], at[top], roots, counts)
             elif kind == 1 or (kind == 3 and (depth[top] == 14 or budget == 0)):
                 counts[2] = 0
                 _fanuc_crx10ia_add_root(roots, counts, 1, low + 0.5 * h)
@@ -1209,8 +1213,54 @@ def _fanuc_crx10ia_behind(x, y, roots, counts):
 
 
 @_inner
+def _fanuc_crx10ia_seen(samples, x, y, middle, reach, near):
+    """The roots that samples through a lens show: (whether f does not vanish identically, the roots,
+    their counts)."""
+    f, scale, noise = _fanuc_crx10ia_fit(samples)
+    rounding = scale * (3e-15 + 8.0 * noise)
+    roots, counts = _fanuc_crx10ia_find_roots(f, scale, rounding, middle, reach, near)
+    _fanuc_crx10ia_behind(x, y, roots, counts)
+    return noise <= 1e-06, roots, counts
+
+
+@_inner
+def _fanuc_crx10ia_near(x, middle):
+    """Whether an angle is as near to another as a closer look reaches."""
+    return math.cos(x - middle) >= 0.9980487804878049
+
+
+@_apart("void(float64[:, ::1], int64[::1], float64[:, ::1], int64[::1], float64)")
+def _fanuc_crx10ia_replace(roots, counts, closer, closer_counts, middle):
+    """Of the roots those near to an angle are replaced by what a closer look shows there."""
+    for twice in range(2):
+        kept = 0
+        for i in range(counts[twice]):
+            if not _fanuc_crx10ia_near(roots[twice, i], middle):
+                roots[twice, kept] = roots[twice, i]
+                kept += 1
+        for i in range(closer_counts[twice]):
+            if _fanuc_crx10ia_near(closer[twice, i], middle) and kept < 24:
+                roots[twice, kept] = closer[twice, i]
+                kept += 1
+        counts[twice] = kept
+
+
+@_inner
+def _fanuc_crx10ia_unseen(roots, counts, seen, looks):
+    """The first double root that nothing has looked at more closely; their count if there is none."""
+    for i in range(counts[1]):
+        near = False
+        for k in range(looks):
+            near = near or _fanuc_crx10ia_near(roots[1, i], seen[k])
+        if not near:
+            return i
+    return counts[1]
+
+
+@_inner
 def _fanuc_crx10ia_inverse_iteration(U, x):
-    """x = U^-1 U^-T x, to length one; a diagonal next to nothing is kept finite."""
+    """x = U^-1 U^-T x, to length one; a diagonal next to nothing is kept finite. Returns what was its
+    length: the reciprocal of the square of the smallest singular value, in the end."""
     most = 0.0
     for i in range(6):
         most = max(most, abs(U[i, i]))
@@ -1228,6 +1278,7 @@ def _fanuc_crx10ia_inverse_iteration(U, x):
     length = math.sqrt(square)
     for i in range(6):
         x[i] /= length
+    return length
 
 
 @_apart("int64(float64[:, ::1], int64, float64[:, ::1], int64)")
@@ -1265,15 +1316,20 @@ def _fanuc_crx10ia_split(n, shift, out, count):
     return count
 
 
-@_apart("int64(float64[:, ::1], float64, float64, boolean, float64[:, ::1])")
+@_apart("Tuple((int64, boolean))(float64[:, ::1], float64, float64, boolean, float64[:, ::1])")
 def _fanuc_crx10ia_null_vectors(E, c, s, double, out):
     """Vectors near (x3, 1) x (x2^2, x2, 1): one of a simple root, and of a double one also those at
-    which one of the two shifts, x3 or x2, has an eigenvalue. Into out; returns how many."""
+    which one of the two shifts, x3 or x2, has an eigenvalue. Into out; returns how many, and whether
+    the matrix is regular: then there is no root."""
     factor = np.empty((6, 6))
     _fanuc_crx10ia_fold(E, c, s, factor)
     n = _FANUC_CRX10IA_START.copy()
+    length = squares = 0.0
+    for i in range(6):
+        for j in range(i, 6):
+            squares += factor[i, j] * factor[i, j]
     for _ in range(4 if double else 2):
-        _fanuc_crx10ia_inverse_iteration(factor, n[0])
+        length = _fanuc_crx10ia_inverse_iteration(factor, n[0])
         if double:
             _fanuc_crx10ia_inverse_iteration(factor, n[1])
             along = 0.0
@@ -1283,8 +1339,9 @@ def _fanuc_crx10ia_null_vectors(E, c, s, double, out):
                 n[1, i] -= along * n[0, i]
     for i in range(6):
         out[0, i] = n[0, i]
+    regular = length * squares < 9.999999999999999e+17
     if not double:
-        return 1
+        return 1, regular
     square = 0.0
     for i in range(6):
         square += n[1, i] * n[1, i]
@@ -1293,7 +1350,7 @@ def _fanuc_crx10ia_null_vectors(E, c, s, double, out):
     count = 1
     for shift in (3, 1):
         count = _fanuc_crx10ia_split(n, shift, out, count)
-    return count
+    return count, regular
 
 
 @_inner
@@ -1653,6 +1710,52 @@ def _fanuc_crx10ia_way_joints(setting, way, cosine_6, sine_6, c, s):
     return 1
 
 
+@_inner
+def _fanuc_crx10ia_sample_closed(of, x, y, samples):
+    """The polynomial at the sample angles, through a lens."""
+    for k in range(24):
+        c, s, weight = _fanuc_crx10ia_through(x, y, _FANUC_CRX10IA_SAMPLE_C[k], _FANUC_CRX10IA_SAMPLE_S[k])
+        samples[k] = weight * _fanuc_crx10ia_closed_polynomial(of, c, s)
+
+
+@_inner
+def _fanuc_crx10ia_real_roots_closed(of):
+    """All real roots: (whether the polynomial does not vanish identically, roots, counts).
+
+    Where roots may be double they are replaced by what a closer look shows, if it shows all: values
+    that are computed there have the digits that the fit of f lacks. What was given up stands among
+    them.
+    """
+    samples = np.empty(24)
+    _fanuc_crx10ia_sample_closed(of, 0.0, 0.0, samples)
+    x, y = _fanuc_crx10ia_spread(samples)
+    if x != 0.0 or y != 0.0:
+        _fanuc_crx10ia_sample_closed(of, x, y, samples)
+    good, roots, counts = _fanuc_crx10ia_seen(samples, x, y, 0, 128, 5e-09)
+    if not good or max(counts[0], counts[1]) == 24:
+        return good, roots, counts
+    seen, looks, clear = np.empty(4), 0, True
+    i = _fanuc_crx10ia_unseen(roots, counts, seen, looks)
+    while i < counts[1] and looks < 4:
+        middle = seen[looks] = roots[1, i]
+        looks += 1
+        x, y = 0.8823529411764706 * math.cos(middle), 0.8823529411764706 * math.sin(middle)
+        _fanuc_crx10ia_sample_closed(of, x, y, samples)
+        turns = middle / 6.283185307179586
+        cell = int(256 * (turns - math.floor(turns))) % 256
+        all_of_them, closer, closer_counts = _fanuc_crx10ia_seen(
+            samples, x, y, cell, 38, 1.28e-06
+        )
+        if all_of_them and closer_counts[2]:
+            _fanuc_crx10ia_replace(roots, counts, closer, closer_counts, middle)
+        else:
+            clear = False
+        i = _fanuc_crx10ia_unseen(roots, counts, seen, looks)
+    if clear and i == counts[1]:
+        counts[2] = 1
+    return good, roots, counts
+
+
 @_apart("Tuple((boolean, int64))(int64, float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1], int64)")
 def _fanuc_crx10ia_attempt_closed(which, loop, q, residual, singular, doubles_met, count):
     """Find what a polynomial in closed form finds: (whether that is certainly everything, the count).
@@ -1660,22 +1763,9 @@ def _fanuc_crx10ia_attempt_closed(which, loop, q, residual, singular, doubles_me
     The certificate is that of the formulations, with 2 solution(s) a root.
     """
     setting = _fanuc_crx10ia_setting(which, loop)
-    samples = np.empty(24)
-    x = y = 0.0
-    for look in range(2):
-        for k in range(24):
-            c1, s1, weight = _fanuc_crx10ia_through(x, y, _FANUC_CRX10IA_SAMPLE_C[k], _FANUC_CRX10IA_SAMPLE_S[k])
-            samples[k] = weight * _fanuc_crx10ia_closed_polynomial(setting, c1, s1)
-        if look == 0:
-            x, y = _fanuc_crx10ia_spread(samples)
-        if x == 0.0 and y == 0.0:
-            break
-    f, scale, noise = _fanuc_crx10ia_fit(samples)
-    if not noise <= 1e-06:
+    good, roots, counts = _fanuc_crx10ia_real_roots_closed(setting)
+    if not good:
         return False, count
-    rounding = scale * (3e-15 + 8.0 * noise)
-    roots, counts = _fanuc_crx10ia_find_roots(f, scale, rounding)
-    _fanuc_crx10ia_behind(x, y, roots, counts)
     complete, expected = counts[2] == 1, 0
     doubles_met[0] += counts[1]
     met = np.zeros(16, dtype=np.int64)
@@ -1706,33 +1796,67 @@ def _fanuc_crx10ia_attempt_closed(which, loop, q, residual, singular, doubles_me
     return complete and _fanuc_crx10ia_marked(met) >= expected and regular % 2 == 0, count
 
 
+@_inner
+def _fanuc_crx10ia_sample(of, x, y, samples):
+    """The determinant at the sample angles, through a lens."""
+    factor = np.empty((6, 6))
+    for k in range(24):
+        c, s, weight = _fanuc_crx10ia_through(x, y, _FANUC_CRX10IA_SAMPLE_C[k], _FANUC_CRX10IA_SAMPLE_S[k])
+        samples[k] = weight * _fanuc_crx10ia_fold(of, c, s, factor)
+
+
+@_inner
+def _fanuc_crx10ia_real_roots(of):
+    """All real roots: (whether the polynomial does not vanish identically, roots, counts).
+
+    Where roots may be double they are replaced by what a closer look shows, if it shows all: values
+    that are computed there have the digits that the fit of f lacks. What was given up stands among
+    them.
+    """
+    samples = np.empty(24)
+    _fanuc_crx10ia_sample(of, 0.0, 0.0, samples)
+    x, y = _fanuc_crx10ia_spread(samples)
+    if x != 0.0 or y != 0.0:
+        _fanuc_crx10ia_sample(of, x, y, samples)
+    good, roots, counts = _fanuc_crx10ia_seen(samples, x, y, 0, 128, 5e-09)
+    if not good or max(counts[0], counts[1]) == 24:
+        return good, roots, counts
+    seen, looks, clear = np.empty(4), 0, True
+    i = _fanuc_crx10ia_unseen(roots, counts, seen, looks)
+    while i < counts[1] and looks < 4:
+        middle = seen[looks] = roots[1, i]
+        looks += 1
+        x, y = 0.8823529411764706 * math.cos(middle), 0.8823529411764706 * math.sin(middle)
+        _fanuc_crx10ia_sample(of, x, y, samples)
+        turns = middle / 6.283185307179586
+        cell = int(256 * (turns - math.floor(turns))) % 256
+        all_of_them, closer, closer_counts = _fanuc_crx10ia_seen(
+            samples, x, y, cell, 38, 1.28e-06
+        )
+        if all_of_them and closer_counts[2]:
+            _fanuc_crx10ia_replace(roots, counts, closer, closer_counts, middle)
+        else:
+            clear = False
+        i = _fanuc_crx10ia_unseen(roots, counts, seen, looks)
+    if clear and i == counts[1]:
+        counts[2] = 1
+    return good, roots, counts
+
+
 @_apart("Tuple((boolean, int64))(int64, float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1], int64)")
 def _fanuc_crx10ia_attempt(form, loop, q, residual, singular, doubles_met, count):
     """Find what a formulation finds: (whether that is certainly everything, the count).
 
     The certificate: every simple root leads to a solution, there is another one for each of them and
-    two more for each double root, or a singular one; and regular solutions come in pairs.
+    two more for each double root, or a singular one; and regular solutions come in pairs. Where the
+    determinant only comes near to zero there is no root.
     """
     joints, links = _FANUC_CRX10IA_JOINTS[form], _fanuc_crx10ia_around(form, loop)
     E = _fanuc_crx10ia_equations(joints, links)
-    samples, factor = np.empty(24), np.empty((6, 6))
-    x = y = 0.0
-    for look in range(2):
-        for k in range(24):
-            c1, s1, weight = _fanuc_crx10ia_through(x, y, _FANUC_CRX10IA_SAMPLE_C[k], _FANUC_CRX10IA_SAMPLE_S[k])
-            samples[k] = weight * _fanuc_crx10ia_fold(E, c1, s1, factor)
-        if look == 0:
-            x, y = _fanuc_crx10ia_spread(samples)
-        if x == 0.0 and y == 0.0:
-            break
-    f, scale, noise = _fanuc_crx10ia_fit(samples)
-    if not noise <= 1e-06:
+    good, roots, counts = _fanuc_crx10ia_real_roots(E)
+    if not good:
         return False, count
-    rounding = scale * (3e-15 + 8.0 * noise)
-    roots, counts = _fanuc_crx10ia_find_roots(f, scale, rounding)
-    _fanuc_crx10ia_behind(x, y, roots, counts)
     simple, doubles, complete = counts[0], counts[1], counts[2] == 1
-    doubles_met[0] += doubles
     # simple roots, pairs of them that nearly meet, double roots
     angles = np.empty(96)
     total = simple
@@ -1753,8 +1877,9 @@ def _fanuc_crx10ia_attempt(form, loop, q, residual, singular, doubles_met, count
     vectors, expected = np.empty((5, 6)), simple
     for i in range(total):
         cosine, sine = math.cos(angles[i]), math.sin(angles[i])
-        singular_here = False
-        for n in range(_fanuc_crx10ia_null_vectors(E, cosine, sine, i >= simple, vectors)):
+        met_here = singular_here = False
+        ways, regular = _fanuc_crx10ia_null_vectors(E, cosine, sine, i >= simple, vectors)
+        for n in range(ways):
             c[0], s[0] = cosine, sine
             _fanuc_crx10ia_angles(joints, links, vectors[n], c, s)
             for k in range(6):
@@ -1764,10 +1889,12 @@ def _fanuc_crx10ia_attempt(form, loop, q, residual, singular, doubles_met, count
             )
             if place >= 0:
                 met[place] = 1
+                met_here = True
                 singular_here = singular_here or singular[place] == 1
             elif i < simple:
                 complete = False
-        if i >= first_double:
+        if i >= first_double and (met_here or not regular):
+            doubles_met[0] += 1
             expected += 1 if singular_here else 2
     regular = count - _fanuc_crx10ia_marked(singular)
     return complete and _fanuc_crx10ia_marked(met) >= expected and regular % 2 == 0, count

@@ -1018,70 +1018,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2080, 2112, 2144, 2176, 2208, 2240],
-    [2080, 2112, 2144, 2272, 2304, 2336],
-    [2080, 2368, 2400, 2432, 2464, 2496],
-    [2080, 2368, 2400, 2528, 2560, 2592],
-    [2624, 2656, 2688, 2720, 2752, 2784],
-    [2624, 2656, 2688, 2816, 2848, 2880],
-    [2624, 2912, 2944, 2976, 3008, 3040],
-    [2624, 2912, 2944, 3072, 3104, 3136],
+    [1040, 1056, 1072, 1088, 1104, 1120],
+    [1040, 1056, 1072, 1136, 1152, 1168],
+    [1040, 1184, 1200, 1216, 1232, 1248],
+    [1040, 1184, 1200, 1264, 1280, 1296],
+    [1312, 1328, 1344, 1360, 1376, 1392],
+    [1312, 1328, 1344, 1408, 1424, 1440],
+    [1312, 1456, 1472, 1488, 1504, 1520],
+    [1312, 1456, 1472, 1536, 1552, 1568],
 ])
-_KINDS = np.array([3168, 3200, 3232, 3264, 3296, 3328, 3360, 3392])
-_LEFT_OVER = 255
+_KINDS = np.array([1584, 1600, 1616, 1632, 1648, 1664, 1680, 1696])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3424)
+    work = np.empty(1712)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             t14 = T14 - d6 * T11
             Y1 = d6 * T21 - T24
             v1 = t14 * t14 + Y1 * Y1
@@ -1156,86 +1159,86 @@ def _in_tiles(T, q, status):
                 (shortest3_apart < N3_p and N3_p < longest3_apart)) or (v35 <= m9 or (v34 <= m9 or
                 (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
             )
-            work[544 + k] = Y1
-            work[576 + k] = w3_p
-            work[608 + k] = w3_m
-            work[640 + k] = v36
-            work[672 + k] = v37
-            work[704 + k] = v42
-            work[736 + k] = v43
-            work[768 + k] = v44
-            work[800 + k] = v45
-            work[832 + k] = doubt1
-            work[864 + k] = Y1
-            work[896 + k] = w3_p
-            work[928 + k] = w3_m
-            work[960 + k] = Y4
-            work[992 + k] = Y4
-            work[1024 + k] = -Y4
-            work[1056 + k] = -Y4
-            work[1088 + k] = v42
-            work[1120 + k] = v43
-            work[1152 + k] = v44
-            work[1184 + k] = v45
-            work[1216 + k] = -(v8 + v46)
-            work[1248 + k] = v46 - v8
-            work[1280 + k] = -(v9 + w3_m * (m3 * v4))
-            work[1312 + k] = -(v9 + w3_m * (m3 * -v4))
-            work[1344 + k] = math.sqrt(v32)
-            work[1376 + k] = math.sqrt(v33)
-            work[1408 + k] = math.sqrt(v34)
-            work[1440 + k] = math.sqrt(v35)
-            work[1472 + k] = -t14
-            work[1504 + k] = N3_p - k3
-            work[1536 + k] = N3_m - k3
-            work[1568 + k] = -X4_pp
-            work[1600 + k] = -X4_pm
-            work[1632 + k] = v29
-            work[1664 + k] = v30
-            work[1696 + k] = Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38
-            work[1728 + k] = Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38
-            work[1760 + k] = v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39)
-            work[1792 + k] = v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39)
-            work[1824 + k] = v12 + w3_p * v10
-            work[1856 + k] = v12 + w3_p * v11
-            work[1888 + k] = v13 + w3_m * v10
-            work[1920 + k] = v13 + w3_m * v11
-            work[1952 + k] = T31 * c2m3_pp + s2m3_pp * v28
-            work[1984 + k] = T31 * c2m3_pm + s2m3_pm * v28
-            work[2016 + k] = T31 * c2m3_mp - s2m3_mp * v28
-            work[2048 + k] = T31 * c2m3_mm - s2m3_mm * v28
-        for k in range(864, 1472):
-            work[k] = _atan2(work[k], work[k + 608])
-        for k in range(0, 32):
-            Y1 = work[544 + k]
-            w3_p = work[576 + k]
-            w3_m = work[608 + k]
-            v36 = work[640 + k]
-            v37 = work[672 + k]
-            v42 = work[704 + k]
-            v43 = work[736 + k]
-            v44 = work[768 + k]
-            v45 = work[800 + k]
-            doubt1 = work[832 + k] != 0.0
-            angle1 = work[864 + k]
-            angle2 = work[896 + k]
-            angle3 = work[928 + k]
-            angle4 = work[960 + k]
-            angle5 = work[992 + k]
-            angle6 = work[1024 + k]
-            angle7 = work[1056 + k]
-            angle8 = work[1088 + k]
-            angle9 = work[1120 + k]
-            angle10 = work[1152 + k]
-            angle11 = work[1184 + k]
-            angle12 = work[1216 + k]
-            angle13 = work[1248 + k]
-            angle14 = work[1280 + k]
-            angle15 = work[1312 + k]
-            angle16 = work[1344 + k]
-            angle17 = work[1376 + k]
-            angle18 = work[1408 + k]
-            angle19 = work[1440 + k]
+            work[272 + k] = Y1
+            work[288 + k] = w3_p
+            work[304 + k] = w3_m
+            work[320 + k] = v36
+            work[336 + k] = v37
+            work[352 + k] = v42
+            work[368 + k] = v43
+            work[384 + k] = v44
+            work[400 + k] = v45
+            work[416 + k] = doubt1
+            work[432 + k] = Y1
+            work[448 + k] = w3_p
+            work[464 + k] = w3_m
+            work[480 + k] = Y4
+            work[496 + k] = Y4
+            work[512 + k] = -Y4
+            work[528 + k] = -Y4
+            work[544 + k] = v42
+            work[560 + k] = v43
+            work[576 + k] = v44
+            work[592 + k] = v45
+            work[608 + k] = -(v8 + v46)
+            work[624 + k] = v46 - v8
+            work[640 + k] = -(v9 + w3_m * (m3 * v4))
+            work[656 + k] = -(v9 + w3_m * (m3 * -v4))
+            work[672 + k] = math.sqrt(v32)
+            work[688 + k] = math.sqrt(v33)
+            work[704 + k] = math.sqrt(v34)
+            work[720 + k] = math.sqrt(v35)
+            work[736 + k] = -t14
+            work[752 + k] = N3_p - k3
+            work[768 + k] = N3_m - k3
+            work[784 + k] = -X4_pp
+            work[800 + k] = -X4_pm
+            work[816 + k] = v29
+            work[832 + k] = v30
+            work[848 + k] = Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38
+            work[864 + k] = Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38
+            work[880 + k] = v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39)
+            work[896 + k] = v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39)
+            work[912 + k] = v12 + w3_p * v10
+            work[928 + k] = v12 + w3_p * v11
+            work[944 + k] = v13 + w3_m * v10
+            work[960 + k] = v13 + w3_m * v11
+            work[976 + k] = T31 * c2m3_pp + s2m3_pp * v28
+            work[992 + k] = T31 * c2m3_pm + s2m3_pm * v28
+            work[1008 + k] = T31 * c2m3_mp - s2m3_mp * v28
+            work[1024 + k] = T31 * c2m3_mm - s2m3_mm * v28
+        for k in range(432, 736):
+            work[k] = _atan2(work[k], work[k + 304])
+        for k in range(0, 16):
+            Y1 = work[272 + k]
+            w3_p = work[288 + k]
+            w3_m = work[304 + k]
+            v36 = work[320 + k]
+            v37 = work[336 + k]
+            v42 = work[352 + k]
+            v43 = work[368 + k]
+            v44 = work[384 + k]
+            v45 = work[400 + k]
+            doubt1 = work[416 + k] != 0.0
+            angle1 = work[432 + k]
+            angle2 = work[448 + k]
+            angle3 = work[464 + k]
+            angle4 = work[480 + k]
+            angle5 = work[496 + k]
+            angle6 = work[512 + k]
+            angle7 = work[528 + k]
+            angle8 = work[544 + k]
+            angle9 = work[560 + k]
+            angle10 = work[576 + k]
+            angle11 = work[592 + k]
+            angle12 = work[608 + k]
+            angle13 = work[624 + k]
+            angle14 = work[640 + k]
+            angle15 = work[656 + k]
+            angle16 = work[672 + k]
+            angle17 = work[688 + k]
+            angle18 = work[704 + k]
+            angle19 = work[720 + k]
             q1__m = angle1 - math.copysign(half_turn, Y1) * h1
             q3__pp = angle2 - turn1
             v6 = turn1 + angle2
@@ -1305,102 +1308,101 @@ def _in_tiles(T, q, status):
             outside_mpm = v75 or (q5_mpm < low5 or high5 < q5_mpm)
             outside_mmp = v76 or (q5_mmp < low5 or high5 < q5_mmp)
             outside_mmm = v76 or (q5_mmm < low5 or high5 < q5_mmm)
-            _2080 = q1_ppp
-            work[2080 + k] = _2080
-            _2112 = q2_ppp
-            work[2112 + k] = _2112
-            _2144 = q3_ppp
-            work[2144 + k] = _2144
-            _2176 = angle4
-            work[2176 + k] = _2176
-            _2208 = q5_ppp
-            work[2208 + k] = _2208
-            _2240 = angle8
-            work[2240 + k] = _2240
-            _2272 = q4_ppm
-            work[2272 + k] = _2272
-            _2304 = q5_ppm
-            work[2304 + k] = _2304
-            _2336 = q6_ppm
-            work[2336 + k] = _2336
-            _2368 = q2_pmp
-            work[2368 + k] = _2368
-            _2400 = q3_pmp
-            work[2400 + k] = _2400
-            _2432 = angle5
-            work[2432 + k] = _2432
-            _2464 = q5_pmp
-            work[2464 + k] = _2464
-            _2496 = angle9
-            work[2496 + k] = _2496
-            _2528 = q4_pmm
-            work[2528 + k] = _2528
-            _2560 = q5_pmm
-            work[2560 + k] = _2560
-            _2592 = q6_pmm
-            work[2592 + k] = _2592
-            _2624 = q1_mpp
-            work[2624 + k] = _2624
-            _2656 = q2_mpp
-            work[2656 + k] = _2656
-            _2688 = q3_mpp
-            work[2688 + k] = _2688
-            _2720 = angle6
-            work[2720 + k] = _2720
-            _2752 = q5_mpp
-            work[2752 + k] = _2752
-            _2784 = angle10
-            work[2784 + k] = _2784
-            _2816 = q4_mpm
-            work[2816 + k] = _2816
-            _2848 = q5_mpm
-            work[2848 + k] = _2848
-            _2880 = q6_mpm
-            work[2880 + k] = _2880
-            _2912 = q2_mmp
-            work[2912 + k] = _2912
-            _2944 = q3_mmp
-            work[2944 + k] = _2944
-            _2976 = angle7
-            work[2976 + k] = _2976
-            _3008 = q5_mmp
-            work[3008 + k] = _3008
-            _3040 = angle11
-            work[3040 + k] = _3040
-            _3072 = q4_mmm
-            work[3072 + k] = _3072
-            _3104 = q5_mmm
-            work[3104 + k] = _3104
-            _3136 = q6_mmm
-            work[3136 + k] = _3136
-            work[3168 + k] = (
-                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1040 = q1_ppp
+            work[1040 + k] = _1040
+            _1056 = q2_ppp
+            work[1056 + k] = _1056
+            _1072 = q3_ppp
+            work[1072 + k] = _1072
+            _1088 = angle4
+            work[1088 + k] = _1088
+            _1104 = q5_ppp
+            work[1104 + k] = _1104
+            _1120 = angle8
+            work[1120 + k] = _1120
+            _1136 = q4_ppm
+            work[1136 + k] = _1136
+            _1152 = q5_ppm
+            work[1152 + k] = _1152
+            _1168 = q6_ppm
+            work[1168 + k] = _1168
+            _1184 = q2_pmp
+            work[1184 + k] = _1184
+            _1200 = q3_pmp
+            work[1200 + k] = _1200
+            _1216 = angle5
+            work[1216 + k] = _1216
+            _1232 = q5_pmp
+            work[1232 + k] = _1232
+            _1248 = angle9
+            work[1248 + k] = _1248
+            _1264 = q4_pmm
+            work[1264 + k] = _1264
+            _1280 = q5_pmm
+            work[1280 + k] = _1280
+            _1296 = q6_pmm
+            work[1296 + k] = _1296
+            _1312 = q1_mpp
+            work[1312 + k] = _1312
+            _1328 = q2_mpp
+            work[1328 + k] = _1328
+            _1344 = q3_mpp
+            work[1344 + k] = _1344
+            _1360 = angle6
+            work[1360 + k] = _1360
+            _1376 = q5_mpp
+            work[1376 + k] = _1376
+            _1392 = angle10
+            work[1392 + k] = _1392
+            _1408 = q4_mpm
+            work[1408 + k] = _1408
+            _1424 = q5_mpm
+            work[1424 + k] = _1424
+            _1440 = q6_mpm
+            work[1440 + k] = _1440
+            _1456 = q2_mmp
+            work[1456 + k] = _1456
+            _1472 = q3_mmp
+            work[1472 + k] = _1472
+            _1488 = angle7
+            work[1488 + k] = _1488
+            _1504 = q5_mmp
+            work[1504 + k] = _1504
+            _1520 = angle11
+            work[1520 + k] = _1520
+            _1536 = q4_mmm
+            work[1536 + k] = _1536
+            _1552 = q5_mmm
+            work[1552 + k] = _1552
+            _1568 = q6_mmm
+            work[1568 + k] = _1568
+            work[1584 + k] = (
+                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[3200 + k] = (
-                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1600 + k] = (
+                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[3232 + k] = (
-                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1616 + k] = (
+                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[3264 + k] = (
-                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1632 + k] = (
+                UNREACHABLE if _1040 != _1040 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[3296 + k] = (
-                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1648 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[3328 + k] = (
-                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1664 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[3360 + k] = (
-                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[1680 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[3392 + k] = (
-                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[1696 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1423,12 +1425,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -1295,73 +1295,76 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q_free, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q_free[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q_free[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2656, 2688, 2720, 2752, 2784, 2816, 2848],
-    [2880, 2912, 2944, 2752, 2784, 2816, 2848],
-    [2976, 3008, 3040, 2752, 3072, 3104, 2848],
-    [3136, 3168, 3200, 2752, 3072, 3104, 2848],
-    [3232, 3264, 3296, 3328, 3360, 3392, 3424],
-    [3456, 3488, 3520, 3328, 3360, 3392, 3424],
-    [3552, 3584, 3616, 3328, 3648, 3680, 3424],
-    [3712, 3744, 3776, 3328, 3648, 3680, 3424],
+    [1328, 1344, 1360, 1376, 1392, 1408, 1424],
+    [1440, 1456, 1472, 1376, 1392, 1408, 1424],
+    [1488, 1504, 1520, 1376, 1536, 1552, 1424],
+    [1568, 1584, 1600, 1376, 1536, 1552, 1424],
+    [1616, 1632, 1648, 1664, 1680, 1696, 1712],
+    [1728, 1744, 1760, 1664, 1680, 1696, 1712],
+    [1776, 1792, 1808, 1664, 1824, 1840, 1712],
+    [1856, 1872, 1888, 1664, 1824, 1840, 1712],
 ])
-_KINDS = np.array([3808, 3840, 3872, 3904, 3936, 3968, 4000, 4032])
-_LEFT_OVER = 255
+_KINDS = np.array([1904, 1920, 1936, 1952, 1968, 1984, 2000, 2016])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q_free, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(4064)
+    work = np.empty(2032)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
             for i in range(1):
-                work[(16 + i) * 32 + k] = q_free[first + k, i]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                work[(16 + i) * 16 + k] = q_free[first + k, i]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k] + work[512 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k] + work[256 + k])
             )
             exact = miss <= 1e-24
-            work[544 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[272 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
-            given1 = work[512 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
+            given1 = work[256 + k]
             v1 = d7 * T13 - T14
             v2 = d7 * T23 - T24
             v3 = d1 - (T34 - d7 * T33)
@@ -1373,44 +1376,44 @@ def _in_tiles(T, q_free, q, status):
             v90 = d5 * T13
             v91 = a4 * T13
             v161 = given1 < low7 or high7 < given1
-            work[576 + k] = v1
-            work[608 + k] = v2
-            work[640 + k] = w2x
-            work[672 + k] = w2y
-            work[704 + k] = w2z
-            work[736 + k] = v78
-            work[768 + k] = v79
-            work[800 + k] = v90
-            work[832 + k] = v91
-            work[864 + k] = v161
-            work[896 + k] = given1
-            work[928 + k] = given1
-        for k in range(896, 928):
+            work[288 + k] = v1
+            work[304 + k] = v2
+            work[320 + k] = w2x
+            work[336 + k] = w2y
+            work[352 + k] = w2z
+            work[368 + k] = v78
+            work[384 + k] = v79
+            work[400 + k] = v90
+            work[416 + k] = v91
+            work[432 + k] = v161
+            work[448 + k] = given1
+            work[464 + k] = given1
+        for k in range(448, 464):
             work[k] = math.sin(work[k])
-        for k in range(928, 960):
+        for k in range(464, 480):
             work[k] = math.cos(work[k])
-        for k in range(0, 32):
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            given1 = work[512 + k]
-            v1 = work[576 + k]
-            v2 = work[608 + k]
-            w2x = work[640 + k]
-            w2y = work[672 + k]
-            w2z = work[704 + k]
-            v78 = work[736 + k]
-            v79 = work[768 + k]
-            v90 = work[800 + k]
-            v91 = work[832 + k]
-            s7 = work[896 + k]
-            c7 = work[928 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            given1 = work[256 + k]
+            v1 = work[288 + k]
+            v2 = work[304 + k]
+            w2x = work[320 + k]
+            w2y = work[336 + k]
+            w2z = work[352 + k]
+            v78 = work[368 + k]
+            v79 = work[384 + k]
+            v90 = work[400 + k]
+            v91 = work[416 + k]
+            s7 = work[448 + k]
+            c7 = work[464 + k]
             Z4 = (
                 c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
                 w2z - k4)))
@@ -1618,109 +1621,109 @@ def _in_tiles(T, q_free, q, status):
                 (abs(D5_p) <= v19 or (abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or
                 N5_p <= doubt_limit_squared2)))))))))))
             )
-            work[960 + k] = v17
-            work[992 + k] = v18
-            work[1024 + k] = v24
-            work[1056 + k] = v25
-            work[1088 + k] = v69
-            work[1120 + k] = v70
-            work[1152 + k] = v71
-            work[1184 + k] = v72
-            work[1216 + k] = s3_pp
-            work[1248 + k] = s3_pm
-            work[1280 + k] = s3_mp
-            work[1312 + k] = s3_mm
-            work[1344 + k] = q7_ppp
-            work[1376 + k] = q7_mpp
-            work[1408 + k] = doubt1
-            work[1440 + k] = w4
-            work[1472 + k] = v24
-            work[1504 + k] = v25
-            work[1536 + k] = -v31
-            work[1568 + k] = -v32
-            work[1600 + k] = -v34
-            work[1632 + k] = -v35
-            work[1664 + k] = -v69
-            work[1696 + k] = -v70
-            work[1728 + k] = -v71
-            work[1760 + k] = v72
-            work[1792 + k] = s3_pp
-            work[1824 + k] = s3_pm
-            work[1856 + k] = s3_mp
-            work[1888 + k] = s3_mm
-            work[1920 + k] = (
+            work[480 + k] = v17
+            work[496 + k] = v18
+            work[512 + k] = v24
+            work[528 + k] = v25
+            work[544 + k] = v69
+            work[560 + k] = v70
+            work[576 + k] = v71
+            work[592 + k] = v72
+            work[608 + k] = s3_pp
+            work[624 + k] = s3_pm
+            work[640 + k] = s3_mp
+            work[656 + k] = s3_mm
+            work[672 + k] = q7_ppp
+            work[688 + k] = q7_mpp
+            work[704 + k] = doubt1
+            work[720 + k] = w4
+            work[736 + k] = v24
+            work[752 + k] = v25
+            work[768 + k] = -v31
+            work[784 + k] = -v32
+            work[800 + k] = -v34
+            work[816 + k] = -v35
+            work[832 + k] = -v69
+            work[848 + k] = -v70
+            work[864 + k] = -v71
+            work[880 + k] = v72
+            work[896 + k] = s3_pp
+            work[912 + k] = s3_pm
+            work[928 + k] = s3_mp
+            work[944 + k] = s3_mm
+            work[960 + k] = (
                 math.sqrt(v73) * (1.0 / v73) * (v113 * (v133 + factor6_pp * (C6_pp * (v122 - v135) -
                 -v31 * (v118 + v137))) + s3_pp * (v143 + factor6_pp * (C6_pp * v139 + -v31 * v141)))
             )
-            work[1952 + k] = (
+            work[976 + k] = (
                 math.sqrt(v74) * (1.0 / v74) * (v114 * (v133 + factor6_pm * (C6_pm * (v122 + v135) +
                 v32 * (v118 - v137))) + s3_pm * (factor6_pm * (C6_pm * v139 - v32 * v141) - v143))
             )
-            work[1984 + k] = (
+            work[992 + k] = (
                 math.sqrt(v75) * (1.0 / v75) * (v115 * (v134 - factor6_mp * (C6_mp * (v123 + v136) +
                 -v34 * (v138 - v119))) + s3_mp * (v144 + factor6_mp * (C6_mp * v140 + -v34 * v142)))
             )
-            work[2016 + k] = (
+            work[1008 + k] = (
                 math.sqrt(v76) * (1.0 / v76) * (v116 * (v134 + factor6_mm * (C6_mm * (v136 - v123) -
                 v35 * (v119 + v138))) + s3_mm * (factor6_mm * (C6_mm * v140 - v35 * v142) - v144))
             )
-            work[2048 + k] = Z4
-            work[2080 + k] = -v20
-            work[2112 + k] = -v21
-            work[2144 + k] = C6_pp
-            work[2176 + k] = C6_pm
-            work[2208 + k] = C6_mp
-            work[2240 + k] = C6_mm
-            work[2272 + k] = -X1_pp
-            work[2304 + k] = -X1_pm
-            work[2336 + k] = -X1_mp
-            work[2368 + k] = v56
-            work[2400 + k] = -v113
-            work[2432 + k] = -v114
-            work[2464 + k] = -v115
-            work[2496 + k] = -v116
-            work[2528 + k] = v127 + factor6_pp * (-v31 * (v124 - v131) - C6_pp * (v120 + v129))
-            work[2560 + k] = v127 - factor6_pm * (v32 * (v124 + v131) + C6_pm * (v120 - v129))
-            work[2592 + k] = factor6_mp * (-v34 * (v125 + v132) - C6_mp * (v121 - v130)) - v128
-            work[2624 + k] = -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130)))
-        for k in range(1440, 2048):
-            work[k] = _atan2(work[k], work[k + 608])
-        for k in range(0, 32):
-            v161 = work[864 + k] != 0.0
-            v17 = work[960 + k]
-            v18 = work[992 + k]
-            v24 = work[1024 + k]
-            v25 = work[1056 + k]
-            v69 = work[1088 + k]
-            v70 = work[1120 + k]
-            v71 = work[1152 + k]
-            v72 = work[1184 + k]
-            s3_pp = work[1216 + k]
-            s3_pm = work[1248 + k]
-            s3_mp = work[1280 + k]
-            s3_mm = work[1312 + k]
-            q7_ppp = work[1344 + k]
-            q7_mpp = work[1376 + k]
-            doubt1 = work[1408 + k] != 0.0
-            angle1 = work[1440 + k]
-            angle2 = work[1472 + k]
-            angle3 = work[1504 + k]
-            angle4 = work[1536 + k]
-            angle5 = work[1568 + k]
-            angle6 = work[1600 + k]
-            angle7 = work[1632 + k]
-            angle8 = work[1664 + k]
-            angle9 = work[1696 + k]
-            angle10 = work[1728 + k]
-            angle11 = work[1760 + k]
-            angle12 = work[1792 + k]
-            angle13 = work[1824 + k]
-            angle14 = work[1856 + k]
-            angle15 = work[1888 + k]
-            angle16 = work[1920 + k]
-            angle17 = work[1952 + k]
-            angle18 = work[1984 + k]
-            angle19 = work[2016 + k]
+            work[1024 + k] = Z4
+            work[1040 + k] = -v20
+            work[1056 + k] = -v21
+            work[1072 + k] = C6_pp
+            work[1088 + k] = C6_pm
+            work[1104 + k] = C6_mp
+            work[1120 + k] = C6_mm
+            work[1136 + k] = -X1_pp
+            work[1152 + k] = -X1_pm
+            work[1168 + k] = -X1_mp
+            work[1184 + k] = v56
+            work[1200 + k] = -v113
+            work[1216 + k] = -v114
+            work[1232 + k] = -v115
+            work[1248 + k] = -v116
+            work[1264 + k] = v127 + factor6_pp * (-v31 * (v124 - v131) - C6_pp * (v120 + v129))
+            work[1280 + k] = v127 - factor6_pm * (v32 * (v124 + v131) + C6_pm * (v120 - v129))
+            work[1296 + k] = factor6_mp * (-v34 * (v125 + v132) - C6_mp * (v121 - v130)) - v128
+            work[1312 + k] = -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130)))
+        for k in range(720, 1024):
+            work[k] = _atan2(work[k], work[k + 304])
+        for k in range(0, 16):
+            v161 = work[432 + k] != 0.0
+            v17 = work[480 + k]
+            v18 = work[496 + k]
+            v24 = work[512 + k]
+            v25 = work[528 + k]
+            v69 = work[544 + k]
+            v70 = work[560 + k]
+            v71 = work[576 + k]
+            v72 = work[592 + k]
+            s3_pp = work[608 + k]
+            s3_pm = work[624 + k]
+            s3_mp = work[640 + k]
+            s3_mm = work[656 + k]
+            q7_ppp = work[672 + k]
+            q7_mpp = work[688 + k]
+            doubt1 = work[704 + k] != 0.0
+            angle1 = work[720 + k]
+            angle2 = work[736 + k]
+            angle3 = work[752 + k]
+            angle4 = work[768 + k]
+            angle5 = work[784 + k]
+            angle6 = work[800 + k]
+            angle7 = work[816 + k]
+            angle8 = work[832 + k]
+            angle9 = work[848 + k]
+            angle10 = work[864 + k]
+            angle11 = work[880 + k]
+            angle12 = work[896 + k]
+            angle13 = work[912 + k]
+            angle14 = work[928 + k]
+            angle15 = work[944 + k]
+            angle16 = work[960 + k]
+            angle17 = work[976 + k]
+            angle18 = work[992 + k]
+            angle19 = work[1008 + k]
             q4__p = angle1 - turn1
             v9 = turn1 + angle1
             q5_pmp = math.copysign(half_turn, v24) * h1 - angle2
@@ -1787,106 +1790,105 @@ def _in_tiles(T, q_free, q, status):
                 v161 or (v160 or (v152 or (v148 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm <
                 low1 or high1 < q1_mmm or (-angle19 < low2 or high2 < -angle19))))))
             )
-            _2656 = angle8
-            work[2656 + k] = _2656
-            _2688 = angle16
-            work[2688 + k] = _2688
-            _2720 = angle12
-            work[2720 + k] = _2720
-            _2752 = q4_ppp
-            work[2752 + k] = _2752
-            _2784 = angle2
-            work[2784 + k] = _2784
-            _2816 = q6_ppp
-            work[2816 + k] = _2816
-            _2848 = q7_ppp
-            work[2848 + k] = _2848
-            _2880 = q1_ppm
-            work[2880 + k] = _2880
-            _2912 = -angle16
-            work[2912 + k] = _2912
-            _2944 = q3_ppm
-            work[2944 + k] = _2944
-            _2976 = angle9
-            work[2976 + k] = _2976
-            _3008 = angle17
-            work[3008 + k] = _3008
-            _3040 = angle13
-            work[3040 + k] = _3040
-            _3072 = q5_pmp
-            work[3072 + k] = _3072
-            _3104 = q6_pmp
-            work[3104 + k] = _3104
-            _3136 = q1_pmm
-            work[3136 + k] = _3136
-            _3168 = -angle17
-            work[3168 + k] = _3168
-            _3200 = q3_pmm
-            work[3200 + k] = _3200
-            _3232 = angle10
-            work[3232 + k] = _3232
-            _3264 = angle18
-            work[3264 + k] = _3264
-            _3296 = angle14
-            work[3296 + k] = _3296
-            _3328 = q4_mpp
-            work[3328 + k] = _3328
-            _3360 = angle3
-            work[3360 + k] = _3360
-            _3392 = q6_mpp
-            work[3392 + k] = _3392
-            _3424 = q7_mpp
-            work[3424 + k] = _3424
-            _3456 = q1_mpm
-            work[3456 + k] = _3456
-            _3488 = -angle18
-            work[3488 + k] = _3488
-            _3520 = q3_mpm
-            work[3520 + k] = _3520
-            _3552 = angle11
-            work[3552 + k] = _3552
-            _3584 = angle19
-            work[3584 + k] = _3584
-            _3616 = angle15
-            work[3616 + k] = _3616
-            _3648 = q5_mmp
-            work[3648 + k] = _3648
-            _3680 = q6_mmp
-            work[3680 + k] = _3680
-            _3712 = q1_mmm
-            work[3712 + k] = _3712
-            _3744 = -angle19
-            work[3744 + k] = _3744
-            _3776 = q3_mmm
-            work[3776 + k] = _3776
-            work[3808 + k] = (
-                UNREACHABLE if _2656 != _2656 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1328 = angle8
+            work[1328 + k] = _1328
+            _1344 = angle16
+            work[1344 + k] = _1344
+            _1360 = angle12
+            work[1360 + k] = _1360
+            _1376 = q4_ppp
+            work[1376 + k] = _1376
+            _1392 = angle2
+            work[1392 + k] = _1392
+            _1408 = q6_ppp
+            work[1408 + k] = _1408
+            _1424 = q7_ppp
+            work[1424 + k] = _1424
+            _1440 = q1_ppm
+            work[1440 + k] = _1440
+            _1456 = -angle16
+            work[1456 + k] = _1456
+            _1472 = q3_ppm
+            work[1472 + k] = _1472
+            _1488 = angle9
+            work[1488 + k] = _1488
+            _1504 = angle17
+            work[1504 + k] = _1504
+            _1520 = angle13
+            work[1520 + k] = _1520
+            _1536 = q5_pmp
+            work[1536 + k] = _1536
+            _1552 = q6_pmp
+            work[1552 + k] = _1552
+            _1568 = q1_pmm
+            work[1568 + k] = _1568
+            _1584 = -angle17
+            work[1584 + k] = _1584
+            _1600 = q3_pmm
+            work[1600 + k] = _1600
+            _1616 = angle10
+            work[1616 + k] = _1616
+            _1632 = angle18
+            work[1632 + k] = _1632
+            _1648 = angle14
+            work[1648 + k] = _1648
+            _1664 = q4_mpp
+            work[1664 + k] = _1664
+            _1680 = angle3
+            work[1680 + k] = _1680
+            _1696 = q6_mpp
+            work[1696 + k] = _1696
+            _1712 = q7_mpp
+            work[1712 + k] = _1712
+            _1728 = q1_mpm
+            work[1728 + k] = _1728
+            _1744 = -angle18
+            work[1744 + k] = _1744
+            _1760 = q3_mpm
+            work[1760 + k] = _1760
+            _1776 = angle11
+            work[1776 + k] = _1776
+            _1792 = angle19
+            work[1792 + k] = _1792
+            _1808 = angle15
+            work[1808 + k] = _1808
+            _1824 = q5_mmp
+            work[1824 + k] = _1824
+            _1840 = q6_mmp
+            work[1840 + k] = _1840
+            _1856 = q1_mmm
+            work[1856 + k] = _1856
+            _1872 = -angle19
+            work[1872 + k] = _1872
+            _1888 = q3_mmm
+            work[1888 + k] = _1888
+            work[1904 + k] = (
+                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[3840 + k] = (
-                UNREACHABLE if _2880 != _2880 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1920 + k] = (
+                UNREACHABLE if _1440 != _1440 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[3872 + k] = (
-                UNREACHABLE if _2976 != _2976 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1936 + k] = (
+                UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[3904 + k] = (
-                UNREACHABLE if _3136 != _3136 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1952 + k] = (
+                UNREACHABLE if _1568 != _1568 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[3936 + k] = (
-                UNREACHABLE if _3232 != _3232 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1968 + k] = (
+                UNREACHABLE if _1616 != _1616 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[3968 + k] = (
-                UNREACHABLE if _3456 != _3456 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1984 + k] = (
+                UNREACHABLE if _1728 != _1728 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[4000 + k] = (
-                UNREACHABLE if _3552 != _3552 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[2000 + k] = (
+                UNREACHABLE if _1776 != _1776 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[4032 + k] = (
-                UNREACHABLE if _3712 != _3712 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[2016 + k] = (
+                UNREACHABLE if _1856 != _1856 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[544 + k] = 1.0 if doubt1 else work[544 + k]
+            work[272 + k] = 1.0 if doubt1 else work[272 + k]
         for k in range(count):
-            if work[544 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[272 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1909,13 +1911,12 @@ def ik_batch(T, q_free, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 7)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     q_free = _array(q_free, (len(T), 1), "q_free")
     if _COMPILED:
         _share(_in_tiles, cores, T, q_free, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q_free[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q_free, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
 
 

@@ -1402,6 +1402,14 @@ typedef struct {
     double double_c[GENERAL_4R2P_ROOTS], double_s[GENERAL_4R2P_ROOTS];
 } general_4r2p_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} general_4r2p_window;
+
 static void general_4r2p_fit(const double samples[24], general_4r2p_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1598,9 +1606,9 @@ static double general_4r2p_between(const general_4r2p_trigonometric *f, int orde
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void general_4r2p_few(const general_4r2p_trigonometric *f, double low, const double
-    at_low[3],
-                        double high, const double at_high[3], general_4r2p_roots *roots)
+static void general_4r2p_few(const general_4r2p_trigonometric *f, double lifted, double low,
+                        const double at_low[3], double high, const double at_high[3],
+                        general_4r2p_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1612,7 +1620,7 @@ static void general_4r2p_few(const general_4r2p_trigonometric *f, double low, co
     x = general_4r2p_between(f, 1, low, at_low, high, at_high);
     general_4r2p_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         general_4r2p_add_root(roots, x, 1);
         return;
     }
@@ -1670,7 +1678,8 @@ static int general_4r2p_kind(const general_4r2p_trigonometric *f, const double l
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void general_4r2p_many(const general_4r2p_trigonometric *f, double low, double high,
+static void general_4r2p_many(const general_4r2p_trigonometric *f, double lifted, double low, double
+    high,
                          const double first[3], const double last[3], int *budget,
                          general_4r2p_roots *roots)
 {
@@ -1689,7 +1698,7 @@ static void general_4r2p_many(const general_4r2p_trigonometric *f, double low, d
         const int kind = general_4r2p_kind(f, at_low, at[top], h);
         if (kind != GENERAL_4R2P_ROOTLESS) {
             if (kind == GENERAL_4R2P_TAME) {
-                general_4r2p_few(f, low, at_low, edge[top], at[top], roots);
+                general_4r2p_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == GENERAL_4R2P_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 general_4r2p_add_root(roots, low + 0.5 * h, 1);
@@ -1797,7 +1806,9 @@ static int general_4r2p_lowest(unsigned long long bits)
 #endif
 }
 
-static void general_4r2p_find_roots(const general_4r2p_trigonometric *f, general_4r2p_roots *roots)
+static void general_4r2p_find_roots(const general_4r2p_trigonometric *f, const general_4r2p_window
+    *window,
+                               general_4r2p_roots *roots)
 {
     general_4r2p_grid g;
     int plain[GENERAL_4R2P_ROOTS], special[256], plains = 0, specials = 0;
@@ -1811,6 +1822,10 @@ static void general_4r2p_find_roots(const general_4r2p_trigonometric *f, general
             general_4r2p_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + general_4r2p_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < GENERAL_4R2P_ROOTS &&
@@ -1831,9 +1846,9 @@ static void general_4r2p_find_roots(const general_4r2p_trigonometric *f, general
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (general_4r2p_kind(f, low, high, h) == GENERAL_4R2P_TAME) {
-            general_4r2p_few(f, i * h, low, (i + 1) * h, high, roots);
+            general_4r2p_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            general_4r2p_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            general_4r2p_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
         }
     }
 }
@@ -1901,6 +1916,121 @@ static void general_4r2p_behind(const general_4r2p_lens *a, int count, double *c
         GENERAL_4R2P_STORE(cosine + i, c);
         GENERAL_4R2P_STORE(sine + i, s);
     }
+}
+
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*general_4r2p_sampler)(const void *of, const general_4r2p_lens *lens, double
+    samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int general_4r2p_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int general_4r2p_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < GENERAL_4R2P_ROOTS; i++) {
+        if (general_4r2p_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int general_4r2p_magnify(general_4r2p_sampler sample, const void *of, double cosine, double
+    sine,
+                           general_4r2p_roots *roots)
+{
+    const general_4r2p_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const general_4r2p_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    general_4r2p_trigonometric f;
+    general_4r2p_roots found;
+    sample(of, &lens, samples);
+    general_4r2p_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    general_4r2p_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    general_4r2p_behind(&lens, found.simple, found.c, found.s);
+    general_4r2p_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = general_4r2p_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = general_4r2p_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = general_4r2p_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = general_4r2p_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void general_4r2p_look_closer(general_4r2p_sampler sample, const void *of, general_4r2p_roots
+    *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == GENERAL_4R2P_ROOTS || roots->doubles == GENERAL_4R2P_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= general_4r2p_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= general_4r2p_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int general_4r2p_real_roots(general_4r2p_sampler sample, const void *of, general_4r2p_roots
+    *roots)
+{
+    const general_4r2p_window all = {0, 128, 5e-09};
+    double samples[24];
+    general_4r2p_trigonometric f;
+    general_4r2p_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (general_4r2p_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    general_4r2p_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    general_4r2p_find_roots(&f, &all, roots);
+    general_4r2p_behind(&lens, roots->simple, roots->c, roots->s);
+    general_4r2p_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    general_4r2p_look_closer(sample, of, roots);
+    return 1;
 }
 
 /* The loop's error at cosines and sines of the joints: translation and rotation vector that are
@@ -2231,14 +2361,14 @@ typedef struct {
 static void general_4r2p_prepare(general_4r2p_setting *set, int which, const general_4r2p_loop
     *loop)
 {
-    int turn = -1;
+    int number = -1;
     set->form = &general_4r2p_formulations[which];
     general_4r2p_around(set->form, loop, set->link);
     for (int i = 0; i < 6; i++) {
         if (general_4r2p_slides(set->form->joint[i])) {
-            general_4r2p_then(set->between[turn], set->link[i]);
+            general_4r2p_then(set->between[number], set->link[i]);
         } else {
-            general_4r2p_copy(set->link[i], set->between[++turn]);
+            general_4r2p_copy(set->link[i], set->between[++number]);
         }
     }
 }
@@ -2345,7 +2475,7 @@ static inline void general_4r2p_around_once(const general_4r2p_setting *set, gen
     static const double identity[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
     static const double zero[12] = {0.0};
     general_4r2p_rigid T[2];
-    int turn = 0, slide = 0;
+    int angle = 0, slide = 0;
     general_4r2p_linkage(set, c, s, out);
     general_4r2p_begin(T[0], identity);
     general_4r2p_begin(T[1], zero);
@@ -2359,8 +2489,8 @@ static inline void general_4r2p_around_once(const general_4r2p_setting *set, gen
             }
             slide++;
         } else {
-            general_4r2p_turn_pair(T, out->c[turn], out->s[turn], out->delta);
-            turn++;
+            general_4r2p_turn_pair(T, out->c[angle], out->s[angle], out->delta);
+            angle++;
         }
         general_4r2p_follow(T[0], set->link[i]);
         general_4r2p_follow(T[1], set->link[i]);
@@ -2468,7 +2598,7 @@ static inline void general_4r2p_way_joints(const general_4r2p_setting *set, gene
 {
     general_4r2p_both at;
     general_4r2p_lane root, square[3], along[2], det;
-    int turn = 0, slide = 0;
+    int angle = 0, slide = 0;
     (void)unused;
     general_4r2p_around_once(set, c1, s1, &at);
     root = sign * general_4r2p_root(at.delta);
@@ -2493,10 +2623,10 @@ static inline void general_4r2p_way_joints(const general_4r2p_setting *set, gene
             s[joint] = det * (square[slide ? 0 : 2] * along[slide] - square[1] * along[1 - slide]);
             slide++;
         } else {
-            c[joint] = at.c[turn][0] + root * at.c[turn][1];
-            s[joint] = at.s[turn][0] + root * at.s[turn][1];
+            c[joint] = at.c[angle][0] + root * at.c[angle][1];
+            s[joint] = at.s[angle][0] + root * at.s[angle][1];
             general_4r2p_to_unit(&c[joint], &s[joint]);
-            turn++;
+            angle++;
         }
     }
 }
@@ -2542,15 +2672,15 @@ static int general_4r2p_settle_ways(const general_4r2p_loop *loop, const general
 }
 
 /* The polynomial at the sample angles, through a lens. */
-static void general_4r2p_sample_closed(const general_4r2p_setting *set, const general_4r2p_lens
-    *lens, double samples[24])
+static void general_4r2p_sample_closed(const void *setting, const general_4r2p_lens *lens, double
+    samples[24])
 {
     for (int k = 0; k < 24; k += GENERAL_4R2P_LANES) {
         general_4r2p_lane c = GENERAL_4R2P_LOAD(general_4r2p_sample_c + k), s =
             GENERAL_4R2P_LOAD(general_4r2p_sample_s + k);
         const general_4r2p_lane square = general_4r2p_through(lens, &c, &s);
-        GENERAL_4R2P_STORE(samples + k, general_4r2p_weighted(general_4r2p_closed_polynomial(set, c,
-            s), square));
+        GENERAL_4R2P_STORE(samples + k,
+            general_4r2p_weighted(general_4r2p_closed_polynomial(setting, c, s), square));
     }
 }
 
@@ -2558,24 +2688,13 @@ static void general_4r2p_sample_closed(const general_4r2p_setting *set, const ge
 static int general_4r2p_attempt_closed(int which, const general_4r2p_loop *loop, general_4r2p_found
     *found)
 {
-    double samples[24];
     general_4r2p_setting set;
-    general_4r2p_trigonometric f;
     general_4r2p_roots roots;
     general_4r2p_ways ways;
-    general_4r2p_lens lens = {0.0, 0.0};
     general_4r2p_prepare(&set, which, loop);
-    general_4r2p_sample_closed(&set, &lens, samples);
-    if (general_4r2p_spread(samples, &lens)) {
-        general_4r2p_sample_closed(&set, &lens, samples);
-    }
-    general_4r2p_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!general_4r2p_real_roots(general_4r2p_sample_closed, &set, &roots)) {
         return 0;
     }
-    general_4r2p_find_roots(&f, &roots);
-    general_4r2p_behind(&lens, roots.simple, roots.c, roots.s);
-    general_4r2p_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     ways.count = 0;
     for (int i = 0; i < 2 * GENERAL_4R2P_ROOTS; i++) {
         ways.far[i] = 0;

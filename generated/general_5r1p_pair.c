@@ -1648,6 +1648,14 @@ typedef struct {
     double double_c[GENERAL_5R1P_PAIR_ROOTS], double_s[GENERAL_5R1P_PAIR_ROOTS];
 } general_5r1p_pair_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} general_5r1p_pair_window;
+
 static void general_5r1p_pair_fit(const double samples[24], general_5r1p_pair_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1852,9 +1860,10 @@ static double general_5r1p_pair_between(const general_5r1p_pair_trigonometric *f
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void general_5r1p_pair_few(const general_5r1p_pair_trigonometric *f, double low, const double
-    at_low[3],
-                        double high, const double at_high[3], general_5r1p_pair_roots *roots)
+static void general_5r1p_pair_few(const general_5r1p_pair_trigonometric *f, double lifted, double
+    low,
+                        const double at_low[3], double high, const double at_high[3],
+                        general_5r1p_pair_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1867,7 +1876,7 @@ static void general_5r1p_pair_few(const general_5r1p_pair_trigonometric *f, doub
     x = general_5r1p_pair_between(f, 1, low, at_low, high, at_high);
     general_5r1p_pair_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         general_5r1p_pair_add_root(roots, x, 1);
         return;
     }
@@ -1926,8 +1935,8 @@ static int general_5r1p_pair_kind(const general_5r1p_pair_trigonometric *f, cons
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void general_5r1p_pair_many(const general_5r1p_pair_trigonometric *f, double low, double
-    high,
+static void general_5r1p_pair_many(const general_5r1p_pair_trigonometric *f, double lifted, double
+    low, double high,
                          const double first[3], const double last[3], int *budget,
                          general_5r1p_pair_roots *roots)
 {
@@ -1946,7 +1955,7 @@ static void general_5r1p_pair_many(const general_5r1p_pair_trigonometric *f, dou
         const int kind = general_5r1p_pair_kind(f, at_low, at[top], h);
         if (kind != GENERAL_5R1P_PAIR_ROOTLESS) {
             if (kind == GENERAL_5R1P_PAIR_TAME) {
-                general_5r1p_pair_few(f, low, at_low, edge[top], at[top], roots);
+                general_5r1p_pair_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == GENERAL_5R1P_PAIR_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 general_5r1p_pair_add_root(roots, low + 0.5 * h, 1);
@@ -2059,8 +2068,9 @@ static int general_5r1p_pair_lowest(unsigned long long bits)
 #endif
 }
 
-static void general_5r1p_pair_find_roots(const general_5r1p_pair_trigonometric *f,
-    general_5r1p_pair_roots *roots)
+static void general_5r1p_pair_find_roots(const general_5r1p_pair_trigonometric *f, const
+    general_5r1p_pair_window *window,
+                               general_5r1p_pair_roots *roots)
 {
     general_5r1p_pair_grid g;
     int plain[GENERAL_5R1P_PAIR_ROOTS], special[256], plains = 0, specials = 0;
@@ -2074,6 +2084,10 @@ static void general_5r1p_pair_find_roots(const general_5r1p_pair_trigonometric *
             general_5r1p_pair_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + general_5r1p_pair_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < GENERAL_5R1P_PAIR_ROOTS &&
@@ -2094,9 +2108,10 @@ static void general_5r1p_pair_find_roots(const general_5r1p_pair_trigonometric *
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (general_5r1p_pair_kind(f, low, high, h) == GENERAL_5R1P_PAIR_TAME) {
-            general_5r1p_pair_few(f, i * h, low, (i + 1) * h, high, roots);
+            general_5r1p_pair_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            general_5r1p_pair_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            general_5r1p_pair_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget,
+                roots);
         }
     }
 }
@@ -2169,19 +2184,135 @@ static void general_5r1p_pair_behind(const general_5r1p_pair_lens *a, int count,
     }
 }
 
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*general_5r1p_pair_sampler)(const void *of, const general_5r1p_pair_lens *lens, double
+    samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int general_5r1p_pair_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int general_5r1p_pair_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < GENERAL_5R1P_PAIR_ROOTS; i++) {
+        if (general_5r1p_pair_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int general_5r1p_pair_magnify(general_5r1p_pair_sampler sample, const void *of, double
+    cosine, double sine,
+                           general_5r1p_pair_roots *roots)
+{
+    const general_5r1p_pair_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const general_5r1p_pair_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    general_5r1p_pair_trigonometric f;
+    general_5r1p_pair_roots found;
+    sample(of, &lens, samples);
+    general_5r1p_pair_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    general_5r1p_pair_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    general_5r1p_pair_behind(&lens, found.simple, found.c, found.s);
+    general_5r1p_pair_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = general_5r1p_pair_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = general_5r1p_pair_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = general_5r1p_pair_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = general_5r1p_pair_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void general_5r1p_pair_look_closer(general_5r1p_pair_sampler sample, const void *of,
+    general_5r1p_pair_roots *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == GENERAL_5R1P_PAIR_ROOTS || roots->doubles == GENERAL_5R1P_PAIR_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= general_5r1p_pair_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= general_5r1p_pair_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int general_5r1p_pair_real_roots(general_5r1p_pair_sampler sample, const void *of,
+    general_5r1p_pair_roots *roots)
+{
+    const general_5r1p_pair_window all = {0, 128, 5e-09};
+    double samples[24];
+    general_5r1p_pair_trigonometric f;
+    general_5r1p_pair_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (general_5r1p_pair_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    general_5r1p_pair_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    general_5r1p_pair_find_roots(&f, &all, roots);
+    general_5r1p_pair_behind(&lens, roots->simple, roots->c, roots->s);
+    general_5r1p_pair_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    general_5r1p_pair_look_closer(sample, of, roots);
+    return 1;
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root. */
+ * the same for all that belong to one such root, which is none where the matrix is regular. */
 typedef struct {
-    int count, groups, group[GENERAL_5R1P_PAIR_CANDIDATES];
+    int count, groups, group[GENERAL_5R1P_PAIR_CANDIDATES], regular[GENERAL_5R1P_PAIR_CANDIDATES];
     double c[GENERAL_5R1P_PAIR_CANDIDATES], s[GENERAL_5R1P_PAIR_CANDIDATES],
         n[6][GENERAL_5R1P_PAIR_CANDIDATES];
 } general_5r1p_pair_candidates;
 
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
-static inline void general_5r1p_pair_inverse_iteration(general_5r1p_pair_lane U[6][6], const
-    general_5r1p_pair_lane inverse[6],
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+static inline general_5r1p_pair_lane general_5r1p_pair_inverse_iteration(general_5r1p_pair_lane
+    U[6][6], const general_5r1p_pair_lane inverse[6],
                                              general_5r1p_pair_lane x[6])
 {
     general_5r1p_pair_lane square = {0};
@@ -2198,10 +2329,11 @@ static inline void general_5r1p_pair_inverse_iteration(general_5r1p_pair_lane U[
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    square = 1.0 / general_5r1p_pair_sqrt(square);
+    const general_5r1p_pair_lane length = general_5r1p_pair_sqrt(square);
     for (int i = 0; i < 6; i++) {
-        x[i] *= square;
+        x[i] *= 1.0 / length;
     }
+    return length;
 }
 
 /* The reciprocals of a diagonal, kept finite. */
@@ -2240,8 +2372,8 @@ static void general_5r1p_pair_null_vectors(const double *E, const general_5r1p_p
         for (int i = 0; i < 6; i++) {
             x[i] = general_5r1p_pair_all(start[i]);
         }
-        general_5r1p_pair_inverse_iteration(factor, inverse, x);
-        general_5r1p_pair_inverse_iteration(factor, inverse, x);
+        (void)general_5r1p_pair_inverse_iteration(factor, inverse, x);
+        (void)general_5r1p_pair_inverse_iteration(factor, inverse, x);
         GENERAL_5R1P_PAIR_STORE(out->c + from, c);
         GENERAL_5R1P_PAIR_STORE(out->s + from, s);
         for (int i = 0; i < 6; i++) {
@@ -2330,18 +2462,24 @@ static void general_5r1p_pair_null_plane(const double *E, double c, double s,
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    general_5r1p_pair_lane factor[6][6], inverse[6], x[2][6];
+    general_5r1p_pair_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
     double n[2][6];
+    if (out->groups == GENERAL_5R1P_PAIR_CANDIDATES) {
+        return;
+    }
     (void)general_5r1p_pair_fold(E, general_5r1p_pair_all(c), general_5r1p_pair_all(s), factor);
     general_5r1p_pair_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = general_5r1p_pair_all(start[0][i]);
         x[1][i] = general_5r1p_pair_all(start[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
     }
     for (int step = 0; step < 4; step++) {
         general_5r1p_pair_lane along = {0};
-        general_5r1p_pair_inverse_iteration(factor, inverse, x[0]);
-        general_5r1p_pair_inverse_iteration(factor, inverse, x[1]);
+        length = general_5r1p_pair_inverse_iteration(factor, inverse, x[0]);
+        (void)general_5r1p_pair_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2349,15 +2487,16 @@ static void general_5r1p_pair_null_plane(const double *E, double c, double s,
             x[1][i] -= along * x[0][i];
         }
     }
+    out->regular[out->groups] = general_5r1p_pair_largest(length * squares) < 9.999999999999999e+17;
     for (int r = 0; r < 2; r++) {
-        double length = 0.0;
+        double square = 0.0;
         for (int i = 0; i < 6; i++) {
             n[r][i] = general_5r1p_pair_largest(x[r][i]);
-            length += n[r][i] * n[r][i];
+            square += n[r][i] * n[r][i];
         }
-        length = sqrt(length) + 1e-300;
+        square = sqrt(square) + 1e-300;
         for (int i = 0; i < 6; i++) {
-            n[r][i] /= length;
+            n[r][i] /= square;
         }
     }
     general_5r1p_pair_add_candidate(out, c, s, n[0]);
@@ -2805,7 +2944,7 @@ static void general_5r1p_pair_close_roots(const double *E, const general_5r1p_pa
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, const
     general_5r1p_pair_loop *loop,
                           double link[6][12], const general_5r1p_pair_candidates *all, int simple,
@@ -2841,22 +2980,25 @@ static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, c
         }
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
-        expected += of_group[i] & found->singular ? 1 : 2;
+        if (of_group[i] || !all->regular[i]) {
+            found->doubles++;
+            expected += of_group[i] & found->singular ? 1 : 2;
+        }
     }
     return complete && general_5r1p_pair_bits(met) >= expected && general_5r1p_pair_paired(found);
 }
 
 /* The determinant at the sample angles, through a lens. */
-static void general_5r1p_pair_sample(const double *E, const general_5r1p_pair_lens *lens, double
-    samples[24])
+static void general_5r1p_pair_sample(const void *equations, const general_5r1p_pair_lens *lens,
+    double samples[24])
 {
     for (int k = 0; k < 24; k += GENERAL_5R1P_PAIR_LANES) {
         general_5r1p_pair_lane factor[6][6];
         general_5r1p_pair_lane c = GENERAL_5R1P_PAIR_LOAD(general_5r1p_pair_sample_c + k), s =
             GENERAL_5R1P_PAIR_LOAD(general_5r1p_pair_sample_s + k);
         const general_5r1p_pair_lane square = general_5r1p_pair_through(lens, &c, &s);
-        GENERAL_5R1P_PAIR_STORE(samples + k, general_5r1p_pair_weighted(general_5r1p_pair_fold(E, c,
-            s, factor), square));
+        const general_5r1p_pair_lane determinant = general_5r1p_pair_fold(equations, c, s, factor);
+        GENERAL_5R1P_PAIR_STORE(samples + k, general_5r1p_pair_weighted(determinant, square));
     }
 }
 
@@ -2865,30 +3007,19 @@ static int general_5r1p_pair_attempt(const general_5r1p_pair_formulation *form, 
     general_5r1p_pair_loop *loop,
                            general_5r1p_pair_found *found)
 {
-    double link[6][12], E[192], samples[24];
-    general_5r1p_pair_trigonometric f;
+    double link[6][12], E[192];
     general_5r1p_pair_roots roots;
     general_5r1p_pair_candidates all;
-    general_5r1p_pair_lens lens = {0.0, 0.0};
     general_5r1p_pair_around(form, loop, link);
     general_5r1p_pair_equations(form, link, E);
-    general_5r1p_pair_sample(E, &lens, samples);
-    if (general_5r1p_pair_spread(samples, &lens)) {
-        general_5r1p_pair_sample(E, &lens, samples);
-    }
-    general_5r1p_pair_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!general_5r1p_pair_real_roots(general_5r1p_pair_sample, E, &roots)) {
         return 0;
     }
-    general_5r1p_pair_find_roots(&f, &roots);
-    general_5r1p_pair_behind(&lens, roots.simple, roots.c, roots.s);
-    general_5r1p_pair_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     general_5r1p_pair_null_vectors(E, &roots, &all);
     general_5r1p_pair_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
         general_5r1p_pair_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    found->doubles += roots.doubles;
     return general_5r1p_pair_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }

@@ -1407,6 +1407,14 @@ typedef struct {
     double double_c[GENERAL_PRRPRR_ROOTS], double_s[GENERAL_PRRPRR_ROOTS];
 } general_prrprr_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} general_prrprr_window;
+
 static void general_prrprr_fit(const double samples[24], general_prrprr_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1603,9 +1611,9 @@ static double general_prrprr_between(const general_prrprr_trigonometric *f, int 
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void general_prrprr_few(const general_prrprr_trigonometric *f, double low, const double
-    at_low[3],
-                        double high, const double at_high[3], general_prrprr_roots *roots)
+static void general_prrprr_few(const general_prrprr_trigonometric *f, double lifted, double low,
+                        const double at_low[3], double high, const double at_high[3],
+                        general_prrprr_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1618,7 +1626,7 @@ static void general_prrprr_few(const general_prrprr_trigonometric *f, double low
     x = general_prrprr_between(f, 1, low, at_low, high, at_high);
     general_prrprr_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         general_prrprr_add_root(roots, x, 1);
         return;
     }
@@ -1676,7 +1684,8 @@ static int general_prrprr_kind(const general_prrprr_trigonometric *f, const doub
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void general_prrprr_many(const general_prrprr_trigonometric *f, double low, double high,
+static void general_prrprr_many(const general_prrprr_trigonometric *f, double lifted, double low,
+    double high,
                          const double first[3], const double last[3], int *budget,
                          general_prrprr_roots *roots)
 {
@@ -1695,7 +1704,7 @@ static void general_prrprr_many(const general_prrprr_trigonometric *f, double lo
         const int kind = general_prrprr_kind(f, at_low, at[top], h);
         if (kind != GENERAL_PRRPRR_ROOTLESS) {
             if (kind == GENERAL_PRRPRR_TAME) {
-                general_prrprr_few(f, low, at_low, edge[top], at[top], roots);
+                general_prrprr_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == GENERAL_PRRPRR_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 general_prrprr_add_root(roots, low + 0.5 * h, 1);
@@ -1805,8 +1814,9 @@ static int general_prrprr_lowest(unsigned long long bits)
 #endif
 }
 
-static void general_prrprr_find_roots(const general_prrprr_trigonometric *f, general_prrprr_roots
-    *roots)
+static void general_prrprr_find_roots(const general_prrprr_trigonometric *f, const
+    general_prrprr_window *window,
+                               general_prrprr_roots *roots)
 {
     general_prrprr_grid g;
     int plain[GENERAL_PRRPRR_ROOTS], special[256], plains = 0, specials = 0;
@@ -1820,6 +1830,10 @@ static void general_prrprr_find_roots(const general_prrprr_trigonometric *f, gen
             general_prrprr_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + general_prrprr_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < GENERAL_PRRPRR_ROOTS &&
@@ -1840,9 +1854,9 @@ static void general_prrprr_find_roots(const general_prrprr_trigonometric *f, gen
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (general_prrprr_kind(f, low, high, h) == GENERAL_PRRPRR_TAME) {
-            general_prrprr_few(f, i * h, low, (i + 1) * h, high, roots);
+            general_prrprr_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            general_prrprr_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            general_prrprr_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
         }
     }
 }
@@ -1912,6 +1926,121 @@ static void general_prrprr_behind(const general_prrprr_lens *a, int count, doubl
         GENERAL_PRRPRR_STORE(cosine + i, c);
         GENERAL_PRRPRR_STORE(sine + i, s);
     }
+}
+
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*general_prrprr_sampler)(const void *of, const general_prrprr_lens *lens, double
+    samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int general_prrprr_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int general_prrprr_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < GENERAL_PRRPRR_ROOTS; i++) {
+        if (general_prrprr_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int general_prrprr_magnify(general_prrprr_sampler sample, const void *of, double cosine,
+    double sine,
+                           general_prrprr_roots *roots)
+{
+    const general_prrprr_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const general_prrprr_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    general_prrprr_trigonometric f;
+    general_prrprr_roots found;
+    sample(of, &lens, samples);
+    general_prrprr_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    general_prrprr_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    general_prrprr_behind(&lens, found.simple, found.c, found.s);
+    general_prrprr_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = general_prrprr_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = general_prrprr_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = general_prrprr_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = general_prrprr_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void general_prrprr_look_closer(general_prrprr_sampler sample, const void *of,
+    general_prrprr_roots *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == GENERAL_PRRPRR_ROOTS || roots->doubles == GENERAL_PRRPRR_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= general_prrprr_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= general_prrprr_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int general_prrprr_real_roots(general_prrprr_sampler sample, const void *of,
+    general_prrprr_roots *roots)
+{
+    const general_prrprr_window all = {0, 128, 5e-09};
+    double samples[24];
+    general_prrprr_trigonometric f;
+    general_prrprr_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (general_prrprr_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    general_prrprr_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    general_prrprr_find_roots(&f, &all, roots);
+    general_prrprr_behind(&lens, roots->simple, roots->c, roots->s);
+    general_prrprr_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    general_prrprr_look_closer(sample, of, roots);
+    return 1;
 }
 
 /* The loop's error at cosines and sines of the joints: translation and rotation vector that are
@@ -2248,14 +2377,14 @@ typedef struct {
 static void general_prrprr_prepare(general_prrprr_setting *set, int which, const general_prrprr_loop
     *loop)
 {
-    int turn = -1;
+    int number = -1;
     set->form = &general_prrprr_formulations[which];
     general_prrprr_around(set->form, loop, set->link);
     for (int i = 0; i < 6; i++) {
         if (general_prrprr_slides(set->form->joint[i])) {
-            general_prrprr_then(set->between[turn], set->link[i]);
+            general_prrprr_then(set->between[number], set->link[i]);
         } else {
-            general_prrprr_copy(set->link[i], set->between[++turn]);
+            general_prrprr_copy(set->link[i], set->between[++number]);
         }
     }
 }
@@ -2362,7 +2491,7 @@ static inline void general_prrprr_around_once(const general_prrprr_setting *set,
     static const double identity[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0};
     static const double zero[12] = {0.0};
     general_prrprr_rigid T[2];
-    int turn = 0, slide = 0;
+    int angle = 0, slide = 0;
     general_prrprr_linkage(set, c, s, out);
     general_prrprr_begin(T[0], identity);
     general_prrprr_begin(T[1], zero);
@@ -2376,8 +2505,8 @@ static inline void general_prrprr_around_once(const general_prrprr_setting *set,
             }
             slide++;
         } else {
-            general_prrprr_turn_pair(T, out->c[turn], out->s[turn], out->delta);
-            turn++;
+            general_prrprr_turn_pair(T, out->c[angle], out->s[angle], out->delta);
+            angle++;
         }
         general_prrprr_follow(T[0], set->link[i]);
         general_prrprr_follow(T[1], set->link[i]);
@@ -2486,7 +2615,7 @@ static inline void general_prrprr_way_joints(const general_prrprr_setting *set, 
 {
     general_prrprr_both at;
     general_prrprr_lane root, square[3], along[2], det;
-    int turn = 0, slide = 0;
+    int angle = 0, slide = 0;
     (void)unused;
     general_prrprr_around_once(set, c1, s1, &at);
     root = sign * general_prrprr_root(at.delta);
@@ -2511,10 +2640,10 @@ static inline void general_prrprr_way_joints(const general_prrprr_setting *set, 
             s[joint] = det * (square[slide ? 0 : 2] * along[slide] - square[1] * along[1 - slide]);
             slide++;
         } else {
-            c[joint] = at.c[turn][0] + root * at.c[turn][1];
-            s[joint] = at.s[turn][0] + root * at.s[turn][1];
+            c[joint] = at.c[angle][0] + root * at.c[angle][1];
+            s[joint] = at.s[angle][0] + root * at.s[angle][1];
             general_prrprr_to_unit(&c[joint], &s[joint]);
-            turn++;
+            angle++;
         }
     }
 }
@@ -2560,15 +2689,15 @@ static int general_prrprr_settle_ways(const general_prrprr_loop *loop, const gen
 }
 
 /* The polynomial at the sample angles, through a lens. */
-static void general_prrprr_sample_closed(const general_prrprr_setting *set, const
-    general_prrprr_lens *lens, double samples[24])
+static void general_prrprr_sample_closed(const void *setting, const general_prrprr_lens *lens,
+    double samples[24])
 {
     for (int k = 0; k < 24; k += GENERAL_PRRPRR_LANES) {
         general_prrprr_lane c = GENERAL_PRRPRR_LOAD(general_prrprr_sample_c + k), s =
             GENERAL_PRRPRR_LOAD(general_prrprr_sample_s + k);
         const general_prrprr_lane square = general_prrprr_through(lens, &c, &s);
         GENERAL_PRRPRR_STORE(samples + k,
-            general_prrprr_weighted(general_prrprr_closed_polynomial(set, c, s), square));
+            general_prrprr_weighted(general_prrprr_closed_polynomial(setting, c, s), square));
     }
 }
 
@@ -2576,24 +2705,13 @@ static void general_prrprr_sample_closed(const general_prrprr_setting *set, cons
 static int general_prrprr_attempt_closed(int which, const general_prrprr_loop *loop,
     general_prrprr_found *found)
 {
-    double samples[24];
     general_prrprr_setting set;
-    general_prrprr_trigonometric f;
     general_prrprr_roots roots;
     general_prrprr_ways ways;
-    general_prrprr_lens lens = {0.0, 0.0};
     general_prrprr_prepare(&set, which, loop);
-    general_prrprr_sample_closed(&set, &lens, samples);
-    if (general_prrprr_spread(samples, &lens)) {
-        general_prrprr_sample_closed(&set, &lens, samples);
-    }
-    general_prrprr_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!general_prrprr_real_roots(general_prrprr_sample_closed, &set, &roots)) {
         return 0;
     }
-    general_prrprr_find_roots(&f, &roots);
-    general_prrprr_behind(&lens, roots.simple, roots.c, roots.s);
-    general_prrprr_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     ways.count = 0;
     for (int i = 0; i < 2 * GENERAL_PRRPRR_ROOTS; i++) {
         ways.far[i] = 0;

@@ -394,7 +394,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr bd1b3646bc726ce5"
+_KEY = "general_rpprrr 605f9f4c84de4c78"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1054,13 +1054,13 @@ def _general_rpprrr_between(f, order, low, high, rising):
 
 
 @_inner
-def _general_rpprrr_few(f, rounding, low, at_low, high, at_high, roots, counts):
+def _general_rpprrr_few(f, rounding, near, low, at_low, high, at_high, roots, counts):
     """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double)."""
     middle, at_middle = high, at_high[0]
     if at_low[1] * at_high[1] < 0.0:
         middle = _general_rpprrr_between(f, 1, low, high, at_low[1] < 0.0)
         at_middle, _, bend = _general_rpprrr_at(f, middle)
-        lifted = at_middle * bend > 0.0 and abs(at_middle) <= abs(bend) * 5e-09
+        lifted = at_middle * bend > 0.0 and abs(at_middle) <= abs(bend) * near
         if abs(at_middle) <= rounding or lifted:
             _general_rpprrr_add_root(roots, counts, 1, middle)
             return
@@ -1086,9 +1086,11 @@ def _general_rpprrr_add_root(roots, counts, twice, x):
     counts[twice] += 1
 
 
-@_apart("Tuple((float64[:, ::1], int64[::1]))(float64[::1], float64, float64)")
-def _general_rpprrr_find_roots(f, scale, rounding):
-    """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]]."""
+@_apart("Tuple((float64[:, ::1], int64[::1]))(float64[::1], float64, float64, int64, int64, float64)")
+def _general_rpprrr_find_roots(f, scale, rounding, middle, reach, near):
+    """The simple roots, roots[0, : counts[0]], and the double ones, roots[1, : counts[1]], in so many
+    cells on both sides of the middle one. Two complex roots count as a double one where the value of
+    a parabola over its bend is below `near`."""
     roots = np.empty((2, 24))
     counts = np.array([0, 0, 1])
     grid = _general_rpprrr_grid(f)
@@ -1097,6 +1099,8 @@ def _general_rpprrr_find_roots(f, scale, rounding):
     at, at_low = np.empty((16, 3)), np.empty(3)
     depth = np.zeros(16, dtype=np.int64)
     for i in range(256):
+        if min(abs(i - middle), 256 - abs(i - middle)) > reach:
+            continue
         if _general_rpprrr_kind(grid[i], grid[i + 1], 0.02454369260617026, scale, rounding) == 0:
             continue
         low = i * 0.02454369260617026
@@ -1109,7 +1113,7 @@ def _general_rpprrr_find_roots(f, scale, rounding):
             h = edge[top] - low
             kind = _general_rpprrr_kind(at_low, at[top], h, scale, rounding)
             if kind == 2:
-                _general_rpprrr_few(f, rounding, low, at_low, edge[top], at[top], roots, counts)
+                _general_rpprrr_few(f, rounding, near, low, at_low, edge[top], at[top], roots, counts)
             elif kind == 1 or (kind == 3 and (depth[top] == 14 or budget == 0)):
                 counts[2] = 0
                 _general_rpprrr_add_root(roots, counts, 1, low + 0.5 * h)
@@ -1167,6 +1171,51 @@ def _general_rpprrr_behind(x, y, roots, counts):
         for i in range(counts[twice]):
             c, s, _ = _general_rpprrr_through(x, y, math.cos(roots[twice, i]), math.sin(roots[twice, i]))
             roots[twice, i] = math.atan2(s, c)
+
+
+@_inner
+def _general_rpprrr_seen(samples, x, y, middle, reach, near):
+    """The roots that samples through a lens show: (whether f does not vanish identically, the roots,
+    their counts)."""
+    f, scale, noise = _general_rpprrr_fit(samples)
+    rounding = scale * (3e-15 + 8.0 * noise)
+    roots, counts = _general_rpprrr_find_roots(f, scale, rounding, middle, reach, near)
+    _general_rpprrr_behind(x, y, roots, counts)
+    return noise <= 1e-06, roots, counts
+
+
+@_inner
+def _general_rpprrr_near(x, middle):
+    """Whether an angle is as near to another as a closer look reaches."""
+    return math.cos(x - middle) >= 0.9980487804878049
+
+
+@_apart("void(float64[:, ::1], int64[::1], float64[:, ::1], int64[::1], float64)")
+def _general_rpprrr_replace(roots, counts, closer, closer_counts, middle):
+    """Of the roots those near to an angle are replaced by what a closer look shows there."""
+    for twice in range(2):
+        kept = 0
+        for i in range(counts[twice]):
+            if not _general_rpprrr_near(roots[twice, i], middle):
+                roots[twice, kept] = roots[twice, i]
+                kept += 1
+        for i in range(closer_counts[twice]):
+            if _general_rpprrr_near(closer[twice, i], middle) and kept < 24:
+                roots[twice, kept] = closer[twice, i]
+                kept += 1
+        counts[twice] = kept
+
+
+@_inner
+def _general_rpprrr_unseen(roots, counts, seen, looks):
+    """The first double root that nothing has looked at more closely; their count if there is none."""
+    for i in range(counts[1]):
+        near = False
+        for k in range(looks):
+            near = near or _general_rpprrr_near(roots[1, i], seen[k])
+        if not near:
+            return i
+    return counts[1]
 
 
 @_inner
@@ -1534,6 +1583,52 @@ def _general_rpprrr_way_joints(setting, way, c1, s1, c, s):
     return 1
 
 
+@_inner
+def _general_rpprrr_sample_closed(of, x, y, samples):
+    """The polynomial at the sample angles, through a lens."""
+    for k in range(24):
+        c, s, weight = _general_rpprrr_through(x, y, _GENERAL_RPPRRR_SAMPLE_C[k], _GENERAL_RPPRRR_SAMPLE_S[k])
+        samples[k] = weight * _general_rpprrr_closed_polynomial(of, c, s)
+
+
+@_inner
+def _general_rpprrr_real_roots_closed(of):
+    """All real roots: (whether the polynomial does not vanish identically, roots, counts).
+
+    Where roots may be double they are replaced by what a closer look shows, if it shows all: values
+    that are computed there have the digits that the fit of f lacks. What was given up stands among
+    them.
+    """
+    samples = np.empty(24)
+    _general_rpprrr_sample_closed(of, 0.0, 0.0, samples)
+    x, y = _general_rpprrr_spread(samples)
+    if x != 0.0 or y != 0.0:
+        _general_rpprrr_sample_closed(of, x, y, samples)
+    good, roots, counts = _general_rpprrr_seen(samples, x, y, 0, 128, 5e-09)
+    if not good or max(counts[0], counts[1]) == 24:
+        return good, roots, counts
+    seen, looks, clear = np.empty(4), 0, True
+    i = _general_rpprrr_unseen(roots, counts, seen, looks)
+    while i < counts[1] and looks < 4:
+        middle = seen[looks] = roots[1, i]
+        looks += 1
+        x, y = 0.8823529411764706 * math.cos(middle), 0.8823529411764706 * math.sin(middle)
+        _general_rpprrr_sample_closed(of, x, y, samples)
+        turns = middle / 6.283185307179586
+        cell = int(256 * (turns - math.floor(turns))) % 256
+        all_of_them, closer, closer_counts = _general_rpprrr_seen(
+            samples, x, y, cell, 38, 1.28e-06
+        )
+        if all_of_them and closer_counts[2]:
+            _general_rpprrr_replace(roots, counts, closer, closer_counts, middle)
+        else:
+            clear = False
+        i = _general_rpprrr_unseen(roots, counts, seen, looks)
+    if clear and i == counts[1]:
+        counts[2] = 1
+    return good, roots, counts
+
+
 @_apart("Tuple((boolean, int64))(int64, float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1], int64)")
 def _general_rpprrr_attempt_closed(which, loop, q, residual, singular, doubles_met, count):
     """Find what a polynomial in closed form finds: (whether that is certainly everything, the count).
@@ -1541,22 +1636,9 @@ def _general_rpprrr_attempt_closed(which, loop, q, residual, singular, doubles_m
     The certificate is that of the formulations, with 1 solution(s) a root.
     """
     setting = _general_rpprrr_setting(which, loop)
-    samples = np.empty(24)
-    x = y = 0.0
-    for look in range(2):
-        for k in range(24):
-            c1, s1, weight = _general_rpprrr_through(x, y, _GENERAL_RPPRRR_SAMPLE_C[k], _GENERAL_RPPRRR_SAMPLE_S[k])
-            samples[k] = weight * _general_rpprrr_closed_polynomial(setting, c1, s1)
-        if look == 0:
-            x, y = _general_rpprrr_spread(samples)
-        if x == 0.0 and y == 0.0:
-            break
-    f, scale, noise = _general_rpprrr_fit(samples)
-    if not noise <= 1e-06:
+    good, roots, counts = _general_rpprrr_real_roots_closed(setting)
+    if not good:
         return False, count
-    rounding = scale * (3e-15 + 8.0 * noise)
-    roots, counts = _general_rpprrr_find_roots(f, scale, rounding)
-    _general_rpprrr_behind(x, y, roots, counts)
     complete, expected = counts[2] == 1, 0
     doubles_met[0] += counts[1]
     met = np.zeros(8, dtype=np.int64)
@@ -1999,10 +2081,14 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 def ik_batch(T, *, cores=None):
@@ -2020,7 +2106,9 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
-    _share(_one_by_one, cores, T, q, status)
+    status[:, 0] = _UNSOLVED
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

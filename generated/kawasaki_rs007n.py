@@ -1043,70 +1043,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2304, 2336, 2368, 2400, 2432, 2464],
-    [2304, 2336, 2368, 2496, 2528, 2560],
-    [2304, 2592, 2624, 2656, 2688, 2720],
-    [2304, 2592, 2624, 2752, 2784, 2816],
-    [2848, 2880, 2368, 2912, 2944, 2976],
-    [2848, 2880, 2368, 3008, 3040, 3072],
-    [2848, 3104, 2624, 3136, 3168, 3200],
-    [2848, 3104, 2624, 3232, 3264, 3296],
+    [1152, 1168, 1184, 1200, 1216, 1232],
+    [1152, 1168, 1184, 1248, 1264, 1280],
+    [1152, 1296, 1312, 1328, 1344, 1360],
+    [1152, 1296, 1312, 1376, 1392, 1408],
+    [1424, 1440, 1184, 1456, 1472, 1488],
+    [1424, 1440, 1184, 1504, 1520, 1536],
+    [1424, 1552, 1312, 1568, 1584, 1600],
+    [1424, 1552, 1312, 1616, 1632, 1648],
 ])
-_KINDS = np.array([3328, 3360, 3392, 3424, 3456, 3488, 3520, 3552])
-_LEFT_OVER = 255
+_KINDS = np.array([1664, 1680, 1696, 1712, 1728, 1744, 1760, 1776])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3584)
+    work = np.empty(1792)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             X1 = d6 * T13 - T14
             wy = d6 * T23 - T24
             v1 = X1 * X1 + wy * wy
@@ -1200,102 +1203,102 @@ def _in_tiles(T, q, status):
                 (v48 <= m5 or (v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
                 (shortest3_apart < N3 and N3 < longest3_apart)) or v23 <= m4)))))))
             )
-            work[544 + k] = wy
-            work[576 + k] = v4
-            work[608 + k] = v5
-            work[640 + k] = c2m3_mp
-            work[672 + k] = c2m3_mm
-            work[704 + k] = v38
-            work[736 + k] = v39
-            work[768 + k] = v43
-            work[800 + k] = v44
-            work[832 + k] = v45
-            work[864 + k] = v54
-            work[896 + k] = v55
-            work[928 + k] = v58
-            work[960 + k] = v59
-            work[992 + k] = v68
-            work[1024 + k] = v69
-            work[1056 + k] = v86
-            work[1088 + k] = v87
-            work[1120 + k] = doubt1
-            work[1152 + k] = wy
-            work[1184 + k] = S2_pp
-            work[1216 + k] = S2_pm
-            work[1248 + k] = S2_pm
-            work[1280 + k] = S2_pp
-            work[1312 + k] = v5
-            work[1344 + k] = -v46
-            work[1376 + k] = -v46
-            work[1408 + k] = v46
-            work[1440 + k] = v46
-            work[1472 + k] = math.sqrt(v48)
-            work[1504 + k] = math.sqrt(v49)
-            work[1536 + k] = math.sqrt(v50)
-            work[1568 + k] = math.sqrt(v51)
-            work[1600 + k] = v86
-            work[1632 + k] = v87
-            work[1664 + k] = -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59)))
-            work[1696 + k] = -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59)))
-            work[1728 + k] = -X1
-            work[1760 + k] = C2_pp
-            work[1792 + k] = C2_pm
-            work[1824 + k] = C2_mp
-            work[1856 + k] = C2_mm
-            work[1888 + k] = -v6
-            work[1920 + k] = v41
-            work[1952 + k] = v42
-            work[1984 + k] = v43
-            work[2016 + k] = v44
-            work[2048 + k] = T33 * c2m3_pp + v35 * v40
-            work[2080 + k] = T33 * c2m3_pm + v37 * v40
-            work[2112 + k] = T33 * c2m3_mp - v38 * v40
-            work[2144 + k] = T33 * c2m3_mm - v39 * v40
-            work[2176 + k] = v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))
-            work[2208 + k] = v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57))
-            work[2240 + k] = -(v54 * (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57)))
-            work[2272 + k] = -(v55 * (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57)))
-        for k in range(1152, 1728):
-            work[k] = _atan2(work[k], work[k + 576])
-        for k in range(0, 32):
-            T31 = work[256 + k]
-            wy = work[544 + k]
-            v4 = work[576 + k]
-            v5 = work[608 + k]
-            c2m3_mp = work[640 + k]
-            c2m3_mm = work[672 + k]
-            v38 = work[704 + k]
-            v39 = work[736 + k]
-            v43 = work[768 + k]
-            v44 = work[800 + k]
-            v45 = work[832 + k]
-            v54 = work[864 + k]
-            v55 = work[896 + k]
-            v58 = work[928 + k]
-            v59 = work[960 + k]
-            v68 = work[992 + k]
-            v69 = work[1024 + k]
-            v86 = work[1056 + k]
-            v87 = work[1088 + k]
-            doubt1 = work[1120 + k] != 0.0
-            angle1 = work[1152 + k]
-            angle2 = work[1184 + k]
-            angle3 = work[1216 + k]
-            angle4 = work[1248 + k]
-            angle5 = work[1280 + k]
-            angle6 = work[1312 + k]
-            angle7 = work[1344 + k]
-            angle8 = work[1376 + k]
-            angle9 = work[1408 + k]
-            angle10 = work[1440 + k]
-            angle11 = work[1472 + k]
-            angle12 = work[1504 + k]
-            angle13 = work[1536 + k]
-            angle14 = work[1568 + k]
-            angle15 = work[1600 + k]
-            angle16 = work[1632 + k]
-            angle17 = work[1664 + k]
-            angle18 = work[1696 + k]
+            work[272 + k] = wy
+            work[288 + k] = v4
+            work[304 + k] = v5
+            work[320 + k] = c2m3_mp
+            work[336 + k] = c2m3_mm
+            work[352 + k] = v38
+            work[368 + k] = v39
+            work[384 + k] = v43
+            work[400 + k] = v44
+            work[416 + k] = v45
+            work[432 + k] = v54
+            work[448 + k] = v55
+            work[464 + k] = v58
+            work[480 + k] = v59
+            work[496 + k] = v68
+            work[512 + k] = v69
+            work[528 + k] = v86
+            work[544 + k] = v87
+            work[560 + k] = doubt1
+            work[576 + k] = wy
+            work[592 + k] = S2_pp
+            work[608 + k] = S2_pm
+            work[624 + k] = S2_pm
+            work[640 + k] = S2_pp
+            work[656 + k] = v5
+            work[672 + k] = -v46
+            work[688 + k] = -v46
+            work[704 + k] = v46
+            work[720 + k] = v46
+            work[736 + k] = math.sqrt(v48)
+            work[752 + k] = math.sqrt(v49)
+            work[768 + k] = math.sqrt(v50)
+            work[784 + k] = math.sqrt(v51)
+            work[800 + k] = v86
+            work[816 + k] = v87
+            work[832 + k] = -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59)))
+            work[848 + k] = -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59)))
+            work[864 + k] = -X1
+            work[880 + k] = C2_pp
+            work[896 + k] = C2_pm
+            work[912 + k] = C2_mp
+            work[928 + k] = C2_mm
+            work[944 + k] = -v6
+            work[960 + k] = v41
+            work[976 + k] = v42
+            work[992 + k] = v43
+            work[1008 + k] = v44
+            work[1024 + k] = T33 * c2m3_pp + v35 * v40
+            work[1040 + k] = T33 * c2m3_pm + v37 * v40
+            work[1056 + k] = T33 * c2m3_mp - v38 * v40
+            work[1072 + k] = T33 * c2m3_mm - v39 * v40
+            work[1088 + k] = v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))
+            work[1104 + k] = v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57))
+            work[1120 + k] = -(v54 * (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57)))
+            work[1136 + k] = -(v55 * (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57)))
+        for k in range(576, 864):
+            work[k] = _atan2(work[k], work[k + 288])
+        for k in range(0, 16):
+            T31 = work[128 + k]
+            wy = work[272 + k]
+            v4 = work[288 + k]
+            v5 = work[304 + k]
+            c2m3_mp = work[320 + k]
+            c2m3_mm = work[336 + k]
+            v38 = work[352 + k]
+            v39 = work[368 + k]
+            v43 = work[384 + k]
+            v44 = work[400 + k]
+            v45 = work[416 + k]
+            v54 = work[432 + k]
+            v55 = work[448 + k]
+            v58 = work[464 + k]
+            v59 = work[480 + k]
+            v68 = work[496 + k]
+            v69 = work[512 + k]
+            v86 = work[528 + k]
+            v87 = work[544 + k]
+            doubt1 = work[560 + k] != 0.0
+            angle1 = work[576 + k]
+            angle2 = work[592 + k]
+            angle3 = work[608 + k]
+            angle4 = work[624 + k]
+            angle5 = work[640 + k]
+            angle6 = work[656 + k]
+            angle7 = work[672 + k]
+            angle8 = work[688 + k]
+            angle9 = work[704 + k]
+            angle10 = work[720 + k]
+            angle11 = work[736 + k]
+            angle12 = work[752 + k]
+            angle13 = work[768 + k]
+            angle14 = work[784 + k]
+            angle15 = work[800 + k]
+            angle16 = work[816 + k]
+            angle17 = work[832 + k]
+            angle18 = work[848 + k]
             v60 = angle1 - offset1
             v61 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
             v62 = angle2 - offset2
@@ -1380,98 +1383,97 @@ def _in_tiles(T, q, status):
             outside_mpm = v100 or (q5_mpm < low5 or high5 < q5_mpm)
             outside_mmp = v101 or (q5_mmp < low5 or high5 < q5_mmp)
             outside_mmm = v101 or (q5_mmm < low5 or high5 < q5_mmm)
-            _2304 = q1_ppp
-            work[2304 + k] = _2304
-            _2336 = q2_ppp
-            work[2336 + k] = _2336
-            _2368 = q3_ppp
-            work[2368 + k] = _2368
-            _2400 = q4_ppp
-            work[2400 + k] = _2400
-            _2432 = q5_ppp
-            work[2432 + k] = _2432
-            _2464 = q6_ppp
-            work[2464 + k] = _2464
-            _2496 = q4_ppm
-            work[2496 + k] = _2496
-            _2528 = q5_ppm
-            work[2528 + k] = _2528
-            _2560 = q6_ppm
-            work[2560 + k] = _2560
-            _2592 = q2_pmp
-            work[2592 + k] = _2592
-            _2624 = q3_pmp
-            work[2624 + k] = _2624
-            _2656 = q4_pmp
-            work[2656 + k] = _2656
-            _2688 = q5_pmp
-            work[2688 + k] = _2688
-            _2720 = q6_pmp
-            work[2720 + k] = _2720
-            _2752 = q4_pmm
-            work[2752 + k] = _2752
-            _2784 = q5_pmm
-            work[2784 + k] = _2784
-            _2816 = q6_pmm
-            work[2816 + k] = _2816
-            _2848 = q1_mpp
-            work[2848 + k] = _2848
-            _2880 = q2_mpp
-            work[2880 + k] = _2880
-            _2912 = q4_mpp
-            work[2912 + k] = _2912
-            _2944 = q5_mpp
-            work[2944 + k] = _2944
-            _2976 = q6_mpp
-            work[2976 + k] = _2976
-            _3008 = q4_mpm
-            work[3008 + k] = _3008
-            _3040 = q5_mpm
-            work[3040 + k] = _3040
-            _3072 = q6_mpm
-            work[3072 + k] = _3072
-            _3104 = q2_mmp
-            work[3104 + k] = _3104
-            _3136 = q4_mmp
-            work[3136 + k] = _3136
-            _3168 = q5_mmp
-            work[3168 + k] = _3168
-            _3200 = q6_mmp
-            work[3200 + k] = _3200
-            _3232 = q4_mmm
-            work[3232 + k] = _3232
-            _3264 = q5_mmm
-            work[3264 + k] = _3264
-            _3296 = q6_mmm
-            work[3296 + k] = _3296
-            work[3328 + k] = (
-                UNREACHABLE if _2304 != _2304 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1152 = q1_ppp
+            work[1152 + k] = _1152
+            _1168 = q2_ppp
+            work[1168 + k] = _1168
+            _1184 = q3_ppp
+            work[1184 + k] = _1184
+            _1200 = q4_ppp
+            work[1200 + k] = _1200
+            _1216 = q5_ppp
+            work[1216 + k] = _1216
+            _1232 = q6_ppp
+            work[1232 + k] = _1232
+            _1248 = q4_ppm
+            work[1248 + k] = _1248
+            _1264 = q5_ppm
+            work[1264 + k] = _1264
+            _1280 = q6_ppm
+            work[1280 + k] = _1280
+            _1296 = q2_pmp
+            work[1296 + k] = _1296
+            _1312 = q3_pmp
+            work[1312 + k] = _1312
+            _1328 = q4_pmp
+            work[1328 + k] = _1328
+            _1344 = q5_pmp
+            work[1344 + k] = _1344
+            _1360 = q6_pmp
+            work[1360 + k] = _1360
+            _1376 = q4_pmm
+            work[1376 + k] = _1376
+            _1392 = q5_pmm
+            work[1392 + k] = _1392
+            _1408 = q6_pmm
+            work[1408 + k] = _1408
+            _1424 = q1_mpp
+            work[1424 + k] = _1424
+            _1440 = q2_mpp
+            work[1440 + k] = _1440
+            _1456 = q4_mpp
+            work[1456 + k] = _1456
+            _1472 = q5_mpp
+            work[1472 + k] = _1472
+            _1488 = q6_mpp
+            work[1488 + k] = _1488
+            _1504 = q4_mpm
+            work[1504 + k] = _1504
+            _1520 = q5_mpm
+            work[1520 + k] = _1520
+            _1536 = q6_mpm
+            work[1536 + k] = _1536
+            _1552 = q2_mmp
+            work[1552 + k] = _1552
+            _1568 = q4_mmp
+            work[1568 + k] = _1568
+            _1584 = q5_mmp
+            work[1584 + k] = _1584
+            _1600 = q6_mmp
+            work[1600 + k] = _1600
+            _1616 = q4_mmm
+            work[1616 + k] = _1616
+            _1632 = q5_mmm
+            work[1632 + k] = _1632
+            _1648 = q6_mmm
+            work[1648 + k] = _1648
+            work[1664 + k] = (
+                UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[3360 + k] = (
-                UNREACHABLE if _2304 != _2304 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1680 + k] = (
+                UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[3392 + k] = (
-                UNREACHABLE if _2304 != _2304 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1696 + k] = (
+                UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[3424 + k] = (
-                UNREACHABLE if _2304 != _2304 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1712 + k] = (
+                UNREACHABLE if _1152 != _1152 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[3456 + k] = (
-                UNREACHABLE if _2848 != _2848 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1728 + k] = (
+                UNREACHABLE if _1424 != _1424 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[3488 + k] = (
-                UNREACHABLE if _2848 != _2848 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1744 + k] = (
+                UNREACHABLE if _1424 != _1424 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[3520 + k] = (
-                UNREACHABLE if _2848 != _2848 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[1760 + k] = (
+                UNREACHABLE if _1424 != _1424 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[3552 + k] = (
-                UNREACHABLE if _2848 != _2848 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[1776 + k] = (
+                UNREACHABLE if _1424 != _1424 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1494,12 +1496,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -1610,6 +1610,14 @@ typedef struct {
     double double_c[KINOVA_JACO2_ROOTS], double_s[KINOVA_JACO2_ROOTS];
 } kinova_jaco2_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} kinova_jaco2_window;
+
 static void kinova_jaco2_fit(const double samples[24], kinova_jaco2_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1806,9 +1814,9 @@ static double kinova_jaco2_between(const kinova_jaco2_trigonometric *f, int orde
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void kinova_jaco2_few(const kinova_jaco2_trigonometric *f, double low, const double
-    at_low[3],
-                        double high, const double at_high[3], kinova_jaco2_roots *roots)
+static void kinova_jaco2_few(const kinova_jaco2_trigonometric *f, double lifted, double low,
+                        const double at_low[3], double high, const double at_high[3],
+                        kinova_jaco2_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1820,7 +1828,7 @@ static void kinova_jaco2_few(const kinova_jaco2_trigonometric *f, double low, co
     x = kinova_jaco2_between(f, 1, low, at_low, high, at_high);
     kinova_jaco2_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         kinova_jaco2_add_root(roots, x, 1);
         return;
     }
@@ -1878,7 +1886,8 @@ static int kinova_jaco2_kind(const kinova_jaco2_trigonometric *f, const double l
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void kinova_jaco2_many(const kinova_jaco2_trigonometric *f, double low, double high,
+static void kinova_jaco2_many(const kinova_jaco2_trigonometric *f, double lifted, double low, double
+    high,
                          const double first[3], const double last[3], int *budget,
                          kinova_jaco2_roots *roots)
 {
@@ -1897,7 +1906,7 @@ static void kinova_jaco2_many(const kinova_jaco2_trigonometric *f, double low, d
         const int kind = kinova_jaco2_kind(f, at_low, at[top], h);
         if (kind != KINOVA_JACO2_ROOTLESS) {
             if (kind == KINOVA_JACO2_TAME) {
-                kinova_jaco2_few(f, low, at_low, edge[top], at[top], roots);
+                kinova_jaco2_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == KINOVA_JACO2_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 kinova_jaco2_add_root(roots, low + 0.5 * h, 1);
@@ -2005,7 +2014,9 @@ static int kinova_jaco2_lowest(unsigned long long bits)
 #endif
 }
 
-static void kinova_jaco2_find_roots(const kinova_jaco2_trigonometric *f, kinova_jaco2_roots *roots)
+static void kinova_jaco2_find_roots(const kinova_jaco2_trigonometric *f, const kinova_jaco2_window
+    *window,
+                               kinova_jaco2_roots *roots)
 {
     kinova_jaco2_grid g;
     int plain[KINOVA_JACO2_ROOTS], special[256], plains = 0, specials = 0;
@@ -2019,6 +2030,10 @@ static void kinova_jaco2_find_roots(const kinova_jaco2_trigonometric *f, kinova_
             kinova_jaco2_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + kinova_jaco2_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < KINOVA_JACO2_ROOTS &&
@@ -2039,9 +2054,9 @@ static void kinova_jaco2_find_roots(const kinova_jaco2_trigonometric *f, kinova_
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (kinova_jaco2_kind(f, low, high, h) == KINOVA_JACO2_TAME) {
-            kinova_jaco2_few(f, i * h, low, (i + 1) * h, high, roots);
+            kinova_jaco2_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            kinova_jaco2_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            kinova_jaco2_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
         }
     }
 }
@@ -2111,18 +2126,134 @@ static void kinova_jaco2_behind(const kinova_jaco2_lens *a, int count, double *c
     }
 }
 
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*kinova_jaco2_sampler)(const void *of, const kinova_jaco2_lens *lens, double
+    samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int kinova_jaco2_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int kinova_jaco2_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < KINOVA_JACO2_ROOTS; i++) {
+        if (kinova_jaco2_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int kinova_jaco2_magnify(kinova_jaco2_sampler sample, const void *of, double cosine, double
+    sine,
+                           kinova_jaco2_roots *roots)
+{
+    const kinova_jaco2_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const kinova_jaco2_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    kinova_jaco2_trigonometric f;
+    kinova_jaco2_roots found;
+    sample(of, &lens, samples);
+    kinova_jaco2_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    kinova_jaco2_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    kinova_jaco2_behind(&lens, found.simple, found.c, found.s);
+    kinova_jaco2_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = kinova_jaco2_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = kinova_jaco2_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = kinova_jaco2_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = kinova_jaco2_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void kinova_jaco2_look_closer(kinova_jaco2_sampler sample, const void *of, kinova_jaco2_roots
+    *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == KINOVA_JACO2_ROOTS || roots->doubles == KINOVA_JACO2_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= kinova_jaco2_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= kinova_jaco2_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int kinova_jaco2_real_roots(kinova_jaco2_sampler sample, const void *of, kinova_jaco2_roots
+    *roots)
+{
+    const kinova_jaco2_window all = {0, 128, 5e-09};
+    double samples[24];
+    kinova_jaco2_trigonometric f;
+    kinova_jaco2_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (kinova_jaco2_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    kinova_jaco2_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    kinova_jaco2_find_roots(&f, &all, roots);
+    kinova_jaco2_behind(&lens, roots->simple, roots->c, roots->s);
+    kinova_jaco2_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    kinova_jaco2_look_closer(sample, of, roots);
+    return 1;
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root. */
+ * the same for all that belong to one such root, which is none where the matrix is regular. */
 typedef struct {
-    int count, groups, group[KINOVA_JACO2_CANDIDATES];
+    int count, groups, group[KINOVA_JACO2_CANDIDATES], regular[KINOVA_JACO2_CANDIDATES];
     double c[KINOVA_JACO2_CANDIDATES], s[KINOVA_JACO2_CANDIDATES], n[6][KINOVA_JACO2_CANDIDATES];
 } kinova_jaco2_candidates;
 
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
-static inline void kinova_jaco2_inverse_iteration(kinova_jaco2_lane U[6][6], const kinova_jaco2_lane
-    inverse[6],
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+static inline kinova_jaco2_lane kinova_jaco2_inverse_iteration(kinova_jaco2_lane U[6][6], const
+    kinova_jaco2_lane inverse[6],
                                              kinova_jaco2_lane x[6])
 {
     kinova_jaco2_lane square = {0};
@@ -2139,10 +2270,11 @@ static inline void kinova_jaco2_inverse_iteration(kinova_jaco2_lane U[6][6], con
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    square = 1.0 / kinova_jaco2_sqrt(square);
+    const kinova_jaco2_lane length = kinova_jaco2_sqrt(square);
     for (int i = 0; i < 6; i++) {
-        x[i] *= square;
+        x[i] *= 1.0 / length;
     }
+    return length;
 }
 
 /* The reciprocals of a diagonal, kept finite. */
@@ -2180,8 +2312,8 @@ static void kinova_jaco2_null_vectors(const double *E, const kinova_jaco2_roots 
         for (int i = 0; i < 6; i++) {
             x[i] = kinova_jaco2_all(start[i]);
         }
-        kinova_jaco2_inverse_iteration(factor, inverse, x);
-        kinova_jaco2_inverse_iteration(factor, inverse, x);
+        (void)kinova_jaco2_inverse_iteration(factor, inverse, x);
+        (void)kinova_jaco2_inverse_iteration(factor, inverse, x);
         KINOVA_JACO2_STORE(out->c + from, c);
         KINOVA_JACO2_STORE(out->s + from, s);
         for (int i = 0; i < 6; i++) {
@@ -2269,18 +2401,24 @@ static void kinova_jaco2_null_plane(const double *E, double c, double s, kinova_
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    kinova_jaco2_lane factor[6][6], inverse[6], x[2][6];
+    kinova_jaco2_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
     double n[2][6];
+    if (out->groups == KINOVA_JACO2_CANDIDATES) {
+        return;
+    }
     (void)kinova_jaco2_fold(E, kinova_jaco2_all(c), kinova_jaco2_all(s), factor);
     kinova_jaco2_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = kinova_jaco2_all(start[0][i]);
         x[1][i] = kinova_jaco2_all(start[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
     }
     for (int step = 0; step < 4; step++) {
         kinova_jaco2_lane along = {0};
-        kinova_jaco2_inverse_iteration(factor, inverse, x[0]);
-        kinova_jaco2_inverse_iteration(factor, inverse, x[1]);
+        length = kinova_jaco2_inverse_iteration(factor, inverse, x[0]);
+        (void)kinova_jaco2_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2288,15 +2426,16 @@ static void kinova_jaco2_null_plane(const double *E, double c, double s, kinova_
             x[1][i] -= along * x[0][i];
         }
     }
+    out->regular[out->groups] = kinova_jaco2_largest(length * squares) < 9.999999999999999e+17;
     for (int r = 0; r < 2; r++) {
-        double length = 0.0;
+        double square = 0.0;
         for (int i = 0; i < 6; i++) {
             n[r][i] = kinova_jaco2_largest(x[r][i]);
-            length += n[r][i] * n[r][i];
+            square += n[r][i] * n[r][i];
         }
-        length = sqrt(length) + 1e-300;
+        square = sqrt(square) + 1e-300;
         for (int i = 0; i < 6; i++) {
-            n[r][i] /= length;
+            n[r][i] /= square;
         }
     }
     kinova_jaco2_add_candidate(out, c, s, n[0]);
@@ -2710,7 +2849,7 @@ static void kinova_jaco2_close_roots(const double *E, const kinova_jaco2_roots *
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int kinova_jaco2_settle(const kinova_jaco2_formulation *form, const kinova_jaco2_loop *loop,
                           double link[6][12], const kinova_jaco2_candidates *all, int simple,
                           int doubles, kinova_jaco2_found *found)
@@ -2745,21 +2884,25 @@ static int kinova_jaco2_settle(const kinova_jaco2_formulation *form, const kinov
         }
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
-        expected += of_group[i] & found->singular ? 1 : 2;
+        if (of_group[i] || !all->regular[i]) {
+            found->doubles++;
+            expected += of_group[i] & found->singular ? 1 : 2;
+        }
     }
     return complete && kinova_jaco2_bits(met) >= expected && kinova_jaco2_paired(found);
 }
 
 /* The determinant at the sample angles, through a lens. */
-static void kinova_jaco2_sample(const double *E, const kinova_jaco2_lens *lens, double samples[24])
+static void kinova_jaco2_sample(const void *equations, const kinova_jaco2_lens *lens, double
+    samples[24])
 {
     for (int k = 0; k < 24; k += KINOVA_JACO2_LANES) {
         kinova_jaco2_lane factor[6][6];
         kinova_jaco2_lane c = KINOVA_JACO2_LOAD(kinova_jaco2_sample_c + k), s =
             KINOVA_JACO2_LOAD(kinova_jaco2_sample_s + k);
         const kinova_jaco2_lane square = kinova_jaco2_through(lens, &c, &s);
-        KINOVA_JACO2_STORE(samples + k, kinova_jaco2_weighted(kinova_jaco2_fold(E, c, s, factor),
-            square));
+        const kinova_jaco2_lane determinant = kinova_jaco2_fold(equations, c, s, factor);
+        KINOVA_JACO2_STORE(samples + k, kinova_jaco2_weighted(determinant, square));
     }
 }
 
@@ -2767,30 +2910,19 @@ static void kinova_jaco2_sample(const double *E, const kinova_jaco2_lens *lens, 
 static int kinova_jaco2_attempt(const kinova_jaco2_formulation *form, const kinova_jaco2_loop *loop,
                            kinova_jaco2_found *found)
 {
-    double link[6][12], E[192], samples[24];
-    kinova_jaco2_trigonometric f;
+    double link[6][12], E[192];
     kinova_jaco2_roots roots;
     kinova_jaco2_candidates all;
-    kinova_jaco2_lens lens = {0.0, 0.0};
     kinova_jaco2_around(form, loop, link);
     kinova_jaco2_equations(form, link, E);
-    kinova_jaco2_sample(E, &lens, samples);
-    if (kinova_jaco2_spread(samples, &lens)) {
-        kinova_jaco2_sample(E, &lens, samples);
-    }
-    kinova_jaco2_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!kinova_jaco2_real_roots(kinova_jaco2_sample, E, &roots)) {
         return 0;
     }
-    kinova_jaco2_find_roots(&f, &roots);
-    kinova_jaco2_behind(&lens, roots.simple, roots.c, roots.s);
-    kinova_jaco2_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     kinova_jaco2_null_vectors(E, &roots, &all);
     kinova_jaco2_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
         kinova_jaco2_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    found->doubles += roots.doubles;
     return kinova_jaco2_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }

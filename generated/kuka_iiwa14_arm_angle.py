@@ -1198,69 +1198,72 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q_free, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q_free[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q_free[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2784, 2816, 2848, 2880, 2912, 2944, 2976],
-    [2784, 2816, 2848, 2880, 3008, 3040, 3072],
-    [3104, 3136, 3168, 2880, 2912, 2944, 2976],
-    [3104, 3136, 3168, 2880, 3008, 3040, 3072],
-    [3200, 3232, 3264, 3296, 3328, 3360, 3392],
-    [3200, 3232, 3264, 3296, 3424, 3456, 3488],
-    [3520, 3552, 3584, 3296, 3328, 3360, 3392],
-    [3520, 3552, 3584, 3296, 3424, 3456, 3488],
+    [1392, 1408, 1424, 1440, 1456, 1472, 1488],
+    [1392, 1408, 1424, 1440, 1504, 1520, 1536],
+    [1552, 1568, 1584, 1440, 1456, 1472, 1488],
+    [1552, 1568, 1584, 1440, 1504, 1520, 1536],
+    [1600, 1616, 1632, 1648, 1664, 1680, 1696],
+    [1600, 1616, 1632, 1648, 1712, 1728, 1744],
+    [1760, 1776, 1792, 1648, 1664, 1680, 1696],
+    [1760, 1776, 1792, 1648, 1712, 1728, 1744],
 ])
-_KINDS = np.array([3616, 3648, 3680, 3712, 3744, 3776, 3808, 3840])
-_LEFT_OVER = 255
+_KINDS = np.array([1808, 1824, 1840, 1856, 1872, 1888, 1904, 1920])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q_free, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3872)
+    work = np.empty(1936)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
             for i in range(1):
-                work[(16 + i) * 32 + k] = q_free[first + k, i]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                work[(16 + i) * 16 + k] = q_free[first + k, i]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k] + work[512 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k] + work[256 + k])
             )
             exact = miss <= 1e-24
-            work[544 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
-            given1 = work[512 + k]
+            work[272 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
+            given1 = work[256 + k]
             wx = T14 - d7 * T13
             wy = T24 - d7 * T23
             v1 = T34 - d7 * T33 - d1
@@ -1306,85 +1309,85 @@ def _in_tiles(T, q_free, q, status):
             v72 = arm * (v16 * (gz * (v14 * T31)))
             v73 = v13 * T31
             v76 = v13 * T32
-            work[576 + k] = V4
-            work[608 + k] = v3
-            work[640 + k] = v5
-            work[672 + k] = gx
-            work[704 + k] = gy
-            work[736 + k] = v9
-            work[768 + k] = v10
-            work[800 + k] = v11
-            work[832 + k] = v12
-            work[864 + k] = arm
-            work[896 + k] = v16
-            work[928 + k] = side_p
-            work[960 + k] = side_m
-            work[992 + k] = v21
-            work[1024 + k] = v22
-            work[1056 + k] = v23
-            work[1088 + k] = v24
-            work[1120 + k] = v25
-            work[1152 + k] = v26
-            work[1184 + k] = v27
-            work[1216 + k] = v28
-            work[1248 + k] = v34
-            work[1280 + k] = v50
-            work[1312 + k] = v51
-            work[1344 + k] = v65
-            work[1376 + k] = v72
-            work[1408 + k] = v73
-            work[1440 + k] = v76
-            work[1472 + k] = given1
-            work[1504 + k] = given1
-            work[1536 + k] = -v4
-            work[1568 + k] = -v2
-        for k in range(1472, 1504):
+            work[288 + k] = V4
+            work[304 + k] = v3
+            work[320 + k] = v5
+            work[336 + k] = gx
+            work[352 + k] = gy
+            work[368 + k] = v9
+            work[384 + k] = v10
+            work[400 + k] = v11
+            work[416 + k] = v12
+            work[432 + k] = arm
+            work[448 + k] = v16
+            work[464 + k] = side_p
+            work[480 + k] = side_m
+            work[496 + k] = v21
+            work[512 + k] = v22
+            work[528 + k] = v23
+            work[544 + k] = v24
+            work[560 + k] = v25
+            work[576 + k] = v26
+            work[592 + k] = v27
+            work[608 + k] = v28
+            work[624 + k] = v34
+            work[640 + k] = v50
+            work[656 + k] = v51
+            work[672 + k] = v65
+            work[688 + k] = v72
+            work[704 + k] = v73
+            work[720 + k] = v76
+            work[736 + k] = given1
+            work[752 + k] = given1
+            work[768 + k] = -v4
+            work[784 + k] = -v2
+        for k in range(736, 752):
             work[k] = math.sin(work[k])
-        for k in range(1504, 1536):
+        for k in range(752, 768):
             work[k] = math.cos(work[k])
-        for k in range(1536, 1568):
-            work[k] = _atan2(work[k], work[k + 32])
-        for k in range(0, 32):
+        for k in range(768, 784):
+            work[k] = _atan2(work[k], work[k + 16])
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            V4 = work[576 + k]
-            v3 = work[608 + k]
-            v5 = work[640 + k]
-            gx = work[672 + k]
-            gy = work[704 + k]
-            v9 = work[736 + k]
-            v10 = work[768 + k]
-            v11 = work[800 + k]
-            v12 = work[832 + k]
-            arm = work[864 + k]
-            v16 = work[896 + k]
-            side_p = work[928 + k]
-            side_m = work[960 + k]
-            v21 = work[992 + k]
-            v22 = work[1024 + k]
-            v23 = work[1056 + k]
-            v24 = work[1088 + k]
-            v25 = work[1120 + k]
-            v26 = work[1152 + k]
-            v27 = work[1184 + k]
-            v28 = work[1216 + k]
-            v34 = work[1248 + k]
-            v50 = work[1280 + k]
-            v51 = work[1312 + k]
-            v65 = work[1344 + k]
-            v72 = work[1376 + k]
-            v73 = work[1408 + k]
-            v76 = work[1440 + k]
-            sin_psi = work[1472 + k]
-            cos_psi = work[1504 + k]
-            angle11 = work[1536 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            V4 = work[288 + k]
+            v3 = work[304 + k]
+            v5 = work[320 + k]
+            gx = work[336 + k]
+            gy = work[352 + k]
+            v9 = work[368 + k]
+            v10 = work[384 + k]
+            v11 = work[400 + k]
+            v12 = work[416 + k]
+            arm = work[432 + k]
+            v16 = work[448 + k]
+            side_p = work[464 + k]
+            side_m = work[480 + k]
+            v21 = work[496 + k]
+            v22 = work[512 + k]
+            v23 = work[528 + k]
+            v24 = work[544 + k]
+            v25 = work[560 + k]
+            v26 = work[576 + k]
+            v27 = work[592 + k]
+            v28 = work[608 + k]
+            v34 = work[624 + k]
+            v50 = work[640 + k]
+            v51 = work[656 + k]
+            v65 = work[672 + k]
+            v72 = work[688 + k]
+            v73 = work[704 + k]
+            v76 = work[720 + k]
+            sin_psi = work[736 + k]
+            cos_psi = work[752 + k]
+            angle11 = work[768 + k]
             uz = cos_psi * (gy * v9 - gx * v10)
             ux = v11 * cos_psi + v9 * sin_psi
             uy = v10 * sin_psi - v12 * cos_psi
@@ -1463,77 +1466,77 @@ def _in_tiles(T, q_free, q, status):
                 longest4_reach and not (shortest4_apart < V4 and V4 < longest4_apart)) or v30 <=
                 m2)))
             )
-            work[1600 + k] = b22_p
-            work[1632 + k] = b22_m
-            work[1664 + k] = v36
-            work[1696 + k] = v37
-            work[1728 + k] = Y5_p
-            work[1760 + k] = Y5_m
-            work[1792 + k] = v74
-            work[1824 + k] = v75
-            work[1856 + k] = q4_ppp
-            work[1888 + k] = q4_mpp
-            work[1920 + k] = v91
-            work[1952 + k] = v92
-            work[1984 + k] = doubt1
-            work[2016 + k] = -v36
-            work[2048 + k] = -v37
-            work[2080 + k] = Y5_p
-            work[2112 + k] = Y5_m
-            work[2144 + k] = v74
-            work[2176 + k] = v75
-            work[2208 + k] = b22_p
-            work[2240 + k] = b22_m
-            work[2272 + k] = w1_p
-            work[2304 + k] = w1_m
-            work[2336 + k] = w5_p
-            work[2368 + k] = w5_m
-            work[2400 + k] = -v40
-            work[2432 + k] = -v41
-            work[2464 + k] = -X5_p
-            work[2496 + k] = v54
-            work[2528 + k] = (
+            work[800 + k] = b22_p
+            work[816 + k] = b22_m
+            work[832 + k] = v36
+            work[848 + k] = v37
+            work[864 + k] = Y5_p
+            work[880 + k] = Y5_m
+            work[896 + k] = v74
+            work[912 + k] = v75
+            work[928 + k] = q4_ppp
+            work[944 + k] = q4_mpp
+            work[960 + k] = v91
+            work[976 + k] = v92
+            work[992 + k] = doubt1
+            work[1008 + k] = -v36
+            work[1024 + k] = -v37
+            work[1040 + k] = Y5_p
+            work[1056 + k] = Y5_m
+            work[1072 + k] = v74
+            work[1088 + k] = v75
+            work[1104 + k] = b22_p
+            work[1120 + k] = b22_m
+            work[1136 + k] = w1_p
+            work[1152 + k] = w1_m
+            work[1168 + k] = w5_p
+            work[1184 + k] = w5_m
+            work[1200 + k] = -v40
+            work[1216 + k] = -v41
+            work[1232 + k] = -X5_p
+            work[1248 + k] = v54
+            work[1264 + k] = (
                 v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz * (arm * (v16 *
                 (side_p * v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))
             )
-            work[2560 + k] = (
+            work[1280 + k] = (
                 s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm * (v16 * (side_m * v76))))) + (v43 * (v3
                 * v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)
             )
-            work[2592 + k] = -X1_p
-            work[2624 + k] = v29
-            work[2656 + k] = c2_p
-            work[2688 + k] = -v35
-            work[2720 + k] = -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))
-            work[2752 + k] = v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53
-        for k in range(2016, 2400):
-            work[k] = _atan2(work[k], work[k + 384])
-        for k in range(0, 32):
-            b22_p = work[1600 + k]
-            b22_m = work[1632 + k]
-            v36 = work[1664 + k]
-            v37 = work[1696 + k]
-            Y5_p = work[1728 + k]
-            Y5_m = work[1760 + k]
-            v74 = work[1792 + k]
-            v75 = work[1824 + k]
-            q4_ppp = work[1856 + k]
-            q4_mpp = work[1888 + k]
-            v91 = work[1920 + k] != 0.0
-            v92 = work[1952 + k] != 0.0
-            doubt1 = work[1984 + k] != 0.0
-            angle1 = work[2016 + k]
-            angle2 = work[2048 + k]
-            angle3 = work[2080 + k]
-            angle4 = work[2112 + k]
-            angle5 = work[2144 + k]
-            angle6 = work[2176 + k]
-            angle7 = work[2208 + k]
-            angle8 = work[2240 + k]
-            angle9 = work[2272 + k]
-            angle10 = work[2304 + k]
-            angle12 = work[2336 + k]
-            angle13 = work[2368 + k]
+            work[1296 + k] = -X1_p
+            work[1312 + k] = v29
+            work[1328 + k] = c2_p
+            work[1344 + k] = -v35
+            work[1360 + k] = -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))
+            work[1376 + k] = v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53
+        for k in range(1008, 1200):
+            work[k] = _atan2(work[k], work[k + 192])
+        for k in range(0, 16):
+            b22_p = work[800 + k]
+            b22_m = work[816 + k]
+            v36 = work[832 + k]
+            v37 = work[848 + k]
+            Y5_p = work[864 + k]
+            Y5_m = work[880 + k]
+            v74 = work[896 + k]
+            v75 = work[912 + k]
+            q4_ppp = work[928 + k]
+            q4_mpp = work[944 + k]
+            v91 = work[960 + k] != 0.0
+            v92 = work[976 + k] != 0.0
+            doubt1 = work[992 + k] != 0.0
+            angle1 = work[1008 + k]
+            angle2 = work[1024 + k]
+            angle3 = work[1040 + k]
+            angle4 = work[1056 + k]
+            angle5 = work[1072 + k]
+            angle6 = work[1088 + k]
+            angle7 = work[1104 + k]
+            angle8 = work[1120 + k]
+            angle9 = work[1136 + k]
+            angle10 = work[1152 + k]
+            angle12 = work[1168 + k]
+            angle13 = work[1184 + k]
             q3_pmp = angle1 - math.copysign(half_turn, -v36) * h1
             q3_mmp = angle2 - math.copysign(half_turn, -v37) * h1
             q5_ppm = angle3 - h1 * math.copysign(half_turn, Y5_p)
@@ -1600,86 +1603,85 @@ def _in_tiles(T, q_free, q, status):
             outside_mpm = v104 or (v100 or (v96 or v107))
             outside_mmp = v103 or (v99 or (v95 or v108))
             outside_mmm = v104 or (v100 or (v96 or v108))
-            _2784 = q1_ppp
-            work[2784 + k] = _2784
-            _2816 = q2_ppp
-            work[2816 + k] = _2816
-            _2848 = angle1
-            work[2848 + k] = _2848
-            _2880 = q4_ppp
-            work[2880 + k] = _2880
-            _2912 = angle3
-            work[2912 + k] = _2912
-            _2944 = q6_ppp
-            work[2944 + k] = _2944
-            _2976 = angle5
-            work[2976 + k] = _2976
-            _3008 = q5_ppm
-            work[3008 + k] = _3008
-            _3040 = q6_ppm
-            work[3040 + k] = _3040
-            _3072 = q7_ppm
-            work[3072 + k] = _3072
-            _3104 = q1_pmp
-            work[3104 + k] = _3104
-            _3136 = q2_pmp
-            work[3136 + k] = _3136
-            _3168 = q3_pmp
-            work[3168 + k] = _3168
-            _3200 = q1_mpp
-            work[3200 + k] = _3200
-            _3232 = q2_mpp
-            work[3232 + k] = _3232
-            _3264 = angle2
-            work[3264 + k] = _3264
-            _3296 = q4_mpp
-            work[3296 + k] = _3296
-            _3328 = angle4
-            work[3328 + k] = _3328
-            _3360 = q6_mpp
-            work[3360 + k] = _3360
-            _3392 = angle6
-            work[3392 + k] = _3392
-            _3424 = q5_mpm
-            work[3424 + k] = _3424
-            _3456 = q6_mpm
-            work[3456 + k] = _3456
-            _3488 = q7_mpm
-            work[3488 + k] = _3488
-            _3520 = q1_mmp
-            work[3520 + k] = _3520
-            _3552 = q2_mmp
-            work[3552 + k] = _3552
-            _3584 = q3_mmp
-            work[3584 + k] = _3584
-            work[3616 + k] = (
-                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1392 = q1_ppp
+            work[1392 + k] = _1392
+            _1408 = q2_ppp
+            work[1408 + k] = _1408
+            _1424 = angle1
+            work[1424 + k] = _1424
+            _1440 = q4_ppp
+            work[1440 + k] = _1440
+            _1456 = angle3
+            work[1456 + k] = _1456
+            _1472 = q6_ppp
+            work[1472 + k] = _1472
+            _1488 = angle5
+            work[1488 + k] = _1488
+            _1504 = q5_ppm
+            work[1504 + k] = _1504
+            _1520 = q6_ppm
+            work[1520 + k] = _1520
+            _1536 = q7_ppm
+            work[1536 + k] = _1536
+            _1552 = q1_pmp
+            work[1552 + k] = _1552
+            _1568 = q2_pmp
+            work[1568 + k] = _1568
+            _1584 = q3_pmp
+            work[1584 + k] = _1584
+            _1600 = q1_mpp
+            work[1600 + k] = _1600
+            _1616 = q2_mpp
+            work[1616 + k] = _1616
+            _1632 = angle2
+            work[1632 + k] = _1632
+            _1648 = q4_mpp
+            work[1648 + k] = _1648
+            _1664 = angle4
+            work[1664 + k] = _1664
+            _1680 = q6_mpp
+            work[1680 + k] = _1680
+            _1696 = angle6
+            work[1696 + k] = _1696
+            _1712 = q5_mpm
+            work[1712 + k] = _1712
+            _1728 = q6_mpm
+            work[1728 + k] = _1728
+            _1744 = q7_mpm
+            work[1744 + k] = _1744
+            _1760 = q1_mmp
+            work[1760 + k] = _1760
+            _1776 = q2_mmp
+            work[1776 + k] = _1776
+            _1792 = q3_mmp
+            work[1792 + k] = _1792
+            work[1808 + k] = (
+                UNREACHABLE if _1392 != _1392 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[3648 + k] = (
-                UNREACHABLE if _2784 != _2784 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1824 + k] = (
+                UNREACHABLE if _1392 != _1392 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[3680 + k] = (
-                UNREACHABLE if _3104 != _3104 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1840 + k] = (
+                UNREACHABLE if _1552 != _1552 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[3712 + k] = (
-                UNREACHABLE if _3104 != _3104 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1856 + k] = (
+                UNREACHABLE if _1552 != _1552 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[3744 + k] = (
-                UNREACHABLE if _3200 != _3200 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1872 + k] = (
+                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[3776 + k] = (
-                UNREACHABLE if _3200 != _3200 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1888 + k] = (
+                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[3808 + k] = (
-                UNREACHABLE if _3520 != _3520 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[1904 + k] = (
+                UNREACHABLE if _1760 != _1760 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[3840 + k] = (
-                UNREACHABLE if _3520 != _3520 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[1920 + k] = (
+                UNREACHABLE if _1760 != _1760 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[544 + k] = 1.0 if doubt1 else work[544 + k]
+            work[272 + k] = 1.0 if doubt1 else work[272 + k]
         for k in range(count):
-            if work[544 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[272 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1702,13 +1704,12 @@ def ik_batch(T, q_free, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 7)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     q_free = _array(q_free, (len(T), 1), "q_free")
     if _COMPILED:
         _share(_in_tiles, cores, T, q_free, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q_free[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q_free, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
 
 

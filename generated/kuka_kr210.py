@@ -955,70 +955,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2208, 2240, 2272, 2304, 2336, 2368],
-    [2208, 2240, 2272, 2400, 2432, 2464],
-    [2208, 2496, 2528, 2560, 2592, 2624],
-    [2208, 2496, 2528, 2656, 2688, 2720],
-    [2752, 2784, 2816, 2848, 2880, 2912],
-    [2752, 2784, 2816, 2944, 2976, 3008],
-    [2752, 3040, 3072, 3104, 3136, 3168],
-    [2752, 3040, 3072, 3200, 3232, 3264],
+    [1104, 1120, 1136, 1152, 1168, 1184],
+    [1104, 1120, 1136, 1200, 1216, 1232],
+    [1104, 1248, 1264, 1280, 1296, 1312],
+    [1104, 1248, 1264, 1328, 1344, 1360],
+    [1376, 1392, 1408, 1424, 1440, 1456],
+    [1376, 1392, 1408, 1472, 1488, 1504],
+    [1376, 1520, 1536, 1552, 1568, 1584],
+    [1376, 1520, 1536, 1600, 1616, 1632],
 ])
-_KINDS = np.array([3296, 3328, 3360, 3392, 3424, 3456, 3488, 3520])
-_LEFT_OVER = 255
+_KINDS = np.array([1648, 1664, 1680, 1696, 1712, 1728, 1744, 1760])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3552)
+    work = np.empty(1776)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             t14 = T14 - d7 * T13
             Y1 = d7 * T23 - T24
             v1 = t14 * t14 + Y1 * Y1
@@ -1105,92 +1108,92 @@ def _in_tiles(T, q, status):
                 (shortest3_apart < N3_p and N3_p < longest3_apart)) or (v35 <= m9 or (v33 <= m9 or
                 (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
             )
-            work[544 + k] = Y1
-            work[576 + k] = w3_p
-            work[608 + k] = w3_m
-            work[640 + k] = v36
-            work[672 + k] = v37
-            work[704 + k] = v42
-            work[736 + k] = v43
-            work[768 + k] = v44
-            work[800 + k] = v45
-            work[832 + k] = doubt1
-            work[864 + k] = Y1
-            work[896 + k] = -v9
-            work[928 + k] = -v10
-            work[960 + k] = -v12
-            work[992 + k] = -v13
-            work[1024 + k] = -v28
-            work[1056 + k] = -v28
-            work[1088 + k] = v28
-            work[1120 + k] = v28
-            work[1152 + k] = math.sqrt(v30)
-            work[1184 + k] = math.sqrt(v31)
-            work[1216 + k] = math.sqrt(v33)
-            work[1248 + k] = math.sqrt(v35)
-            work[1280 + k] = v42
-            work[1312 + k] = v43
-            work[1344 + k] = v44
-            work[1376 + k] = v45
-            work[1408 + k] = S2_pp
-            work[1440 + k] = S2_pm
-            work[1472 + k] = S2_mp
-            work[1504 + k] = S2_mm
-            work[1536 + k] = -t14
-            work[1568 + k] = c3_pp
-            work[1600 + k] = c3_pm
-            work[1632 + k] = c3_mp
-            work[1664 + k] = c3_mm
-            work[1696 + k] = factor2_p * -X4_pp
-            work[1728 + k] = factor2_p * -X4_pm
-            work[1760 + k] = v32
-            work[1792 + k] = v34
-            work[1824 + k] = -(factor2_p * (T33 * c23_pp + s23_pp * v25))
-            work[1856 + k] = -(factor2_p * (T33 * c23_pm + s23_pm * v25))
-            work[1888 + k] = -(factor2_m * (T33 * c23_mp - s23_mp * v25))
-            work[1920 + k] = -(factor2_m * (T33 * c23_mm - s23_mm * v25))
-            work[1952 + k] = -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp * T32)
-            work[1984 + k] = -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm * T32)
-            work[2016 + k] = v28 * (c23_mp * v39 + s23_mp * T32) - v26 * v38
-            work[2048 + k] = v28 * (c23_mm * v39 + s23_mm * T32) - v27 * v38
-            work[2080 + k] = C2_pp
-            work[2112 + k] = C2_pm
-            work[2144 + k] = C2_mp
-            work[2176 + k] = C2_mm
-        for k in range(864, 1536):
-            work[k] = _atan2(work[k], work[k + 672])
-        for k in range(0, 32):
-            Y1 = work[544 + k]
-            w3_p = work[576 + k]
-            w3_m = work[608 + k]
-            v36 = work[640 + k]
-            v37 = work[672 + k]
-            v42 = work[704 + k]
-            v43 = work[736 + k]
-            v44 = work[768 + k]
-            v45 = work[800 + k]
-            doubt1 = work[832 + k] != 0.0
-            angle1 = work[864 + k]
-            angle2 = work[896 + k]
-            angle3 = work[928 + k]
-            angle4 = work[960 + k]
-            angle5 = work[992 + k]
-            angle6 = work[1024 + k]
-            angle7 = work[1056 + k]
-            angle8 = work[1088 + k]
-            angle9 = work[1120 + k]
-            angle10 = work[1152 + k]
-            angle11 = work[1184 + k]
-            angle12 = work[1216 + k]
-            angle13 = work[1248 + k]
-            angle14 = work[1280 + k]
-            angle15 = work[1312 + k]
-            angle16 = work[1344 + k]
-            angle17 = work[1376 + k]
-            angle18 = work[1408 + k]
-            angle19 = work[1440 + k]
-            angle20 = work[1472 + k]
-            angle21 = work[1504 + k]
+            work[272 + k] = Y1
+            work[288 + k] = w3_p
+            work[304 + k] = w3_m
+            work[320 + k] = v36
+            work[336 + k] = v37
+            work[352 + k] = v42
+            work[368 + k] = v43
+            work[384 + k] = v44
+            work[400 + k] = v45
+            work[416 + k] = doubt1
+            work[432 + k] = Y1
+            work[448 + k] = -v9
+            work[464 + k] = -v10
+            work[480 + k] = -v12
+            work[496 + k] = -v13
+            work[512 + k] = -v28
+            work[528 + k] = -v28
+            work[544 + k] = v28
+            work[560 + k] = v28
+            work[576 + k] = math.sqrt(v30)
+            work[592 + k] = math.sqrt(v31)
+            work[608 + k] = math.sqrt(v33)
+            work[624 + k] = math.sqrt(v35)
+            work[640 + k] = v42
+            work[656 + k] = v43
+            work[672 + k] = v44
+            work[688 + k] = v45
+            work[704 + k] = S2_pp
+            work[720 + k] = S2_pm
+            work[736 + k] = S2_mp
+            work[752 + k] = S2_mm
+            work[768 + k] = -t14
+            work[784 + k] = c3_pp
+            work[800 + k] = c3_pm
+            work[816 + k] = c3_mp
+            work[832 + k] = c3_mm
+            work[848 + k] = factor2_p * -X4_pp
+            work[864 + k] = factor2_p * -X4_pm
+            work[880 + k] = v32
+            work[896 + k] = v34
+            work[912 + k] = -(factor2_p * (T33 * c23_pp + s23_pp * v25))
+            work[928 + k] = -(factor2_p * (T33 * c23_pm + s23_pm * v25))
+            work[944 + k] = -(factor2_m * (T33 * c23_mp - s23_mp * v25))
+            work[960 + k] = -(factor2_m * (T33 * c23_mm - s23_mm * v25))
+            work[976 + k] = -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp * T32)
+            work[992 + k] = -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm * T32)
+            work[1008 + k] = v28 * (c23_mp * v39 + s23_mp * T32) - v26 * v38
+            work[1024 + k] = v28 * (c23_mm * v39 + s23_mm * T32) - v27 * v38
+            work[1040 + k] = C2_pp
+            work[1056 + k] = C2_pm
+            work[1072 + k] = C2_mp
+            work[1088 + k] = C2_mm
+        for k in range(432, 768):
+            work[k] = _atan2(work[k], work[k + 336])
+        for k in range(0, 16):
+            Y1 = work[272 + k]
+            w3_p = work[288 + k]
+            w3_m = work[304 + k]
+            v36 = work[320 + k]
+            v37 = work[336 + k]
+            v42 = work[352 + k]
+            v43 = work[368 + k]
+            v44 = work[384 + k]
+            v45 = work[400 + k]
+            doubt1 = work[416 + k] != 0.0
+            angle1 = work[432 + k]
+            angle2 = work[448 + k]
+            angle3 = work[464 + k]
+            angle4 = work[480 + k]
+            angle5 = work[496 + k]
+            angle6 = work[512 + k]
+            angle7 = work[528 + k]
+            angle8 = work[544 + k]
+            angle9 = work[560 + k]
+            angle10 = work[576 + k]
+            angle11 = work[592 + k]
+            angle12 = work[608 + k]
+            angle13 = work[624 + k]
+            angle14 = work[640 + k]
+            angle15 = work[656 + k]
+            angle16 = work[672 + k]
+            angle17 = work[688 + k]
+            angle18 = work[704 + k]
+            angle19 = work[720 + k]
+            angle20 = work[736 + k]
+            angle21 = work[752 + k]
             q4_ppm = angle6 - v36
             q4_pmm = angle7 - v36
             q4_mpm = angle8 - v37
@@ -1209,86 +1212,85 @@ def _in_tiles(T, q, status):
             q2_mmp = v49 - (m10 if half_turn < v49 else 0.0)
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
-            _2208 = q1_ppp
-            work[2208 + k] = _2208
-            _2240 = q2_ppp
-            work[2240 + k] = _2240
-            _2272 = angle2
-            work[2272 + k] = _2272
-            _2304 = angle6
-            work[2304 + k] = _2304
-            _2336 = angle10
-            work[2336 + k] = _2336
-            _2368 = angle14
-            work[2368 + k] = _2368
-            _2400 = q4_ppm
-            work[2400 + k] = _2400
-            _2432 = -angle10
-            work[2432 + k] = _2432
-            _2464 = q6_ppm
-            work[2464 + k] = _2464
-            _2496 = q2_pmp
-            work[2496 + k] = _2496
-            _2528 = angle3
-            work[2528 + k] = _2528
-            _2560 = angle7
-            work[2560 + k] = _2560
-            _2592 = angle11
-            work[2592 + k] = _2592
-            _2624 = angle15
-            work[2624 + k] = _2624
-            _2656 = q4_pmm
-            work[2656 + k] = _2656
-            _2688 = -angle11
-            work[2688 + k] = _2688
-            _2720 = q6_pmm
-            work[2720 + k] = _2720
-            _2752 = q1_mpp
-            work[2752 + k] = _2752
-            _2784 = q2_mpp
-            work[2784 + k] = _2784
-            _2816 = angle4
-            work[2816 + k] = _2816
-            _2848 = angle8
-            work[2848 + k] = _2848
-            _2880 = angle12
-            work[2880 + k] = _2880
-            _2912 = angle16
-            work[2912 + k] = _2912
-            _2944 = q4_mpm
-            work[2944 + k] = _2944
-            _2976 = -angle12
-            work[2976 + k] = _2976
-            _3008 = q6_mpm
-            work[3008 + k] = _3008
-            _3040 = q2_mmp
-            work[3040 + k] = _3040
-            _3072 = angle5
-            work[3072 + k] = _3072
-            _3104 = angle9
-            work[3104 + k] = _3104
-            _3136 = angle13
-            work[3136 + k] = _3136
-            _3168 = angle17
-            work[3168 + k] = _3168
-            _3200 = q4_mmm
-            work[3200 + k] = _3200
-            _3232 = -angle13
-            work[3232 + k] = _3232
-            _3264 = q6_mmm
-            work[3264 + k] = _3264
-            work[3296 + k] = UNREACHABLE if _2208 != _2208 else OK
-            work[3328 + k] = UNREACHABLE if _2208 != _2208 else OK
-            work[3360 + k] = UNREACHABLE if _2208 != _2208 else OK
-            work[3392 + k] = UNREACHABLE if _2208 != _2208 else OK
-            work[3424 + k] = UNREACHABLE if _2752 != _2752 else OK
-            work[3456 + k] = UNREACHABLE if _2752 != _2752 else OK
-            work[3488 + k] = UNREACHABLE if _2752 != _2752 else OK
-            work[3520 + k] = UNREACHABLE if _2752 != _2752 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _1104 = q1_ppp
+            work[1104 + k] = _1104
+            _1120 = q2_ppp
+            work[1120 + k] = _1120
+            _1136 = angle2
+            work[1136 + k] = _1136
+            _1152 = angle6
+            work[1152 + k] = _1152
+            _1168 = angle10
+            work[1168 + k] = _1168
+            _1184 = angle14
+            work[1184 + k] = _1184
+            _1200 = q4_ppm
+            work[1200 + k] = _1200
+            _1216 = -angle10
+            work[1216 + k] = _1216
+            _1232 = q6_ppm
+            work[1232 + k] = _1232
+            _1248 = q2_pmp
+            work[1248 + k] = _1248
+            _1264 = angle3
+            work[1264 + k] = _1264
+            _1280 = angle7
+            work[1280 + k] = _1280
+            _1296 = angle11
+            work[1296 + k] = _1296
+            _1312 = angle15
+            work[1312 + k] = _1312
+            _1328 = q4_pmm
+            work[1328 + k] = _1328
+            _1344 = -angle11
+            work[1344 + k] = _1344
+            _1360 = q6_pmm
+            work[1360 + k] = _1360
+            _1376 = q1_mpp
+            work[1376 + k] = _1376
+            _1392 = q2_mpp
+            work[1392 + k] = _1392
+            _1408 = angle4
+            work[1408 + k] = _1408
+            _1424 = angle8
+            work[1424 + k] = _1424
+            _1440 = angle12
+            work[1440 + k] = _1440
+            _1456 = angle16
+            work[1456 + k] = _1456
+            _1472 = q4_mpm
+            work[1472 + k] = _1472
+            _1488 = -angle12
+            work[1488 + k] = _1488
+            _1504 = q6_mpm
+            work[1504 + k] = _1504
+            _1520 = q2_mmp
+            work[1520 + k] = _1520
+            _1536 = angle5
+            work[1536 + k] = _1536
+            _1552 = angle9
+            work[1552 + k] = _1552
+            _1568 = angle13
+            work[1568 + k] = _1568
+            _1584 = angle17
+            work[1584 + k] = _1584
+            _1600 = q4_mmm
+            work[1600 + k] = _1600
+            _1616 = -angle13
+            work[1616 + k] = _1616
+            _1632 = q6_mmm
+            work[1632 + k] = _1632
+            work[1648 + k] = UNREACHABLE if _1104 != _1104 else OK
+            work[1664 + k] = UNREACHABLE if _1104 != _1104 else OK
+            work[1680 + k] = UNREACHABLE if _1104 != _1104 else OK
+            work[1696 + k] = UNREACHABLE if _1104 != _1104 else OK
+            work[1712 + k] = UNREACHABLE if _1376 != _1376 else OK
+            work[1728 + k] = UNREACHABLE if _1376 != _1376 else OK
+            work[1744 + k] = UNREACHABLE if _1376 != _1376 else OK
+            work[1760 + k] = UNREACHABLE if _1376 != _1376 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1311,12 +1313,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

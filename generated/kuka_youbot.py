@@ -1056,66 +1056,69 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1408, 1440, 1472, 1504, 1536],
-    [1568, 1600, 1632, 1664, 1696],
-    [1728, 1760, 1792, 1824, 1856],
-    [1888, 1920, 1952, 1984, 2016],
+    [704, 720, 736, 752, 768],
+    [784, 800, 816, 832, 848],
+    [864, 880, 896, 912, 928],
+    [944, 960, 976, 992, 1008],
 ])
-_KINDS = np.array([2048, 2080, 2112, 2144])
-_LEFT_OVER = 255
+_KINDS = np.array([1024, 1040, 1056, 1072])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(2176)
+    work = np.empty(1088)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
             v2 = T14 + T13 * v1
             v3 = T24 + T23 * v1
@@ -1259,54 +1262,54 @@ def _in_tiles(T, q, status):
                 N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
                 longest3_apart))))))))))))))
             )
-            work[544 + k] = v3
-            work[576 + k] = S5
-            work[608 + k] = v24
-            work[640 + k] = v25
-            work[672 + k] = v85
-            work[704 + k] = v86
-            work[736 + k] = v87
-            work[768 + k] = v88
-            work[800 + k] = doubt1
-            work[832 + k] = v3
-            work[864 + k] = Z2_234
-            work[896 + k] = -S5
-            work[928 + k] = w3_p
-            work[960 + k] = w3_m
-            work[992 + k] = S2_pp
-            work[1024 + k] = S2_pm
-            work[1056 + k] = S2_mp
-            work[1088 + k] = S2_mm
-            work[1120 + k] = v2
-            work[1152 + k] = -T33
-            work[1184 + k] = -C5
-            work[1216 + k] = N3_p - k1
-            work[1248 + k] = N3_m - k1
-            work[1280 + k] = C2_pp
-            work[1312 + k] = C2_pm
-            work[1344 + k] = C2_mp
-            work[1376 + k] = C2_mm
-        for k in range(832, 1120):
-            work[k] = _atan2(work[k], work[k + 288])
-        for k in range(0, 32):
-            v3 = work[544 + k]
-            S5 = work[576 + k]
-            v24 = work[608 + k]
-            v25 = work[640 + k]
-            v85 = work[672 + k]
-            v86 = work[704 + k]
-            v87 = work[736 + k]
-            v88 = work[768 + k]
-            doubt1 = work[800 + k] != 0.0
-            angle1 = work[832 + k]
-            angle2 = work[864 + k]
-            angle3 = work[896 + k]
-            angle4 = work[928 + k]
-            angle5 = work[960 + k]
-            angle6 = work[992 + k]
-            angle7 = work[1024 + k]
-            angle8 = work[1056 + k]
-            angle9 = work[1088 + k]
+            work[272 + k] = v3
+            work[288 + k] = S5
+            work[304 + k] = v24
+            work[320 + k] = v25
+            work[336 + k] = v85
+            work[352 + k] = v86
+            work[368 + k] = v87
+            work[384 + k] = v88
+            work[400 + k] = doubt1
+            work[416 + k] = v3
+            work[432 + k] = Z2_234
+            work[448 + k] = -S5
+            work[464 + k] = w3_p
+            work[480 + k] = w3_m
+            work[496 + k] = S2_pp
+            work[512 + k] = S2_pm
+            work[528 + k] = S2_mp
+            work[544 + k] = S2_mm
+            work[560 + k] = v2
+            work[576 + k] = -T33
+            work[592 + k] = -C5
+            work[608 + k] = N3_p - k1
+            work[624 + k] = N3_m - k1
+            work[640 + k] = C2_pp
+            work[656 + k] = C2_pm
+            work[672 + k] = C2_mp
+            work[688 + k] = C2_mm
+        for k in range(416, 560):
+            work[k] = _atan2(work[k], work[k + 144])
+        for k in range(0, 16):
+            v3 = work[272 + k]
+            S5 = work[288 + k]
+            v24 = work[304 + k]
+            v25 = work[320 + k]
+            v85 = work[336 + k]
+            v86 = work[352 + k]
+            v87 = work[368 + k]
+            v88 = work[384 + k]
+            doubt1 = work[400 + k] != 0.0
+            angle1 = work[416 + k]
+            angle2 = work[432 + k]
+            angle3 = work[448 + k]
+            angle4 = work[464 + k]
+            angle5 = work[480 + k]
+            angle6 = work[496 + k]
+            angle7 = work[512 + k]
+            angle8 = work[528 + k]
+            angle9 = work[544 + k]
             v89 = angle6 - offset2
             v90 = angle7 - offset2
             v91 = angle8 - offset2
@@ -1343,54 +1346,53 @@ def _in_tiles(T, q, status):
             q5_pm = v86 + v103
             q5_mp = v87 + v104
             q5_mm = v88 + v104
-            _1408 = q1_pp
-            work[1408 + k] = _1408
-            _1440 = q2_pp
-            work[1440 + k] = _1440
-            _1472 = q3_pp
-            work[1472 + k] = _1472
-            _1504 = q4_pp
-            work[1504 + k] = _1504
-            _1536 = q5_pp
-            work[1536 + k] = _1536
-            _1568 = q1_pm
-            work[1568 + k] = _1568
-            _1600 = q2_pm
-            work[1600 + k] = _1600
-            _1632 = q3_pm
-            work[1632 + k] = _1632
-            _1664 = q4_pm
-            work[1664 + k] = _1664
-            _1696 = q5_pm
-            work[1696 + k] = _1696
-            _1728 = q1_mp
-            work[1728 + k] = _1728
-            _1760 = q2_mp
-            work[1760 + k] = _1760
-            _1792 = q3_mp
-            work[1792 + k] = _1792
-            _1824 = q4_mp
-            work[1824 + k] = _1824
-            _1856 = q5_mp
-            work[1856 + k] = _1856
-            _1888 = q1_mm
-            work[1888 + k] = _1888
-            _1920 = q2_mm
-            work[1920 + k] = _1920
-            _1952 = q3_mm
-            work[1952 + k] = _1952
-            _1984 = q4_mm
-            work[1984 + k] = _1984
-            _2016 = q5_mm
-            work[2016 + k] = _2016
-            work[2048 + k] = UNREACHABLE if _1408 != _1408 else OK
-            work[2080 + k] = UNREACHABLE if _1568 != _1568 else OK
-            work[2112 + k] = UNREACHABLE if _1728 != _1728 else OK
-            work[2144 + k] = UNREACHABLE if _1888 != _1888 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _704 = q1_pp
+            work[704 + k] = _704
+            _720 = q2_pp
+            work[720 + k] = _720
+            _736 = q3_pp
+            work[736 + k] = _736
+            _752 = q4_pp
+            work[752 + k] = _752
+            _768 = q5_pp
+            work[768 + k] = _768
+            _784 = q1_pm
+            work[784 + k] = _784
+            _800 = q2_pm
+            work[800 + k] = _800
+            _816 = q3_pm
+            work[816 + k] = _816
+            _832 = q4_pm
+            work[832 + k] = _832
+            _848 = q5_pm
+            work[848 + k] = _848
+            _864 = q1_mp
+            work[864 + k] = _864
+            _880 = q2_mp
+            work[880 + k] = _880
+            _896 = q3_mp
+            work[896 + k] = _896
+            _912 = q4_mp
+            work[912 + k] = _912
+            _928 = q5_mp
+            work[928 + k] = _928
+            _944 = q1_mm
+            work[944 + k] = _944
+            _960 = q2_mm
+            work[960 + k] = _960
+            _976 = q3_mm
+            work[976 + k] = _976
+            _992 = q4_mm
+            work[992 + k] = _992
+            _1008 = q5_mm
+            work[1008 + k] = _1008
+            work[1024 + k] = UNREACHABLE if _704 != _704 else OK
+            work[1040 + k] = UNREACHABLE if _784 != _784 else OK
+            work[1056 + k] = UNREACHABLE if _864 != _864 else OK
+            work[1072 + k] = UNREACHABLE if _944 != _944 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(4):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1413,12 +1415,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 4, 5)), np.empty((len(T), 4), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

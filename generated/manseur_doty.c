@@ -1610,6 +1610,14 @@ typedef struct {
     double double_c[MANSEUR_DOTY_ROOTS], double_s[MANSEUR_DOTY_ROOTS];
 } manseur_doty_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} manseur_doty_window;
+
 static void manseur_doty_fit(const double samples[24], manseur_doty_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1806,9 +1814,9 @@ static double manseur_doty_between(const manseur_doty_trigonometric *f, int orde
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void manseur_doty_few(const manseur_doty_trigonometric *f, double low, const double
-    at_low[3],
-                        double high, const double at_high[3], manseur_doty_roots *roots)
+static void manseur_doty_few(const manseur_doty_trigonometric *f, double lifted, double low,
+                        const double at_low[3], double high, const double at_high[3],
+                        manseur_doty_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1820,7 +1828,7 @@ static void manseur_doty_few(const manseur_doty_trigonometric *f, double low, co
     x = manseur_doty_between(f, 1, low, at_low, high, at_high);
     manseur_doty_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         manseur_doty_add_root(roots, x, 1);
         return;
     }
@@ -1878,7 +1886,8 @@ static int manseur_doty_kind(const manseur_doty_trigonometric *f, const double l
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void manseur_doty_many(const manseur_doty_trigonometric *f, double low, double high,
+static void manseur_doty_many(const manseur_doty_trigonometric *f, double lifted, double low, double
+    high,
                          const double first[3], const double last[3], int *budget,
                          manseur_doty_roots *roots)
 {
@@ -1897,7 +1906,7 @@ static void manseur_doty_many(const manseur_doty_trigonometric *f, double low, d
         const int kind = manseur_doty_kind(f, at_low, at[top], h);
         if (kind != MANSEUR_DOTY_ROOTLESS) {
             if (kind == MANSEUR_DOTY_TAME) {
-                manseur_doty_few(f, low, at_low, edge[top], at[top], roots);
+                manseur_doty_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == MANSEUR_DOTY_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 manseur_doty_add_root(roots, low + 0.5 * h, 1);
@@ -2005,7 +2014,9 @@ static int manseur_doty_lowest(unsigned long long bits)
 #endif
 }
 
-static void manseur_doty_find_roots(const manseur_doty_trigonometric *f, manseur_doty_roots *roots)
+static void manseur_doty_find_roots(const manseur_doty_trigonometric *f, const manseur_doty_window
+    *window,
+                               manseur_doty_roots *roots)
 {
     manseur_doty_grid g;
     int plain[MANSEUR_DOTY_ROOTS], special[256], plains = 0, specials = 0;
@@ -2019,6 +2030,10 @@ static void manseur_doty_find_roots(const manseur_doty_trigonometric *f, manseur
             manseur_doty_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + manseur_doty_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < MANSEUR_DOTY_ROOTS &&
@@ -2039,9 +2054,9 @@ static void manseur_doty_find_roots(const manseur_doty_trigonometric *f, manseur
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (manseur_doty_kind(f, low, high, h) == MANSEUR_DOTY_TAME) {
-            manseur_doty_few(f, i * h, low, (i + 1) * h, high, roots);
+            manseur_doty_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            manseur_doty_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            manseur_doty_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
         }
     }
 }
@@ -2111,18 +2126,134 @@ static void manseur_doty_behind(const manseur_doty_lens *a, int count, double *c
     }
 }
 
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*manseur_doty_sampler)(const void *of, const manseur_doty_lens *lens, double
+    samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int manseur_doty_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int manseur_doty_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < MANSEUR_DOTY_ROOTS; i++) {
+        if (manseur_doty_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int manseur_doty_magnify(manseur_doty_sampler sample, const void *of, double cosine, double
+    sine,
+                           manseur_doty_roots *roots)
+{
+    const manseur_doty_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const manseur_doty_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    manseur_doty_trigonometric f;
+    manseur_doty_roots found;
+    sample(of, &lens, samples);
+    manseur_doty_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    manseur_doty_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    manseur_doty_behind(&lens, found.simple, found.c, found.s);
+    manseur_doty_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = manseur_doty_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = manseur_doty_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = manseur_doty_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = manseur_doty_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void manseur_doty_look_closer(manseur_doty_sampler sample, const void *of, manseur_doty_roots
+    *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == MANSEUR_DOTY_ROOTS || roots->doubles == MANSEUR_DOTY_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= manseur_doty_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= manseur_doty_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int manseur_doty_real_roots(manseur_doty_sampler sample, const void *of, manseur_doty_roots
+    *roots)
+{
+    const manseur_doty_window all = {0, 128, 5e-09};
+    double samples[24];
+    manseur_doty_trigonometric f;
+    manseur_doty_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (manseur_doty_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    manseur_doty_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    manseur_doty_find_roots(&f, &all, roots);
+    manseur_doty_behind(&lens, roots->simple, roots->c, roots->s);
+    manseur_doty_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    manseur_doty_look_closer(sample, of, roots);
+    return 1;
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root. */
+ * the same for all that belong to one such root, which is none where the matrix is regular. */
 typedef struct {
-    int count, groups, group[MANSEUR_DOTY_CANDIDATES];
+    int count, groups, group[MANSEUR_DOTY_CANDIDATES], regular[MANSEUR_DOTY_CANDIDATES];
     double c[MANSEUR_DOTY_CANDIDATES], s[MANSEUR_DOTY_CANDIDATES], n[6][MANSEUR_DOTY_CANDIDATES];
 } manseur_doty_candidates;
 
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
-static inline void manseur_doty_inverse_iteration(manseur_doty_lane U[6][6], const manseur_doty_lane
-    inverse[6],
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+static inline manseur_doty_lane manseur_doty_inverse_iteration(manseur_doty_lane U[6][6], const
+    manseur_doty_lane inverse[6],
                                              manseur_doty_lane x[6])
 {
     manseur_doty_lane square = {0};
@@ -2139,10 +2270,11 @@ static inline void manseur_doty_inverse_iteration(manseur_doty_lane U[6][6], con
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    square = 1.0 / manseur_doty_sqrt(square);
+    const manseur_doty_lane length = manseur_doty_sqrt(square);
     for (int i = 0; i < 6; i++) {
-        x[i] *= square;
+        x[i] *= 1.0 / length;
     }
+    return length;
 }
 
 /* The reciprocals of a diagonal, kept finite. */
@@ -2180,8 +2312,8 @@ static void manseur_doty_null_vectors(const double *E, const manseur_doty_roots 
         for (int i = 0; i < 6; i++) {
             x[i] = manseur_doty_all(start[i]);
         }
-        manseur_doty_inverse_iteration(factor, inverse, x);
-        manseur_doty_inverse_iteration(factor, inverse, x);
+        (void)manseur_doty_inverse_iteration(factor, inverse, x);
+        (void)manseur_doty_inverse_iteration(factor, inverse, x);
         MANSEUR_DOTY_STORE(out->c + from, c);
         MANSEUR_DOTY_STORE(out->s + from, s);
         for (int i = 0; i < 6; i++) {
@@ -2269,18 +2401,24 @@ static void manseur_doty_null_plane(const double *E, double c, double s, manseur
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    manseur_doty_lane factor[6][6], inverse[6], x[2][6];
+    manseur_doty_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
     double n[2][6];
+    if (out->groups == MANSEUR_DOTY_CANDIDATES) {
+        return;
+    }
     (void)manseur_doty_fold(E, manseur_doty_all(c), manseur_doty_all(s), factor);
     manseur_doty_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = manseur_doty_all(start[0][i]);
         x[1][i] = manseur_doty_all(start[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
     }
     for (int step = 0; step < 4; step++) {
         manseur_doty_lane along = {0};
-        manseur_doty_inverse_iteration(factor, inverse, x[0]);
-        manseur_doty_inverse_iteration(factor, inverse, x[1]);
+        length = manseur_doty_inverse_iteration(factor, inverse, x[0]);
+        (void)manseur_doty_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2288,15 +2426,16 @@ static void manseur_doty_null_plane(const double *E, double c, double s, manseur
             x[1][i] -= along * x[0][i];
         }
     }
+    out->regular[out->groups] = manseur_doty_largest(length * squares) < 9.999999999999999e+17;
     for (int r = 0; r < 2; r++) {
-        double length = 0.0;
+        double square = 0.0;
         for (int i = 0; i < 6; i++) {
             n[r][i] = manseur_doty_largest(x[r][i]);
-            length += n[r][i] * n[r][i];
+            square += n[r][i] * n[r][i];
         }
-        length = sqrt(length) + 1e-300;
+        square = sqrt(square) + 1e-300;
         for (int i = 0; i < 6; i++) {
-            n[r][i] /= length;
+            n[r][i] /= square;
         }
     }
     manseur_doty_add_candidate(out, c, s, n[0]);
@@ -2710,7 +2849,7 @@ static void manseur_doty_close_roots(const double *E, const manseur_doty_roots *
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int manseur_doty_settle(const manseur_doty_formulation *form, const manseur_doty_loop *loop,
                           double link[6][12], const manseur_doty_candidates *all, int simple,
                           int doubles, manseur_doty_found *found)
@@ -2745,21 +2884,25 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
         }
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
-        expected += of_group[i] & found->singular ? 1 : 2;
+        if (of_group[i] || !all->regular[i]) {
+            found->doubles++;
+            expected += of_group[i] & found->singular ? 1 : 2;
+        }
     }
     return complete && manseur_doty_bits(met) >= expected && manseur_doty_paired(found);
 }
 
 /* The determinant at the sample angles, through a lens. */
-static void manseur_doty_sample(const double *E, const manseur_doty_lens *lens, double samples[24])
+static void manseur_doty_sample(const void *equations, const manseur_doty_lens *lens, double
+    samples[24])
 {
     for (int k = 0; k < 24; k += MANSEUR_DOTY_LANES) {
         manseur_doty_lane factor[6][6];
         manseur_doty_lane c = MANSEUR_DOTY_LOAD(manseur_doty_sample_c + k), s =
             MANSEUR_DOTY_LOAD(manseur_doty_sample_s + k);
         const manseur_doty_lane square = manseur_doty_through(lens, &c, &s);
-        MANSEUR_DOTY_STORE(samples + k, manseur_doty_weighted(manseur_doty_fold(E, c, s, factor),
-            square));
+        const manseur_doty_lane determinant = manseur_doty_fold(equations, c, s, factor);
+        MANSEUR_DOTY_STORE(samples + k, manseur_doty_weighted(determinant, square));
     }
 }
 
@@ -2767,30 +2910,19 @@ static void manseur_doty_sample(const double *E, const manseur_doty_lens *lens, 
 static int manseur_doty_attempt(const manseur_doty_formulation *form, const manseur_doty_loop *loop,
                            manseur_doty_found *found)
 {
-    double link[6][12], E[192], samples[24];
-    manseur_doty_trigonometric f;
+    double link[6][12], E[192];
     manseur_doty_roots roots;
     manseur_doty_candidates all;
-    manseur_doty_lens lens = {0.0, 0.0};
     manseur_doty_around(form, loop, link);
     manseur_doty_equations(form, link, E);
-    manseur_doty_sample(E, &lens, samples);
-    if (manseur_doty_spread(samples, &lens)) {
-        manseur_doty_sample(E, &lens, samples);
-    }
-    manseur_doty_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!manseur_doty_real_roots(manseur_doty_sample, E, &roots)) {
         return 0;
     }
-    manseur_doty_find_roots(&f, &roots);
-    manseur_doty_behind(&lens, roots.simple, roots.c, roots.s);
-    manseur_doty_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     manseur_doty_null_vectors(E, &roots, &all);
     manseur_doty_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
         manseur_doty_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    found->doubles += roots.doubles;
     return manseur_doty_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }

@@ -855,66 +855,69 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1216, 1248, 1280, 1312, 1344, 1376],
-    [1408, 1440, 1280, 1472, 1504, 1376],
-    [1408, 1440, 1536, 1568, 1600, 1632],
-    [1216, 1248, 1536, 1664, 1696, 1632],
+    [608, 624, 640, 656, 672, 688],
+    [704, 720, 640, 736, 752, 688],
+    [704, 720, 768, 784, 800, 816],
+    [608, 624, 768, 832, 848, 816],
 ])
-_KINDS = np.array([1728, 1760, 1792, 1824])
-_LEFT_OVER = 255
+_KINDS = np.array([864, 880, 896, 912])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1856)
+    work = np.empty(928)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             v1 = T23 * T23 + T13 * T13
             w3 = math.sqrt(v1)
             v2 = 1.0 / v1
@@ -950,45 +953,45 @@ def _in_tiles(T, q, status):
                 N5 <= doubt_limit_squared2 or (abs(D5) <= reach_slack1 * (reach_slack1 + 2.0 *
                 abs(v5)) or v1 <= m1)
             )
-            work[544 + k] = v4
-            work[576 + k] = v6
-            work[608 + k] = q2_pp
-            work[640 + k] = q2_pm
-            work[672 + k] = q1_pp
-            work[704 + k] = q1_pm
-            work[736 + k] = doubt1
-            work[768 + k] = -T13
-            work[800 + k] = -w3
-            work[832 + k] = -v4
-            work[864 + k] = v11
-            work[896 + k] = -(v7 + v10)
-            work[928 + k] = -(v7 + v10)
-            work[960 + k] = v11
-            work[992 + k] = T23
-            work[1024 + k] = -T33
-            work[1056 + k] = -v3
-            work[1088 + k] = -v12
-            work[1120 + k] = -v13
-            work[1152 + k] = v13
-            work[1184 + k] = v12
-        for k in range(768, 992):
-            work[k] = _atan2(work[k], work[k + 224])
-        for k in range(0, 32):
-            T13 = work[64 + k]
-            v4 = work[544 + k]
-            v6 = work[576 + k]
-            q2_pp = work[608 + k]
-            q2_pm = work[640 + k]
-            q1_pp = work[672 + k]
-            q1_pm = work[704 + k]
-            doubt1 = work[736 + k] != 0.0
-            angle1 = work[768 + k]
-            angle2 = work[800 + k]
-            angle3 = work[832 + k]
-            angle4 = work[864 + k]
-            angle5 = work[896 + k]
-            angle6 = work[928 + k]
-            angle7 = work[960 + k]
+            work[272 + k] = v4
+            work[288 + k] = v6
+            work[304 + k] = q2_pp
+            work[320 + k] = q2_pm
+            work[336 + k] = q1_pp
+            work[352 + k] = q1_pm
+            work[368 + k] = doubt1
+            work[384 + k] = -T13
+            work[400 + k] = -w3
+            work[416 + k] = -v4
+            work[432 + k] = v11
+            work[448 + k] = -(v7 + v10)
+            work[464 + k] = -(v7 + v10)
+            work[480 + k] = v11
+            work[496 + k] = T23
+            work[512 + k] = -T33
+            work[528 + k] = -v3
+            work[544 + k] = -v12
+            work[560 + k] = -v13
+            work[576 + k] = v13
+            work[592 + k] = v12
+        for k in range(384, 496):
+            work[k] = _atan2(work[k], work[k + 112])
+        for k in range(0, 16):
+            T13 = work[32 + k]
+            v4 = work[272 + k]
+            v6 = work[288 + k]
+            q2_pp = work[304 + k]
+            q2_pm = work[320 + k]
+            q1_pp = work[336 + k]
+            q1_pm = work[352 + k]
+            doubt1 = work[368 + k] != 0.0
+            angle1 = work[384 + k]
+            angle2 = work[400 + k]
+            angle3 = work[416 + k]
+            angle4 = work[432 + k]
+            angle5 = work[448 + k]
+            angle6 = work[464 + k]
+            angle7 = work[480 + k]
             v20 = angle2 - angle4
             v21 = angle2 - angle5
             v22 = angle2 + angle6
@@ -1001,46 +1004,45 @@ def _in_tiles(T, q, status):
             q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13) * h1)
             q6_pp = angle3 + v6
             q6_mp = v6 + (angle3 - h1 * math.copysign(half_turn, -v4))
-            _1216 = q1_pp
-            work[1216 + k] = _1216
-            _1248 = q2_pp
-            work[1248 + k] = _1248
-            _1280 = q3_pp
-            work[1280 + k] = _1280
-            _1312 = q4_pp
-            work[1312 + k] = _1312
-            _1344 = angle4
-            work[1344 + k] = _1344
-            _1376 = q6_pp
-            work[1376 + k] = _1376
-            _1408 = q1_pm
-            work[1408 + k] = _1408
-            _1440 = q2_pm
-            work[1440 + k] = _1440
-            _1472 = q4_pm
-            work[1472 + k] = _1472
-            _1504 = angle5
-            work[1504 + k] = _1504
-            _1536 = q3_mp
-            work[1536 + k] = _1536
-            _1568 = q4_mp
-            work[1568 + k] = _1568
-            _1600 = angle6
-            work[1600 + k] = _1600
-            _1632 = q6_mp
-            work[1632 + k] = _1632
-            _1664 = q4_mm
-            work[1664 + k] = _1664
-            _1696 = angle7
-            work[1696 + k] = _1696
-            work[1728 + k] = UNREACHABLE if _1216 != _1216 else OK
-            work[1760 + k] = UNREACHABLE if _1408 != _1408 else OK
-            work[1792 + k] = UNREACHABLE if _1408 != _1408 else OK
-            work[1824 + k] = UNREACHABLE if _1216 != _1216 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _608 = q1_pp
+            work[608 + k] = _608
+            _624 = q2_pp
+            work[624 + k] = _624
+            _640 = q3_pp
+            work[640 + k] = _640
+            _656 = q4_pp
+            work[656 + k] = _656
+            _672 = angle4
+            work[672 + k] = _672
+            _688 = q6_pp
+            work[688 + k] = _688
+            _704 = q1_pm
+            work[704 + k] = _704
+            _720 = q2_pm
+            work[720 + k] = _720
+            _736 = q4_pm
+            work[736 + k] = _736
+            _752 = angle5
+            work[752 + k] = _752
+            _768 = q3_mp
+            work[768 + k] = _768
+            _784 = q4_mp
+            work[784 + k] = _784
+            _800 = angle6
+            work[800 + k] = _800
+            _816 = q6_mp
+            work[816 + k] = _816
+            _832 = q4_mm
+            work[832 + k] = _832
+            _848 = angle7
+            work[848 + k] = _848
+            work[864 + k] = UNREACHABLE if _608 != _608 else OK
+            work[880 + k] = UNREACHABLE if _704 != _704 else OK
+            work[896 + k] = UNREACHABLE if _704 != _704 else OK
+            work[912 + k] = UNREACHABLE if _608 != _608 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(4):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1063,12 +1065,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 4, 6)), np.empty((len(T), 4), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -303,7 +303,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx b55b03ba27bacd3b"
+_KEY = "phantomx 097760a490b30763"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1176,64 +1176,67 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [992, 1024, 1056, 1088],
-    [1120, 1152, 1184, 1216],
+    [496, 512, 528, 544],
+    [560, 576, 592, 608],
 ])
-_KINDS = np.array([1248, 1280])
-_LEFT_OVER = 255
+_KINDS = np.array([624, 640])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1312)
+    work = np.empty(656)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             v1 = T12 * T12 + T22 * T22
             v2 = math.sqrt(v1) * (1.0 / v1)
             v3 = T22 * v2
@@ -1281,32 +1284,32 @@ def _in_tiles(T, q, status):
                 (v14 * v14 + (T32 * T32 + v13 * v13))))))) or ((m4 < v27 and v27 <= m5) or (m4 < v28
                 and v28 <= m5))))))
             )
-            work[544 + k] = w3
-            work[576 + k] = v30
-            work[608 + k] = v31
-            work[640 + k] = doubt1
-            work[672 + k] = T33
-            work[704 + k] = w3
-            work[736 + k] = S2_p
-            work[768 + k] = S2_m
-            work[800 + k] = T12
-            work[832 + k] = -T31
-            work[864 + k] = N3 - k1
-            work[896 + k] = -(v10 + w3 * (m2 * Z1_3))
-            work[928 + k] = -(v10 + w3 * (m2 * -Z1_3))
-            work[960 + k] = -T22
-        for k in range(672, 832):
-            work[k] = _atan2(work[k], work[k + 160])
-        for k in range(0, 32):
-            w3 = work[544 + k]
-            v30 = work[576 + k]
-            v31 = work[608 + k]
-            doubt1 = work[640 + k] != 0.0
-            angle1 = work[672 + k]
-            angle2 = work[704 + k]
-            angle3 = work[736 + k]
-            angle4 = work[768 + k]
-            angle5 = work[800 + k]
+            work[272 + k] = w3
+            work[288 + k] = v30
+            work[304 + k] = v31
+            work[320 + k] = doubt1
+            work[336 + k] = T33
+            work[352 + k] = w3
+            work[368 + k] = S2_p
+            work[384 + k] = S2_m
+            work[400 + k] = T12
+            work[416 + k] = -T31
+            work[432 + k] = N3 - k1
+            work[448 + k] = -(v10 + w3 * (m2 * Z1_3))
+            work[464 + k] = -(v10 + w3 * (m2 * -Z1_3))
+            work[480 + k] = -T22
+        for k in range(336, 416):
+            work[k] = _atan2(work[k], work[k + 80])
+        for k in range(0, 16):
+            w3 = work[272 + k]
+            v30 = work[288 + k]
+            v31 = work[304 + k]
+            doubt1 = work[320 + k] != 0.0
+            angle1 = work[336 + k]
+            angle2 = work[352 + k]
+            angle3 = work[368 + k]
+            angle4 = work[384 + k]
+            angle5 = work[400 + k]
             v32 = angle3 - offset2
             v33 = angle4 - offset2
             v34 = angle3 - angle2 - angle1
@@ -1324,28 +1327,27 @@ def _in_tiles(T, q, status):
             q4_m = (
                 v31 + (v35 - (m6 if half_turn < v35 else 0.0) + (m6 if v35 <= -half_turn else 0.0))
             )
-            _992 = q1_p
-            work[992 + k] = _992
-            _1024 = q2_p
-            work[1024 + k] = _1024
-            _1056 = q3_p
-            work[1056 + k] = _1056
-            _1088 = q4_p
-            work[1088 + k] = _1088
-            _1120 = q1_m
-            work[1120 + k] = _1120
-            _1152 = q2_m
-            work[1152 + k] = _1152
-            _1184 = q3_m
-            work[1184 + k] = _1184
-            _1216 = q4_m
-            work[1216 + k] = _1216
-            work[1248 + k] = UNREACHABLE if _992 != _992 else OK
-            work[1280 + k] = UNREACHABLE if _1120 != _1120 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _496 = q1_p
+            work[496 + k] = _496
+            _512 = q2_p
+            work[512 + k] = _512
+            _528 = q3_p
+            work[528 + k] = _528
+            _544 = q4_p
+            work[544 + k] = _544
+            _560 = q1_m
+            work[560 + k] = _560
+            _576 = q2_m
+            work[576 + k] = _576
+            _592 = q3_m
+            work[592 + k] = _592
+            _608 = q4_m
+            work[608 + k] = _608
+            work[624 + k] = UNREACHABLE if _496 != _496 else OK
+            work[640 + k] = UNREACHABLE if _560 != _560 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(2):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1368,12 +1370,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 2, 4)), np.empty((len(T), 2), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -464,81 +464,83 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [736, 768],
-    [800, 832],
+    [368, 384],
+    [400, 416],
 ])
-_KINDS = np.array([864, 896])
-_LEFT_OVER = 255
+_KINDS = np.array([432, 448])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(928)
+    work = np.empty(464)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            miss = 0.0 * (work[96 + k] + work[224 + k])
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            miss = 0.0 * (work[48 + k] + work[112 + k])
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            T24 = work[224 + k]
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            T24 = work[112 + k]
             v1 = T14 * T14 + T24 * T24
             q2_p = math.sqrt(v1)
             doubt1 = v1 <= m1
             outside_p = q2_p < low2 or high2 < q2_p
             outside_m = -q2_p < low2 or high2 < -q2_p
-            work[544 + k] = q2_p
-            work[576 + k] = doubt1
-            work[608 + k] = outside_p
-            work[640 + k] = outside_m
-            work[672 + k] = T14
-            work[704 + k] = -T24
-        for k in range(672, 704):
-            work[k] = _atan2(work[k], work[k + 32])
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            q2_p = work[544 + k]
-            doubt1 = work[576 + k] != 0.0
-            outside_p = work[608 + k] != 0.0
-            outside_m = work[640 + k] != 0.0
-            angle1 = work[672 + k]
+            work[272 + k] = q2_p
+            work[288 + k] = doubt1
+            work[304 + k] = outside_p
+            work[320 + k] = outside_m
+            work[336 + k] = T14
+            work[352 + k] = -T24
+        for k in range(336, 352):
+            work[k] = _atan2(work[k], work[k + 16])
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            q2_p = work[272 + k]
+            doubt1 = work[288 + k] != 0.0
+            outside_p = work[304 + k] != 0.0
+            outside_m = work[320 + k] != 0.0
+            angle1 = work[336 + k]
             v2 = angle1 - offset1
             v3 = angle1 - math.copysign(half_turn, T14) * h1 - offset1
             q1_p = v2 + (m3 if v2 <= -half_turn else 0.0)
             q1_m = v3 + (m3 if v3 <= -half_turn else 0.0)
-            _736 = q1_p
-            work[736 + k] = _736
-            _768 = q2_p
-            work[768 + k] = _768
-            _800 = q1_m
-            work[800 + k] = _800
-            _832 = -q2_p
-            work[832 + k] = _832
-            work[864 + k] = UNREACHABLE if _736 != _736 else (OUT_OF_LIMITS if outside_p else OK)
-            work[896 + k] = UNREACHABLE if _800 != _800 else (OUT_OF_LIMITS if outside_m else OK)
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _368 = q1_p
+            work[368 + k] = _368
+            _384 = q2_p
+            work[384 + k] = _384
+            _400 = q1_m
+            work[400 + k] = _400
+            _416 = -q2_p
+            work[416 + k] = _416
+            work[432 + k] = UNREACHABLE if _368 != _368 else (OUT_OF_LIMITS if outside_p else OK)
+            work[448 + k] = UNREACHABLE if _400 != _400 else (OUT_OF_LIMITS if outside_m else OK)
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(2):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -561,12 +563,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 2, 2)), np.empty((len(T), 2), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -774,64 +774,67 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [896, 928, 960],
-    [992, 1024, 1056],
+    [448, 464, 480],
+    [496, 512, 528],
 ])
-_KINDS = np.array([1088, 1120])
-_LEFT_OVER = 255
+_KINDS = np.array([544, 560])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1152)
+    work = np.empty(576)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             v1 = T21 * T21 + T11 * T11
             v2 = math.sqrt(v1) * (1.0 / v1)
             v3 = v2 * (a3 * T11)
@@ -874,27 +877,27 @@ def _in_tiles(T, q, status):
                 (T31 * T31 + (v11 * v11 + T32 * T32))))))) or ((m6 < v22 and v22 <= m8) or (m6 < v23
                 and v23 <= m8))))))
             )
-            work[544 + k] = v25
-            work[576 + k] = v26
-            work[608 + k] = doubt1
-            work[640 + k] = T21
-            work[672 + k] = w2
-            work[704 + k] = S1_p
-            work[736 + k] = S1_m
-            work[768 + k] = T11
-            work[800 + k] = N2 - k1
-            work[832 + k] = C1_p
-            work[864 + k] = C1_m
-        for k in range(640, 768):
-            work[k] = _atan2(work[k], work[k + 128])
-        for k in range(0, 32):
-            v25 = work[544 + k]
-            v26 = work[576 + k]
-            doubt1 = work[608 + k] != 0.0
-            angle1 = work[640 + k]
-            angle2 = work[672 + k]
-            angle3 = work[704 + k]
-            angle4 = work[736 + k]
+            work[272 + k] = v25
+            work[288 + k] = v26
+            work[304 + k] = doubt1
+            work[320 + k] = T21
+            work[336 + k] = w2
+            work[352 + k] = S1_p
+            work[368 + k] = S1_m
+            work[384 + k] = T11
+            work[400 + k] = N2 - k1
+            work[416 + k] = C1_p
+            work[432 + k] = C1_m
+        for k in range(320, 384):
+            work[k] = _atan2(work[k], work[k + 64])
+        for k in range(0, 16):
+            v25 = work[272 + k]
+            v26 = work[288 + k]
+            doubt1 = work[304 + k] != 0.0
+            angle1 = work[320 + k]
+            angle2 = work[336 + k]
+            angle3 = work[352 + k]
+            angle4 = work[368 + k]
             v27 = angle1 - (angle2 + angle3)
             v28 = angle1 - (angle4 - angle2)
             q1_p = angle3 + v25
@@ -907,24 +910,23 @@ def _in_tiles(T, q, status):
             q3_m = (
                 v26 + (v28 - (m9 if half_turn < v28 else 0.0) + (m9 if v28 <= -half_turn else 0.0))
             )
-            _896 = q1_p
-            work[896 + k] = _896
-            _928 = q2_p
-            work[928 + k] = _928
-            _960 = q3_p
-            work[960 + k] = _960
-            _992 = q1_m
-            work[992 + k] = _992
-            _1024 = q2_m
-            work[1024 + k] = _1024
-            _1056 = q3_m
-            work[1056 + k] = _1056
-            work[1088 + k] = UNREACHABLE if _896 != _896 else OK
-            work[1120 + k] = UNREACHABLE if _992 != _992 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _448 = q1_p
+            work[448 + k] = _448
+            _464 = q2_p
+            work[464 + k] = _464
+            _480 = q3_p
+            work[480 + k] = _480
+            _496 = q1_m
+            work[496 + k] = _496
+            _512 = q2_m
+            work[512 + k] = _512
+            _528 = q3_m
+            work[528 + k] = _528
+            work[544 + k] = UNREACHABLE if _448 != _448 else OK
+            work[560 + k] = UNREACHABLE if _496 != _496 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(2):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -947,12 +949,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 2, 3)), np.empty((len(T), 2), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -936,70 +936,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2048, 2080, 2112, 2144, 2176, 2208],
-    [2048, 2080, 2112, 2240, 2272, 2304],
-    [2048, 2336, 2368, 2400, 2432, 2464],
-    [2048, 2336, 2368, 2496, 2528, 2560],
-    [2592, 2624, 2112, 2656, 2688, 2720],
-    [2592, 2624, 2112, 2752, 2784, 2816],
-    [2592, 2848, 2368, 2880, 2912, 2944],
-    [2592, 2848, 2368, 2976, 3008, 3040],
+    [1024, 1040, 1056, 1072, 1088, 1104],
+    [1024, 1040, 1056, 1120, 1136, 1152],
+    [1024, 1168, 1184, 1200, 1216, 1232],
+    [1024, 1168, 1184, 1248, 1264, 1280],
+    [1296, 1312, 1056, 1328, 1344, 1360],
+    [1296, 1312, 1056, 1376, 1392, 1408],
+    [1296, 1424, 1184, 1440, 1456, 1472],
+    [1296, 1424, 1184, 1488, 1504, 1520],
 ])
-_KINDS = np.array([3072, 3104, 3136, 3168, 3200, 3232, 3264, 3296])
-_LEFT_OVER = 255
+_KINDS = np.array([1536, 1552, 1568, 1584, 1600, 1616, 1632, 1648])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3328)
+    work = np.empty(1664)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             t24 = T24 + D3 * T21 + k1 * T23
             t14 = T14 + D3 * T11 + k1 * T13
             N1 = t24 * t24 + t14 * t14
@@ -1079,84 +1082,84 @@ def _in_tiles(T, q, status):
                 longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v13 <=
                 m2))))))))
             )
-            work[544 + k] = v1
-            work[576 + k] = v6
-            work[608 + k] = v32
-            work[640 + k] = v33
-            work[672 + k] = v44
-            work[704 + k] = v45
-            work[736 + k] = v46
-            work[768 + k] = v47
-            work[800 + k] = doubt1
-            work[832 + k] = w3
-            work[864 + k] = -v9
-            work[896 + k] = -v10
-            work[928 + k] = v10
-            work[960 + k] = v9
-            work[992 + k] = -v24
-            work[1024 + k] = -v24
-            work[1056 + k] = -v25
-            work[1088 + k] = -v25
-            work[1120 + k] = -math.sqrt(v28)
-            work[1152 + k] = -math.sqrt(v29)
-            work[1184 + k] = -math.sqrt(v30)
-            work[1216 + k] = -math.sqrt(v31)
-            work[1248 + k] = v44
-            work[1280 + k] = v45
-            work[1312 + k] = v46
-            work[1344 + k] = v47
-            work[1376 + k] = s1_p
-            work[1408 + k] = s1_m
-            work[1440 + k] = N3 - k5
-            work[1472 + k] = C2_pp
-            work[1504 + k] = C2_pm
-            work[1536 + k] = C2_pm
-            work[1568 + k] = C2_pp
-            work[1600 + k] = factor2_pp * -X4_pp
-            work[1632 + k] = factor2_pm * -X4_pm
-            work[1664 + k] = factor2_mp * -X4_mp
-            work[1696 + k] = factor2_pp * -X4_mm
-            work[1728 + k] = factor2_pp * (v34 + s23_pp * v22)
-            work[1760 + k] = factor2_pm * (v35 + s23_pm * v22)
-            work[1792 + k] = factor2_mp * (v35 + s23_mp * v23)
-            work[1824 + k] = factor2_pp * (v34 + s23_mm * v23)
-            work[1856 + k] = -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42)
-            work[1888 + k] = -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42)
-            work[1920 + k] = -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43)
-            work[1952 + k] = -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43)
-            work[1984 + k] = c1_p
-            work[2016 + k] = c1_m
-        for k in range(832, 1440):
-            work[k] = _atan2(work[k], work[k + 608])
-        for k in range(0, 32):
-            v1 = work[544 + k]
-            v6 = work[576 + k]
-            v32 = work[608 + k]
-            v33 = work[640 + k]
-            v44 = work[672 + k]
-            v45 = work[704 + k]
-            v46 = work[736 + k]
-            v47 = work[768 + k]
-            doubt1 = work[800 + k] != 0.0
-            angle1 = work[832 + k]
-            angle2 = work[864 + k]
-            angle3 = work[896 + k]
-            angle4 = work[928 + k]
-            angle5 = work[960 + k]
-            angle6 = work[992 + k]
-            angle7 = work[1024 + k]
-            angle8 = work[1056 + k]
-            angle9 = work[1088 + k]
-            angle10 = work[1120 + k]
-            angle11 = work[1152 + k]
-            angle12 = work[1184 + k]
-            angle13 = work[1216 + k]
-            angle14 = work[1248 + k]
-            angle15 = work[1280 + k]
-            angle16 = work[1312 + k]
-            angle17 = work[1344 + k]
-            angle18 = work[1376 + k]
-            angle19 = work[1408 + k]
+            work[272 + k] = v1
+            work[288 + k] = v6
+            work[304 + k] = v32
+            work[320 + k] = v33
+            work[336 + k] = v44
+            work[352 + k] = v45
+            work[368 + k] = v46
+            work[384 + k] = v47
+            work[400 + k] = doubt1
+            work[416 + k] = w3
+            work[432 + k] = -v9
+            work[448 + k] = -v10
+            work[464 + k] = v10
+            work[480 + k] = v9
+            work[496 + k] = -v24
+            work[512 + k] = -v24
+            work[528 + k] = -v25
+            work[544 + k] = -v25
+            work[560 + k] = -math.sqrt(v28)
+            work[576 + k] = -math.sqrt(v29)
+            work[592 + k] = -math.sqrt(v30)
+            work[608 + k] = -math.sqrt(v31)
+            work[624 + k] = v44
+            work[640 + k] = v45
+            work[656 + k] = v46
+            work[672 + k] = v47
+            work[688 + k] = s1_p
+            work[704 + k] = s1_m
+            work[720 + k] = N3 - k5
+            work[736 + k] = C2_pp
+            work[752 + k] = C2_pm
+            work[768 + k] = C2_pm
+            work[784 + k] = C2_pp
+            work[800 + k] = factor2_pp * -X4_pp
+            work[816 + k] = factor2_pm * -X4_pm
+            work[832 + k] = factor2_mp * -X4_mp
+            work[848 + k] = factor2_pp * -X4_mm
+            work[864 + k] = factor2_pp * (v34 + s23_pp * v22)
+            work[880 + k] = factor2_pm * (v35 + s23_pm * v22)
+            work[896 + k] = factor2_mp * (v35 + s23_mp * v23)
+            work[912 + k] = factor2_pp * (v34 + s23_mm * v23)
+            work[928 + k] = -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42)
+            work[944 + k] = -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42)
+            work[960 + k] = -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43)
+            work[976 + k] = -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43)
+            work[992 + k] = c1_p
+            work[1008 + k] = c1_m
+        for k in range(416, 720):
+            work[k] = _atan2(work[k], work[k + 304])
+        for k in range(0, 16):
+            v1 = work[272 + k]
+            v6 = work[288 + k]
+            v32 = work[304 + k]
+            v33 = work[320 + k]
+            v44 = work[336 + k]
+            v45 = work[352 + k]
+            v46 = work[368 + k]
+            v47 = work[384 + k]
+            doubt1 = work[400 + k] != 0.0
+            angle1 = work[416 + k]
+            angle2 = work[432 + k]
+            angle3 = work[448 + k]
+            angle4 = work[464 + k]
+            angle5 = work[480 + k]
+            angle6 = work[496 + k]
+            angle7 = work[512 + k]
+            angle8 = work[528 + k]
+            angle9 = work[544 + k]
+            angle10 = work[560 + k]
+            angle11 = work[576 + k]
+            angle12 = work[592 + k]
+            angle13 = work[608 + k]
+            angle14 = work[624 + k]
+            angle15 = work[640 + k]
+            angle16 = work[656 + k]
+            angle17 = work[672 + k]
+            angle18 = work[688 + k]
+            angle19 = work[704 + k]
             q4_ppm = angle6 - v32
             q4_pmm = angle7 - v32
             q4_mpm = angle8 - v33
@@ -1169,82 +1172,81 @@ def _in_tiles(T, q, status):
             q1_mpp = v6 + angle19
             q3_ppp = v1 + angle1
             q3_pmp = v1 - angle1
-            _2048 = q1_ppp
-            work[2048 + k] = _2048
-            _2080 = angle2
-            work[2080 + k] = _2080
-            _2112 = q3_ppp
-            work[2112 + k] = _2112
-            _2144 = angle6
-            work[2144 + k] = _2144
-            _2176 = angle10
-            work[2176 + k] = _2176
-            _2208 = angle14
-            work[2208 + k] = _2208
-            _2240 = q4_ppm
-            work[2240 + k] = _2240
-            _2272 = -angle10
-            work[2272 + k] = _2272
-            _2304 = q6_ppm
-            work[2304 + k] = _2304
-            _2336 = angle3
-            work[2336 + k] = _2336
-            _2368 = q3_pmp
-            work[2368 + k] = _2368
-            _2400 = angle7
-            work[2400 + k] = _2400
-            _2432 = angle11
-            work[2432 + k] = _2432
-            _2464 = angle15
-            work[2464 + k] = _2464
-            _2496 = q4_pmm
-            work[2496 + k] = _2496
-            _2528 = -angle11
-            work[2528 + k] = _2528
-            _2560 = q6_pmm
-            work[2560 + k] = _2560
-            _2592 = q1_mpp
-            work[2592 + k] = _2592
-            _2624 = angle4
-            work[2624 + k] = _2624
-            _2656 = angle8
-            work[2656 + k] = _2656
-            _2688 = angle12
-            work[2688 + k] = _2688
-            _2720 = angle16
-            work[2720 + k] = _2720
-            _2752 = q4_mpm
-            work[2752 + k] = _2752
-            _2784 = -angle12
-            work[2784 + k] = _2784
-            _2816 = q6_mpm
-            work[2816 + k] = _2816
-            _2848 = angle5
-            work[2848 + k] = _2848
-            _2880 = angle9
-            work[2880 + k] = _2880
-            _2912 = angle13
-            work[2912 + k] = _2912
-            _2944 = angle17
-            work[2944 + k] = _2944
-            _2976 = q4_mmm
-            work[2976 + k] = _2976
-            _3008 = -angle13
-            work[3008 + k] = _3008
-            _3040 = q6_mmm
-            work[3040 + k] = _3040
-            work[3072 + k] = UNREACHABLE if _2048 != _2048 else OK
-            work[3104 + k] = UNREACHABLE if _2048 != _2048 else OK
-            work[3136 + k] = UNREACHABLE if _2048 != _2048 else OK
-            work[3168 + k] = UNREACHABLE if _2048 != _2048 else OK
-            work[3200 + k] = UNREACHABLE if _2592 != _2592 else OK
-            work[3232 + k] = UNREACHABLE if _2592 != _2592 else OK
-            work[3264 + k] = UNREACHABLE if _2592 != _2592 else OK
-            work[3296 + k] = UNREACHABLE if _2592 != _2592 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _1024 = q1_ppp
+            work[1024 + k] = _1024
+            _1040 = angle2
+            work[1040 + k] = _1040
+            _1056 = q3_ppp
+            work[1056 + k] = _1056
+            _1072 = angle6
+            work[1072 + k] = _1072
+            _1088 = angle10
+            work[1088 + k] = _1088
+            _1104 = angle14
+            work[1104 + k] = _1104
+            _1120 = q4_ppm
+            work[1120 + k] = _1120
+            _1136 = -angle10
+            work[1136 + k] = _1136
+            _1152 = q6_ppm
+            work[1152 + k] = _1152
+            _1168 = angle3
+            work[1168 + k] = _1168
+            _1184 = q3_pmp
+            work[1184 + k] = _1184
+            _1200 = angle7
+            work[1200 + k] = _1200
+            _1216 = angle11
+            work[1216 + k] = _1216
+            _1232 = angle15
+            work[1232 + k] = _1232
+            _1248 = q4_pmm
+            work[1248 + k] = _1248
+            _1264 = -angle11
+            work[1264 + k] = _1264
+            _1280 = q6_pmm
+            work[1280 + k] = _1280
+            _1296 = q1_mpp
+            work[1296 + k] = _1296
+            _1312 = angle4
+            work[1312 + k] = _1312
+            _1328 = angle8
+            work[1328 + k] = _1328
+            _1344 = angle12
+            work[1344 + k] = _1344
+            _1360 = angle16
+            work[1360 + k] = _1360
+            _1376 = q4_mpm
+            work[1376 + k] = _1376
+            _1392 = -angle12
+            work[1392 + k] = _1392
+            _1408 = q6_mpm
+            work[1408 + k] = _1408
+            _1424 = angle5
+            work[1424 + k] = _1424
+            _1440 = angle9
+            work[1440 + k] = _1440
+            _1456 = angle13
+            work[1456 + k] = _1456
+            _1472 = angle17
+            work[1472 + k] = _1472
+            _1488 = q4_mmm
+            work[1488 + k] = _1488
+            _1504 = -angle13
+            work[1504 + k] = _1504
+            _1520 = q6_mmm
+            work[1520 + k] = _1520
+            work[1536 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[1552 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[1568 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[1584 + k] = UNREACHABLE if _1024 != _1024 else OK
+            work[1600 + k] = UNREACHABLE if _1296 != _1296 else OK
+            work[1616 + k] = UNREACHABLE if _1296 != _1296 else OK
+            work[1632 + k] = UNREACHABLE if _1296 != _1296 else OK
+            work[1648 + k] = UNREACHABLE if _1296 != _1296 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1267,12 +1269,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -948,70 +948,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2272, 2304, 2336, 2368, 2400, 2432],
-    [2272, 2304, 2336, 2464, 2496, 2528],
-    [2272, 2560, 2592, 2624, 2656, 2688],
-    [2272, 2560, 2592, 2720, 2752, 2784],
-    [2816, 2848, 2336, 2880, 2912, 2944],
-    [2816, 2848, 2336, 2976, 3008, 3040],
-    [2816, 3072, 2592, 3104, 3136, 3168],
-    [2816, 3072, 2592, 3200, 3232, 3264],
+    [1136, 1152, 1168, 1184, 1200, 1216],
+    [1136, 1152, 1168, 1232, 1248, 1264],
+    [1136, 1280, 1296, 1312, 1328, 1344],
+    [1136, 1280, 1296, 1360, 1376, 1392],
+    [1408, 1424, 1168, 1440, 1456, 1472],
+    [1408, 1424, 1168, 1488, 1504, 1520],
+    [1408, 1536, 1296, 1552, 1568, 1584],
+    [1408, 1536, 1296, 1600, 1616, 1632],
 ])
-_KINDS = np.array([3296, 3328, 3360, 3392, 3424, 3456, 3488, 3520])
-_LEFT_OVER = 255
+_KINDS = np.array([1648, 1664, 1680, 1696, 1712, 1728, 1744, 1760])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3552)
+    work = np.empty(1776)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             N1 = T14 * T14 + T24 * T24
             D1 = N1 - k1
             w1 = math.sqrt(D1)
@@ -1094,99 +1097,99 @@ def _in_tiles(T, q, status):
                 longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <=
                 doubt_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
             )
-            work[544 + k] = v1
-            work[576 + k] = v7
-            work[608 + k] = c23_pp
-            work[640 + k] = c23_pm
-            work[672 + k] = s23_pp
-            work[704 + k] = s23_pm
-            work[736 + k] = c4_pp
-            work[768 + k] = c4_pm
-            work[800 + k] = Y4_p
-            work[832 + k] = v32
-            work[864 + k] = v33
-            work[896 + k] = v38
-            work[928 + k] = v40
-            work[960 + k] = v42
-            work[992 + k] = v43
-            work[1024 + k] = doubt1
-            work[1056 + k] = s1_p
-            work[1088 + k] = s1_m
-            work[1120 + k] = w3
-            work[1152 + k] = S2_pp
-            work[1184 + k] = S2_pm
-            work[1216 + k] = S2_pm
-            work[1248 + k] = S2_pp
-            work[1280 + k] = Y4_p
-            work[1312 + k] = Y4_p
-            work[1344 + k] = -v21
-            work[1376 + k] = -v21
-            work[1408 + k] = -math.sqrt(v28)
-            work[1440 + k] = -math.sqrt(v29)
-            work[1472 + k] = -math.sqrt(v30)
-            work[1504 + k] = -math.sqrt(v31)
-            work[1536 + k] = -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31))
-            work[1568 + k] = -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31))
-            work[1600 + k] = v42
-            work[1632 + k] = v43
-            work[1664 + k] = c1_p
-            work[1696 + k] = -v4
-            work[1728 + k] = N3 - k6
-            work[1760 + k] = C2_pp
-            work[1792 + k] = C2_pm
-            work[1824 + k] = C2_mp
-            work[1856 + k] = C2_mm
-            work[1888 + k] = v24
-            work[1920 + k] = v25
-            work[1952 + k] = v26
-            work[1984 + k] = v27
-            work[2016 + k] = factor2 * (c23_pp * T33 - s23_pp * v19)
-            work[2048 + k] = factor2 * (c23_pm * T33 - s23_pm * v19)
-            work[2080 + k] = factor2 * (c23_mp * T33 - s23_mp * v20)
-            work[2112 + k] = factor2 * (c23_mm * T33 - s23_mm * v20)
-            work[2144 + k] = -(c4_pp * v34 + Y4_p * (c23_pp * v36 + s23_pp * T32))
-            work[2176 + k] = -(c4_pm * v34 + Y4_p * (c23_pm * v36 + s23_pm * T32))
-            work[2208 + k] = v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35
-            work[2240 + k] = v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35
-        for k in range(1056, 1664):
-            work[k] = _atan2(work[k], work[k + 608])
-        for k in range(0, 32):
-            T31 = work[256 + k]
-            v1 = work[544 + k]
-            v7 = work[576 + k]
-            c23_pp = work[608 + k]
-            c23_pm = work[640 + k]
-            s23_pp = work[672 + k]
-            s23_pm = work[704 + k]
-            c4_pp = work[736 + k]
-            c4_pm = work[768 + k]
-            Y4_p = work[800 + k]
-            v32 = work[832 + k]
-            v33 = work[864 + k]
-            v38 = work[896 + k]
-            v40 = work[928 + k]
-            v42 = work[960 + k]
-            v43 = work[992 + k]
-            doubt1 = work[1024 + k] != 0.0
-            angle1 = work[1056 + k]
-            angle2 = work[1088 + k]
-            angle3 = work[1120 + k]
-            angle4 = work[1152 + k]
-            angle5 = work[1184 + k]
-            angle6 = work[1216 + k]
-            angle7 = work[1248 + k]
-            angle8 = work[1280 + k]
-            angle9 = work[1312 + k]
-            angle10 = work[1344 + k]
-            angle11 = work[1376 + k]
-            angle12 = work[1408 + k]
-            angle13 = work[1440 + k]
-            angle14 = work[1472 + k]
-            angle15 = work[1504 + k]
-            angle16 = work[1536 + k]
-            angle17 = work[1568 + k]
-            angle18 = work[1600 + k]
-            angle19 = work[1632 + k]
+            work[272 + k] = v1
+            work[288 + k] = v7
+            work[304 + k] = c23_pp
+            work[320 + k] = c23_pm
+            work[336 + k] = s23_pp
+            work[352 + k] = s23_pm
+            work[368 + k] = c4_pp
+            work[384 + k] = c4_pm
+            work[400 + k] = Y4_p
+            work[416 + k] = v32
+            work[432 + k] = v33
+            work[448 + k] = v38
+            work[464 + k] = v40
+            work[480 + k] = v42
+            work[496 + k] = v43
+            work[512 + k] = doubt1
+            work[528 + k] = s1_p
+            work[544 + k] = s1_m
+            work[560 + k] = w3
+            work[576 + k] = S2_pp
+            work[592 + k] = S2_pm
+            work[608 + k] = S2_pm
+            work[624 + k] = S2_pp
+            work[640 + k] = Y4_p
+            work[656 + k] = Y4_p
+            work[672 + k] = -v21
+            work[688 + k] = -v21
+            work[704 + k] = -math.sqrt(v28)
+            work[720 + k] = -math.sqrt(v29)
+            work[736 + k] = -math.sqrt(v30)
+            work[752 + k] = -math.sqrt(v31)
+            work[768 + k] = -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31))
+            work[784 + k] = -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31))
+            work[800 + k] = v42
+            work[816 + k] = v43
+            work[832 + k] = c1_p
+            work[848 + k] = -v4
+            work[864 + k] = N3 - k6
+            work[880 + k] = C2_pp
+            work[896 + k] = C2_pm
+            work[912 + k] = C2_mp
+            work[928 + k] = C2_mm
+            work[944 + k] = v24
+            work[960 + k] = v25
+            work[976 + k] = v26
+            work[992 + k] = v27
+            work[1008 + k] = factor2 * (c23_pp * T33 - s23_pp * v19)
+            work[1024 + k] = factor2 * (c23_pm * T33 - s23_pm * v19)
+            work[1040 + k] = factor2 * (c23_mp * T33 - s23_mp * v20)
+            work[1056 + k] = factor2 * (c23_mm * T33 - s23_mm * v20)
+            work[1072 + k] = -(c4_pp * v34 + Y4_p * (c23_pp * v36 + s23_pp * T32))
+            work[1088 + k] = -(c4_pm * v34 + Y4_p * (c23_pm * v36 + s23_pm * T32))
+            work[1104 + k] = v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35
+            work[1120 + k] = v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35
+        for k in range(528, 832):
+            work[k] = _atan2(work[k], work[k + 304])
+        for k in range(0, 16):
+            T31 = work[128 + k]
+            v1 = work[272 + k]
+            v7 = work[288 + k]
+            c23_pp = work[304 + k]
+            c23_pm = work[320 + k]
+            s23_pp = work[336 + k]
+            s23_pm = work[352 + k]
+            c4_pp = work[368 + k]
+            c4_pm = work[384 + k]
+            Y4_p = work[400 + k]
+            v32 = work[416 + k]
+            v33 = work[432 + k]
+            v38 = work[448 + k]
+            v40 = work[464 + k]
+            v42 = work[480 + k]
+            v43 = work[496 + k]
+            doubt1 = work[512 + k] != 0.0
+            angle1 = work[528 + k]
+            angle2 = work[544 + k]
+            angle3 = work[560 + k]
+            angle4 = work[576 + k]
+            angle5 = work[592 + k]
+            angle6 = work[608 + k]
+            angle7 = work[624 + k]
+            angle8 = work[640 + k]
+            angle9 = work[656 + k]
+            angle10 = work[672 + k]
+            angle11 = work[688 + k]
+            angle12 = work[704 + k]
+            angle13 = work[720 + k]
+            angle14 = work[736 + k]
+            angle15 = work[752 + k]
+            angle16 = work[768 + k]
+            angle17 = work[784 + k]
+            angle18 = work[800 + k]
+            angle19 = work[816 + k]
             q3__p = angle3 - turn1
             v12 = turn1 + angle3
             q4_ppm = angle8 - v32
@@ -1225,98 +1228,97 @@ def _in_tiles(T, q, status):
             outside_mpm = v52 or (-angle14 < low5 or high5 < -angle14)
             outside_mmp = v53 or (angle15 < low5 or high5 < angle15)
             outside_mmm = v53 or (-angle15 < low5 or high5 < -angle15)
-            _2272 = q1_ppp
-            work[2272 + k] = _2272
-            _2304 = angle4
-            work[2304 + k] = _2304
-            _2336 = q3_ppp
-            work[2336 + k] = _2336
-            _2368 = angle8
-            work[2368 + k] = _2368
-            _2400 = angle12
-            work[2400 + k] = _2400
-            _2432 = angle16
-            work[2432 + k] = _2432
-            _2464 = q4_ppm
-            work[2464 + k] = _2464
-            _2496 = -angle12
-            work[2496 + k] = _2496
-            _2528 = q6_ppm
-            work[2528 + k] = _2528
-            _2560 = angle5
-            work[2560 + k] = _2560
-            _2592 = q3_pmp
-            work[2592 + k] = _2592
-            _2624 = angle9
-            work[2624 + k] = _2624
-            _2656 = angle13
-            work[2656 + k] = _2656
-            _2688 = angle17
-            work[2688 + k] = _2688
-            _2720 = q4_pmm
-            work[2720 + k] = _2720
-            _2752 = -angle13
-            work[2752 + k] = _2752
-            _2784 = q6_pmm
-            work[2784 + k] = _2784
-            _2816 = q1_mpp
-            work[2816 + k] = _2816
-            _2848 = angle6
-            work[2848 + k] = _2848
-            _2880 = angle10
-            work[2880 + k] = _2880
-            _2912 = angle14
-            work[2912 + k] = _2912
-            _2944 = angle18
-            work[2944 + k] = _2944
-            _2976 = q4_mpm
-            work[2976 + k] = _2976
-            _3008 = -angle14
-            work[3008 + k] = _3008
-            _3040 = q6_mpm
-            work[3040 + k] = _3040
-            _3072 = angle7
-            work[3072 + k] = _3072
-            _3104 = angle11
-            work[3104 + k] = _3104
-            _3136 = angle15
-            work[3136 + k] = _3136
-            _3168 = angle19
-            work[3168 + k] = _3168
-            _3200 = q4_mmm
-            work[3200 + k] = _3200
-            _3232 = -angle15
-            work[3232 + k] = _3232
-            _3264 = q6_mmm
-            work[3264 + k] = _3264
-            work[3296 + k] = (
-                UNREACHABLE if _2272 != _2272 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1136 = q1_ppp
+            work[1136 + k] = _1136
+            _1152 = angle4
+            work[1152 + k] = _1152
+            _1168 = q3_ppp
+            work[1168 + k] = _1168
+            _1184 = angle8
+            work[1184 + k] = _1184
+            _1200 = angle12
+            work[1200 + k] = _1200
+            _1216 = angle16
+            work[1216 + k] = _1216
+            _1232 = q4_ppm
+            work[1232 + k] = _1232
+            _1248 = -angle12
+            work[1248 + k] = _1248
+            _1264 = q6_ppm
+            work[1264 + k] = _1264
+            _1280 = angle5
+            work[1280 + k] = _1280
+            _1296 = q3_pmp
+            work[1296 + k] = _1296
+            _1312 = angle9
+            work[1312 + k] = _1312
+            _1328 = angle13
+            work[1328 + k] = _1328
+            _1344 = angle17
+            work[1344 + k] = _1344
+            _1360 = q4_pmm
+            work[1360 + k] = _1360
+            _1376 = -angle13
+            work[1376 + k] = _1376
+            _1392 = q6_pmm
+            work[1392 + k] = _1392
+            _1408 = q1_mpp
+            work[1408 + k] = _1408
+            _1424 = angle6
+            work[1424 + k] = _1424
+            _1440 = angle10
+            work[1440 + k] = _1440
+            _1456 = angle14
+            work[1456 + k] = _1456
+            _1472 = angle18
+            work[1472 + k] = _1472
+            _1488 = q4_mpm
+            work[1488 + k] = _1488
+            _1504 = -angle14
+            work[1504 + k] = _1504
+            _1520 = q6_mpm
+            work[1520 + k] = _1520
+            _1536 = angle7
+            work[1536 + k] = _1536
+            _1552 = angle11
+            work[1552 + k] = _1552
+            _1568 = angle15
+            work[1568 + k] = _1568
+            _1584 = angle19
+            work[1584 + k] = _1584
+            _1600 = q4_mmm
+            work[1600 + k] = _1600
+            _1616 = -angle15
+            work[1616 + k] = _1616
+            _1632 = q6_mmm
+            work[1632 + k] = _1632
+            work[1648 + k] = (
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[3328 + k] = (
-                UNREACHABLE if _2272 != _2272 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1664 + k] = (
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[3360 + k] = (
-                UNREACHABLE if _2272 != _2272 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1680 + k] = (
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[3392 + k] = (
-                UNREACHABLE if _2272 != _2272 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1696 + k] = (
+                UNREACHABLE if _1136 != _1136 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[3424 + k] = (
-                UNREACHABLE if _2816 != _2816 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1712 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[3456 + k] = (
-                UNREACHABLE if _2816 != _2816 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1728 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[3488 + k] = (
-                UNREACHABLE if _2816 != _2816 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[1744 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[3520 + k] = (
-                UNREACHABLE if _2816 != _2816 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[1760 + k] = (
+                UNREACHABLE if _1408 != _1408 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1339,12 +1341,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -1628,6 +1628,14 @@ typedef struct {
     double double_c[PUMA560_CALIBRATED_ROOTS], double_s[PUMA560_CALIBRATED_ROOTS];
 } puma560_calibrated_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} puma560_calibrated_window;
+
 static void puma560_calibrated_fit(const double samples[24], puma560_calibrated_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1832,9 +1840,10 @@ static double puma560_calibrated_between(const puma560_calibrated_trigonometric 
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void puma560_calibrated_few(const puma560_calibrated_trigonometric *f, double low, const
-    double at_low[3],
-                        double high, const double at_high[3], puma560_calibrated_roots *roots)
+static void puma560_calibrated_few(const puma560_calibrated_trigonometric *f, double lifted, double
+    low,
+                        const double at_low[3], double high, const double at_high[3],
+                        puma560_calibrated_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1847,7 +1856,7 @@ static void puma560_calibrated_few(const puma560_calibrated_trigonometric *f, do
     x = puma560_calibrated_between(f, 1, low, at_low, high, at_high);
     puma560_calibrated_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         puma560_calibrated_add_root(roots, x, 1);
         return;
     }
@@ -1907,8 +1916,8 @@ static int puma560_calibrated_kind(const puma560_calibrated_trigonometric *f, co
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void puma560_calibrated_many(const puma560_calibrated_trigonometric *f, double low, double
-    high,
+static void puma560_calibrated_many(const puma560_calibrated_trigonometric *f, double lifted, double
+    low, double high,
                          const double first[3], const double last[3], int *budget,
                          puma560_calibrated_roots *roots)
 {
@@ -1927,7 +1936,7 @@ static void puma560_calibrated_many(const puma560_calibrated_trigonometric *f, d
         const int kind = puma560_calibrated_kind(f, at_low, at[top], h);
         if (kind != PUMA560_CALIBRATED_ROOTLESS) {
             if (kind == PUMA560_CALIBRATED_TAME) {
-                puma560_calibrated_few(f, low, at_low, edge[top], at[top], roots);
+                puma560_calibrated_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == PUMA560_CALIBRATED_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 puma560_calibrated_add_root(roots, low + 0.5 * h, 1);
@@ -2040,8 +2049,9 @@ static int puma560_calibrated_lowest(unsigned long long bits)
 #endif
 }
 
-static void puma560_calibrated_find_roots(const puma560_calibrated_trigonometric *f,
-    puma560_calibrated_roots *roots)
+static void puma560_calibrated_find_roots(const puma560_calibrated_trigonometric *f, const
+    puma560_calibrated_window *window,
+                               puma560_calibrated_roots *roots)
 {
     puma560_calibrated_grid g;
     int plain[PUMA560_CALIBRATED_ROOTS], special[256], plains = 0, specials = 0;
@@ -2055,6 +2065,10 @@ static void puma560_calibrated_find_roots(const puma560_calibrated_trigonometric
             puma560_calibrated_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + puma560_calibrated_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < PUMA560_CALIBRATED_ROOTS &&
@@ -2075,9 +2089,10 @@ static void puma560_calibrated_find_roots(const puma560_calibrated_trigonometric
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (puma560_calibrated_kind(f, low, high, h) == PUMA560_CALIBRATED_TAME) {
-            puma560_calibrated_few(f, i * h, low, (i + 1) * h, high, roots);
+            puma560_calibrated_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            puma560_calibrated_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            puma560_calibrated_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget,
+                roots);
         }
     }
 }
@@ -2150,19 +2165,137 @@ static void puma560_calibrated_behind(const puma560_calibrated_lens *a, int coun
     }
 }
 
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*puma560_calibrated_sampler)(const void *of, const puma560_calibrated_lens *lens,
+    double samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int puma560_calibrated_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int puma560_calibrated_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < PUMA560_CALIBRATED_ROOTS; i++) {
+        if (puma560_calibrated_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int puma560_calibrated_magnify(puma560_calibrated_sampler sample, const void *of, double
+    cosine, double sine,
+                           puma560_calibrated_roots *roots)
+{
+    const puma560_calibrated_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const puma560_calibrated_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    puma560_calibrated_trigonometric f;
+    puma560_calibrated_roots found;
+    sample(of, &lens, samples);
+    puma560_calibrated_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    puma560_calibrated_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    puma560_calibrated_behind(&lens, found.simple, found.c, found.s);
+    puma560_calibrated_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = puma560_calibrated_keep_roots(0, cosine, sine, roots->c, roots->s,
+        roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = puma560_calibrated_keep_roots(0, cosine, sine, roots->double_c,
+        roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = puma560_calibrated_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = puma560_calibrated_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void puma560_calibrated_look_closer(puma560_calibrated_sampler sample, const void *of,
+    puma560_calibrated_roots *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == PUMA560_CALIBRATED_ROOTS || roots->doubles == PUMA560_CALIBRATED_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= puma560_calibrated_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= puma560_calibrated_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int puma560_calibrated_real_roots(puma560_calibrated_sampler sample, const void *of,
+    puma560_calibrated_roots *roots)
+{
+    const puma560_calibrated_window all = {0, 128, 5e-09};
+    double samples[24];
+    puma560_calibrated_trigonometric f;
+    puma560_calibrated_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (puma560_calibrated_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    puma560_calibrated_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    puma560_calibrated_find_roots(&f, &all, roots);
+    puma560_calibrated_behind(&lens, roots->simple, roots->c, roots->s);
+    puma560_calibrated_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    puma560_calibrated_look_closer(sample, of, roots);
+    return 1;
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root. */
+ * the same for all that belong to one such root, which is none where the matrix is regular. */
 typedef struct {
-    int count, groups, group[PUMA560_CALIBRATED_CANDIDATES];
+    int count, groups, group[PUMA560_CALIBRATED_CANDIDATES], regular[PUMA560_CALIBRATED_CANDIDATES];
     double c[PUMA560_CALIBRATED_CANDIDATES], s[PUMA560_CALIBRATED_CANDIDATES],
         n[6][PUMA560_CALIBRATED_CANDIDATES];
 } puma560_calibrated_candidates;
 
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
-static inline void puma560_calibrated_inverse_iteration(puma560_calibrated_lane U[6][6], const
-    puma560_calibrated_lane inverse[6],
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+static inline puma560_calibrated_lane puma560_calibrated_inverse_iteration(puma560_calibrated_lane
+    U[6][6], const puma560_calibrated_lane inverse[6],
                                              puma560_calibrated_lane x[6])
 {
     puma560_calibrated_lane square = {0};
@@ -2179,10 +2312,11 @@ static inline void puma560_calibrated_inverse_iteration(puma560_calibrated_lane 
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    square = 1.0 / puma560_calibrated_sqrt(square);
+    const puma560_calibrated_lane length = puma560_calibrated_sqrt(square);
     for (int i = 0; i < 6; i++) {
-        x[i] *= square;
+        x[i] *= 1.0 / length;
     }
+    return length;
 }
 
 /* The reciprocals of a diagonal, kept finite. */
@@ -2221,8 +2355,8 @@ static void puma560_calibrated_null_vectors(const double *E, const puma560_calib
         for (int i = 0; i < 6; i++) {
             x[i] = puma560_calibrated_all(start[i]);
         }
-        puma560_calibrated_inverse_iteration(factor, inverse, x);
-        puma560_calibrated_inverse_iteration(factor, inverse, x);
+        (void)puma560_calibrated_inverse_iteration(factor, inverse, x);
+        (void)puma560_calibrated_inverse_iteration(factor, inverse, x);
         PUMA560_CALIBRATED_STORE(out->c + from, c);
         PUMA560_CALIBRATED_STORE(out->s + from, s);
         for (int i = 0; i < 6; i++) {
@@ -2311,18 +2445,24 @@ static void puma560_calibrated_null_plane(const double *E, double c, double s,
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    puma560_calibrated_lane factor[6][6], inverse[6], x[2][6];
+    puma560_calibrated_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
     double n[2][6];
+    if (out->groups == PUMA560_CALIBRATED_CANDIDATES) {
+        return;
+    }
     (void)puma560_calibrated_fold(E, puma560_calibrated_all(c), puma560_calibrated_all(s), factor);
     puma560_calibrated_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = puma560_calibrated_all(start[0][i]);
         x[1][i] = puma560_calibrated_all(start[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
     }
     for (int step = 0; step < 4; step++) {
         puma560_calibrated_lane along = {0};
-        puma560_calibrated_inverse_iteration(factor, inverse, x[0]);
-        puma560_calibrated_inverse_iteration(factor, inverse, x[1]);
+        length = puma560_calibrated_inverse_iteration(factor, inverse, x[0]);
+        (void)puma560_calibrated_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2330,15 +2470,17 @@ static void puma560_calibrated_null_plane(const double *E, double c, double s,
             x[1][i] -= along * x[0][i];
         }
     }
+    out->regular[out->groups] = puma560_calibrated_largest(length * squares) <
+        9.999999999999999e+17;
     for (int r = 0; r < 2; r++) {
-        double length = 0.0;
+        double square = 0.0;
         for (int i = 0; i < 6; i++) {
             n[r][i] = puma560_calibrated_largest(x[r][i]);
-            length += n[r][i] * n[r][i];
+            square += n[r][i] * n[r][i];
         }
-        length = sqrt(length) + 1e-300;
+        square = sqrt(square) + 1e-300;
         for (int i = 0; i < 6; i++) {
-            n[r][i] /= length;
+            n[r][i] /= square;
         }
     }
     puma560_calibrated_add_candidate(out, c, s, n[0]);
@@ -2760,7 +2902,7 @@ static void puma560_calibrated_close_roots(const double *E, const puma560_calibr
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int puma560_calibrated_settle(const puma560_calibrated_formulation *form, const
     puma560_calibrated_loop *loop,
                           double link[6][12], const puma560_calibrated_candidates *all, int simple,
@@ -2797,22 +2939,26 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
         }
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
-        expected += of_group[i] & found->singular ? 1 : 2;
+        if (of_group[i] || !all->regular[i]) {
+            found->doubles++;
+            expected += of_group[i] & found->singular ? 1 : 2;
+        }
     }
     return complete && puma560_calibrated_bits(met) >= expected && puma560_calibrated_paired(found);
 }
 
 /* The determinant at the sample angles, through a lens. */
-static void puma560_calibrated_sample(const double *E, const puma560_calibrated_lens *lens, double
-    samples[24])
+static void puma560_calibrated_sample(const void *equations, const puma560_calibrated_lens *lens,
+    double samples[24])
 {
     for (int k = 0; k < 24; k += PUMA560_CALIBRATED_LANES) {
         puma560_calibrated_lane factor[6][6];
         puma560_calibrated_lane c = PUMA560_CALIBRATED_LOAD(puma560_calibrated_sample_c + k), s =
             PUMA560_CALIBRATED_LOAD(puma560_calibrated_sample_s + k);
         const puma560_calibrated_lane square = puma560_calibrated_through(lens, &c, &s);
-        PUMA560_CALIBRATED_STORE(samples + k, puma560_calibrated_weighted(puma560_calibrated_fold(E,
-            c, s, factor), square));
+        const puma560_calibrated_lane determinant = puma560_calibrated_fold(equations, c, s,
+            factor);
+        PUMA560_CALIBRATED_STORE(samples + k, puma560_calibrated_weighted(determinant, square));
     }
 }
 
@@ -2821,30 +2967,19 @@ static int puma560_calibrated_attempt(const puma560_calibrated_formulation *form
     puma560_calibrated_loop *loop,
                            puma560_calibrated_found *found)
 {
-    double link[6][12], E[192], samples[24];
-    puma560_calibrated_trigonometric f;
+    double link[6][12], E[192];
     puma560_calibrated_roots roots;
     puma560_calibrated_candidates all;
-    puma560_calibrated_lens lens = {0.0, 0.0};
     puma560_calibrated_around(form, loop, link);
     puma560_calibrated_equations(form, link, E);
-    puma560_calibrated_sample(E, &lens, samples);
-    if (puma560_calibrated_spread(samples, &lens)) {
-        puma560_calibrated_sample(E, &lens, samples);
-    }
-    puma560_calibrated_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!puma560_calibrated_real_roots(puma560_calibrated_sample, E, &roots)) {
         return 0;
     }
-    puma560_calibrated_find_roots(&f, &roots);
-    puma560_calibrated_behind(&lens, roots.simple, roots.c, roots.s);
-    puma560_calibrated_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     puma560_calibrated_null_vectors(E, &roots, &all);
     puma560_calibrated_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
         puma560_calibrated_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    found->doubles += roots.doubles;
     return puma560_calibrated_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }

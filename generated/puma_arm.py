@@ -622,46 +622,49 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1088, 1120, 1152],
-    [1088, 1184, 1216],
-    [1248, 1280, 1152],
-    [1248, 1312, 1216],
+    [544, 560, 576],
+    [544, 592, 608],
+    [624, 640, 576],
+    [624, 656, 608],
 ])
-_KINDS = np.array([1344, 1376, 1408, 1440])
-_LEFT_OVER = 255
+_KINDS = np.array([672, 688, 704, 720])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1472)
+    work = np.empty(736)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            miss = 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            T24 = work[224 + k]
-            T34 = work[352 + k]
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            T24 = work[112 + k]
+            T34 = work[176 + k]
             N1 = T14 * T14 + T24 * T24
             D1 = N1 - k1
             w1 = math.sqrt(D1)
@@ -688,66 +691,65 @@ def _in_tiles(T, q, status):
                 (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
                 < longest3_apart))))
             )
-            work[544 + k] = v1
-            work[576 + k] = v6
-            work[608 + k] = doubt1
-            work[640 + k] = w3
-            work[672 + k] = v14
-            work[704 + k] = v15
-            work[736 + k] = v15
-            work[768 + k] = v14
-            work[800 + k] = v2 + v5
-            work[832 + k] = v2 - v5
-            work[864 + k] = N3 - k6
-            work[896 + k] = v9 + v11
-            work[928 + k] = v10 + v11
-            work[960 + k] = v9 + v12
-            work[992 + k] = v10 + v12
-            work[1024 + k] = v4 - v3
-            work[1056 + k] = -(v3 + v4)
-        for k in range(640, 864):
-            work[k] = _atan2(work[k], work[k + 224])
-        for k in range(0, 32):
-            v1 = work[544 + k]
-            v6 = work[576 + k]
-            doubt1 = work[608 + k] != 0.0
-            angle1 = work[640 + k]
-            angle2 = work[672 + k]
-            angle3 = work[704 + k]
-            angle4 = work[736 + k]
-            angle5 = work[768 + k]
-            angle6 = work[800 + k]
-            angle7 = work[832 + k]
+            work[272 + k] = v1
+            work[288 + k] = v6
+            work[304 + k] = doubt1
+            work[320 + k] = w3
+            work[336 + k] = v14
+            work[352 + k] = v15
+            work[368 + k] = v15
+            work[384 + k] = v14
+            work[400 + k] = v2 + v5
+            work[416 + k] = v2 - v5
+            work[432 + k] = N3 - k6
+            work[448 + k] = v9 + v11
+            work[464 + k] = v10 + v11
+            work[480 + k] = v9 + v12
+            work[496 + k] = v10 + v12
+            work[512 + k] = v4 - v3
+            work[528 + k] = -(v3 + v4)
+        for k in range(320, 432):
+            work[k] = _atan2(work[k], work[k + 112])
+        for k in range(0, 16):
+            v1 = work[272 + k]
+            v6 = work[288 + k]
+            doubt1 = work[304 + k] != 0.0
+            angle1 = work[320 + k]
+            angle2 = work[336 + k]
+            angle3 = work[352 + k]
+            angle4 = work[368 + k]
+            angle5 = work[384 + k]
+            angle6 = work[400 + k]
+            angle7 = work[416 + k]
             q3__p = angle1 - turn1
             v7 = turn1 + angle1
             q1_pp = v6 + angle6
             q1_mp = v6 + angle7
             q3_pp = v1 + (q3__p + (m3 if q3__p <= -half_turn else 0.0))
             q3_pm = v1 + ((m3 if -v7 <= -half_turn else 0.0) - v7)
-            _1088 = q1_pp
-            work[1088 + k] = _1088
-            _1120 = angle2
-            work[1120 + k] = _1120
-            _1152 = q3_pp
-            work[1152 + k] = _1152
-            _1184 = angle3
-            work[1184 + k] = _1184
-            _1216 = q3_pm
-            work[1216 + k] = _1216
-            _1248 = q1_mp
-            work[1248 + k] = _1248
-            _1280 = angle4
-            work[1280 + k] = _1280
-            _1312 = angle5
-            work[1312 + k] = _1312
-            work[1344 + k] = UNREACHABLE if _1088 != _1088 else OK
-            work[1376 + k] = UNREACHABLE if _1088 != _1088 else OK
-            work[1408 + k] = UNREACHABLE if _1248 != _1248 else OK
-            work[1440 + k] = UNREACHABLE if _1248 != _1248 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _544 = q1_pp
+            work[544 + k] = _544
+            _560 = angle2
+            work[560 + k] = _560
+            _576 = q3_pp
+            work[576 + k] = _576
+            _592 = angle3
+            work[592 + k] = _592
+            _608 = q3_pm
+            work[608 + k] = _608
+            _624 = q1_mp
+            work[624 + k] = _624
+            _640 = angle4
+            work[640 + k] = _640
+            _656 = angle5
+            work[656 + k] = _656
+            work[672 + k] = UNREACHABLE if _544 != _544 else OK
+            work[688 + k] = UNREACHABLE if _544 != _544 else OK
+            work[704 + k] = UNREACHABLE if _624 != _624 else OK
+            work[720 + k] = UNREACHABLE if _624 != _624 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(4):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -770,12 +772,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

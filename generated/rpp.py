@@ -454,78 +454,80 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [704, 736, 768],
-    [800, 832, 768],
+    [352, 368, 384],
+    [400, 416, 384],
 ])
-_KINDS = np.array([864, 896])
-_LEFT_OVER = 255
+_KINDS = np.array([432, 448])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(928)
+    work = np.empty(464)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            miss = 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            T24 = work[224 + k]
-            T34 = work[352 + k]
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            T24 = work[112 + k]
+            T34 = work[176 + k]
             q3_p = T34 - d1
             v1 = T14 * T14 + T24 * T24
             q2_p = math.sqrt(v1)
             doubt1 = v1 <= m1
-            work[544 + k] = q3_p
-            work[576 + k] = q2_p
-            work[608 + k] = doubt1
-            work[640 + k] = -T14
-            work[672 + k] = T24
-        for k in range(640, 672):
-            work[k] = _atan2(work[k], work[k + 32])
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            q3_p = work[544 + k]
-            q2_p = work[576 + k]
-            doubt1 = work[608 + k] != 0.0
-            angle1 = work[640 + k]
+            work[272 + k] = q3_p
+            work[288 + k] = q2_p
+            work[304 + k] = doubt1
+            work[320 + k] = -T14
+            work[336 + k] = T24
+        for k in range(320, 336):
+            work[k] = _atan2(work[k], work[k + 16])
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            q3_p = work[272 + k]
+            q2_p = work[288 + k]
+            doubt1 = work[304 + k] != 0.0
+            angle1 = work[320 + k]
             q1_m = angle1 - math.copysign(half_turn, -T14) * h1
-            _704 = angle1
-            work[704 + k] = _704
-            _736 = q2_p
-            work[736 + k] = _736
-            _768 = q3_p
-            work[768 + k] = _768
-            _800 = q1_m
-            work[800 + k] = _800
-            _832 = -q2_p
-            work[832 + k] = _832
-            work[864 + k] = UNREACHABLE if _704 != _704 else OK
-            work[896 + k] = UNREACHABLE if _800 != _800 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _352 = angle1
+            work[352 + k] = _352
+            _368 = q2_p
+            work[368 + k] = _368
+            _384 = q3_p
+            work[384 + k] = _384
+            _400 = q1_m
+            work[400 + k] = _400
+            _416 = -q2_p
+            work[416 + k] = _416
+            work[432 + k] = UNREACHABLE if _352 != _352 else OK
+            work[448 + k] = UNREACHABLE if _400 != _400 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(2):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -548,12 +550,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 2, 3)), np.empty((len(T), 2), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -530,46 +530,49 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [800, 832, 864],
-    [800, 896, 928],
-    [960, 992, 864],
-    [960, 1024, 928],
+    [400, 416, 432],
+    [400, 448, 464],
+    [480, 496, 432],
+    [480, 512, 464],
 ])
-_KINDS = np.array([1056, 1088, 1120, 1152])
-_LEFT_OVER = 255
+_KINDS = np.array([528, 544, 560, 576])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1184)
+    work = np.empty(592)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            miss = 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            T24 = work[224 + k]
-            T34 = work[352 + k]
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            T24 = work[112 + k]
+            T34 = work[176 + k]
             v1 = T24 * T24 + T14 * T14
             w1 = math.sqrt(v1)
             Z3 = T34 - d1
@@ -579,50 +582,49 @@ def _in_tiles(T, q, status):
             q2_pp = w1 + w3
             q2_pm = w1 - w3
             doubt1 = v1 <= m1 or abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3))
-            work[544 + k] = v2
-            work[576 + k] = q2_pp
-            work[608 + k] = q2_pm
-            work[640 + k] = doubt1
-            work[672 + k] = -T14
-            work[704 + k] = -(a3 * w3)
-            work[736 + k] = T24
-            work[768 + k] = -(a3 * Z3)
-        for k in range(672, 736):
-            work[k] = _atan2(work[k], work[k + 64])
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            v2 = work[544 + k]
-            q2_pp = work[576 + k]
-            q2_pm = work[608 + k]
-            doubt1 = work[640 + k] != 0.0
-            angle1 = work[672 + k]
-            angle2 = work[704 + k]
+            work[272 + k] = v2
+            work[288 + k] = q2_pp
+            work[304 + k] = q2_pm
+            work[320 + k] = doubt1
+            work[336 + k] = -T14
+            work[352 + k] = -(a3 * w3)
+            work[368 + k] = T24
+            work[384 + k] = -(a3 * Z3)
+        for k in range(336, 368):
+            work[k] = _atan2(work[k], work[k + 32])
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            v2 = work[272 + k]
+            q2_pp = work[288 + k]
+            q2_pm = work[304 + k]
+            doubt1 = work[320 + k] != 0.0
+            angle1 = work[336 + k]
+            angle2 = work[352 + k]
             q1_pp = angle1 + v2
             q1_mp = v2 + (angle1 - math.copysign(half_turn, -T14) * h1)
-            _800 = q1_pp
-            work[800 + k] = _800
-            _832 = q2_pp
-            work[832 + k] = _832
-            _864 = angle2
-            work[864 + k] = _864
-            _896 = q2_pm
-            work[896 + k] = _896
-            _928 = -angle2
-            work[928 + k] = _928
-            _960 = q1_mp
-            work[960 + k] = _960
-            _992 = -q2_pm
-            work[992 + k] = _992
-            _1024 = -q2_pp
-            work[1024 + k] = _1024
-            work[1056 + k] = UNREACHABLE if _800 != _800 else OK
-            work[1088 + k] = UNREACHABLE if _800 != _800 else OK
-            work[1120 + k] = UNREACHABLE if _960 != _960 else OK
-            work[1152 + k] = UNREACHABLE if _960 != _960 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _400 = q1_pp
+            work[400 + k] = _400
+            _416 = q2_pp
+            work[416 + k] = _416
+            _432 = angle2
+            work[432 + k] = _432
+            _448 = q2_pm
+            work[448 + k] = _448
+            _464 = -angle2
+            work[464 + k] = _464
+            _480 = q1_mp
+            work[480 + k] = _480
+            _496 = -q2_pm
+            work[496 + k] = _496
+            _512 = -q2_pp
+            work[512 + k] = _512
+            work[528 + k] = UNREACHABLE if _400 != _400 else OK
+            work[544 + k] = UNREACHABLE if _400 != _400 else OK
+            work[560 + k] = UNREACHABLE if _480 != _480 else OK
+            work[576 + k] = UNREACHABLE if _480 != _480 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(4):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -645,12 +647,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

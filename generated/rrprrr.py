@@ -724,70 +724,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1056, 1088, 1120, 1152, 1184, 1216],
-    [1056, 1088, 1120, 1248, 1280, 1312],
-    [1056, 1344, 1376, 1408, 1440, 1312],
-    [1056, 1344, 1376, 1472, 1504, 1216],
-    [1536, 1568, 1120, 1248, 1184, 1216],
-    [1536, 1568, 1120, 1152, 1280, 1312],
-    [1536, 1600, 1376, 1472, 1440, 1312],
-    [1536, 1600, 1376, 1408, 1504, 1216],
+    [528, 544, 560, 576, 592, 608],
+    [528, 544, 560, 624, 640, 656],
+    [528, 672, 688, 704, 720, 656],
+    [528, 672, 688, 736, 752, 608],
+    [768, 784, 560, 624, 592, 608],
+    [768, 784, 560, 576, 640, 656],
+    [768, 800, 688, 736, 720, 656],
+    [768, 800, 688, 704, 752, 608],
 ])
-_KINDS = np.array([1632, 1664, 1696, 1728, 1760, 1792, 1824, 1856])
-_LEFT_OVER = 255
+_KINDS = np.array([816, 832, 848, 864, 880, 896, 912, 928])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1888)
+    work = np.empty(944)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             v1 = T14 * T14 + T24 * T24
             w1 = math.sqrt(v1)
             factor1 = w1 * (1.0 / v1)
@@ -810,93 +813,92 @@ def _in_tiles(T, q, status):
                 T31)
             )
             doubt1 = v2 <= m1 or (v6 <= m1 or v1 <= m1)
-            work[544 + k] = w1
-            work[576 + k] = q3_ppp
-            work[608 + k] = w4
-            work[640 + k] = v8
-            work[672 + k] = v9
-            work[704 + k] = doubt1
-            work[736 + k] = -T24
-            work[768 + k] = -w1
-            work[800 + k] = v8
-            work[832 + k] = -w4
-            work[864 + k] = v9
-            work[896 + k] = -T14
-            work[928 + k] = -T34
-            work[960 + k] = -v7
-            work[992 + k] = v3 * T33 + factor1 * (v4 * v5)
-            work[1024 + k] = (
+            work[272 + k] = w1
+            work[288 + k] = q3_ppp
+            work[304 + k] = w4
+            work[320 + k] = v8
+            work[336 + k] = v9
+            work[352 + k] = doubt1
+            work[368 + k] = -T24
+            work[384 + k] = -w1
+            work[400 + k] = v8
+            work[416 + k] = -w4
+            work[432 + k] = v9
+            work[448 + k] = -T14
+            work[464 + k] = -T34
+            work[480 + k] = -v7
+            work[496 + k] = v3 * T33 + factor1 * (v4 * v5)
+            work[512 + k] = (
                 v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 *
                 T32)
             )
-        for k in range(736, 896):
-            work[k] = _atan2(work[k], work[k + 160])
-        for k in range(0, 32):
-            T24 = work[224 + k]
-            w1 = work[544 + k]
-            q3_ppp = work[576 + k]
-            w4 = work[608 + k]
-            v8 = work[640 + k]
-            v9 = work[672 + k]
-            doubt1 = work[704 + k] != 0.0
-            angle1 = work[736 + k]
-            angle2 = work[768 + k]
-            angle3 = work[800 + k]
-            angle4 = work[832 + k]
-            angle5 = work[864 + k]
+        for k in range(368, 448):
+            work[k] = _atan2(work[k], work[k + 80])
+        for k in range(0, 16):
+            T24 = work[112 + k]
+            w1 = work[272 + k]
+            q3_ppp = work[288 + k]
+            w4 = work[304 + k]
+            v8 = work[320 + k]
+            v9 = work[336 + k]
+            doubt1 = work[352 + k] != 0.0
+            angle1 = work[368 + k]
+            angle2 = work[384 + k]
+            angle3 = work[400 + k]
+            angle4 = work[416 + k]
+            angle5 = work[432 + k]
             q1_mpp = angle1 - math.copysign(half_turn, -T24) * h1
             q2_pmp = angle2 - h1 * math.copysign(half_turn, -w1)
             q4_ppm = angle3 - h1 * math.copysign(half_turn, v8)
             q5_pmp = h1 * math.copysign(half_turn, -w4) - angle4
             q6_ppm = angle5 - h1 * math.copysign(half_turn, v9)
-            _1056 = angle1
-            work[1056 + k] = _1056
-            _1088 = angle2
-            work[1088 + k] = _1088
-            _1120 = q3_ppp
-            work[1120 + k] = _1120
-            _1152 = angle3
-            work[1152 + k] = _1152
-            _1184 = angle4
-            work[1184 + k] = _1184
-            _1216 = angle5
-            work[1216 + k] = _1216
-            _1248 = q4_ppm
-            work[1248 + k] = _1248
-            _1280 = -angle4
-            work[1280 + k] = _1280
-            _1312 = q6_ppm
-            work[1312 + k] = _1312
-            _1344 = q2_pmp
-            work[1344 + k] = _1344
-            _1376 = -q3_ppp
-            work[1376 + k] = _1376
-            _1408 = -q4_ppm
-            work[1408 + k] = _1408
-            _1440 = q5_pmp
-            work[1440 + k] = _1440
-            _1472 = -angle3
-            work[1472 + k] = _1472
-            _1504 = -q5_pmp
-            work[1504 + k] = _1504
-            _1536 = q1_mpp
-            work[1536 + k] = _1536
-            _1568 = -angle2
-            work[1568 + k] = _1568
-            _1600 = -q2_pmp
-            work[1600 + k] = _1600
-            work[1632 + k] = UNREACHABLE if _1056 != _1056 else OK
-            work[1664 + k] = UNREACHABLE if _1056 != _1056 else OK
-            work[1696 + k] = UNREACHABLE if _1056 != _1056 else OK
-            work[1728 + k] = UNREACHABLE if _1056 != _1056 else OK
-            work[1760 + k] = UNREACHABLE if _1536 != _1536 else OK
-            work[1792 + k] = UNREACHABLE if _1536 != _1536 else OK
-            work[1824 + k] = UNREACHABLE if _1536 != _1536 else OK
-            work[1856 + k] = UNREACHABLE if _1536 != _1536 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _528 = angle1
+            work[528 + k] = _528
+            _544 = angle2
+            work[544 + k] = _544
+            _560 = q3_ppp
+            work[560 + k] = _560
+            _576 = angle3
+            work[576 + k] = _576
+            _592 = angle4
+            work[592 + k] = _592
+            _608 = angle5
+            work[608 + k] = _608
+            _624 = q4_ppm
+            work[624 + k] = _624
+            _640 = -angle4
+            work[640 + k] = _640
+            _656 = q6_ppm
+            work[656 + k] = _656
+            _672 = q2_pmp
+            work[672 + k] = _672
+            _688 = -q3_ppp
+            work[688 + k] = _688
+            _704 = -q4_ppm
+            work[704 + k] = _704
+            _720 = q5_pmp
+            work[720 + k] = _720
+            _736 = -angle3
+            work[736 + k] = _736
+            _752 = -q5_pmp
+            work[752 + k] = _752
+            _768 = q1_mpp
+            work[768 + k] = _768
+            _784 = -angle2
+            work[784 + k] = _784
+            _800 = -q2_pmp
+            work[800 + k] = _800
+            work[816 + k] = UNREACHABLE if _528 != _528 else OK
+            work[832 + k] = UNREACHABLE if _528 != _528 else OK
+            work[848 + k] = UNREACHABLE if _528 != _528 else OK
+            work[864 + k] = UNREACHABLE if _528 != _528 else OK
+            work[880 + k] = UNREACHABLE if _768 != _768 else OK
+            work[896 + k] = UNREACHABLE if _768 != _768 else OK
+            work[912 + k] = UNREACHABLE if _768 != _768 else OK
+            work[928 + k] = UNREACHABLE if _768 != _768 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -919,12 +921,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

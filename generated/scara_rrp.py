@@ -518,44 +518,47 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [800, 832, 864],
-    [896, 928, 864],
+    [400, 416, 432],
+    [448, 464, 432],
 ])
-_KINDS = np.array([960, 992])
-_LEFT_OVER = 255
+_KINDS = np.array([480, 496])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1024)
+    work = np.empty(512)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            miss = 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            T24 = work[224 + k]
-            T34 = work[352 + k]
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            T24 = work[112 + k]
+            T34 = work[176 + k]
             N2 = T14 * T14 + T24 * T24
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
             v1 = m2 + m1 * N2
@@ -568,38 +571,37 @@ def _in_tiles(T, q, status):
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
                 < longest2_apart)) or N2 <= doubt_limit_squared2
             )
-            work[544 + k] = q3_p
-            work[576 + k] = doubt1
-            work[608 + k] = w2
-            work[640 + k] = v2 - v4
-            work[672 + k] = v2 + v4
-            work[704 + k] = N2 - k1
-            work[736 + k] = v3 + v5
-            work[768 + k] = v3 - v5
-        for k in range(608, 704):
-            work[k] = _atan2(work[k], work[k + 96])
-        for k in range(0, 32):
-            q3_p = work[544 + k]
-            doubt1 = work[576 + k] != 0.0
-            angle1 = work[608 + k]
-            angle2 = work[640 + k]
-            angle3 = work[672 + k]
-            _800 = angle2
-            work[800 + k] = _800
-            _832 = angle1
-            work[832 + k] = _832
-            _864 = q3_p
-            work[864 + k] = _864
-            _896 = angle3
-            work[896 + k] = _896
-            _928 = -angle1
-            work[928 + k] = _928
-            work[960 + k] = UNREACHABLE if _800 != _800 else OK
-            work[992 + k] = UNREACHABLE if _896 != _896 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            work[272 + k] = q3_p
+            work[288 + k] = doubt1
+            work[304 + k] = w2
+            work[320 + k] = v2 - v4
+            work[336 + k] = v2 + v4
+            work[352 + k] = N2 - k1
+            work[368 + k] = v3 + v5
+            work[384 + k] = v3 - v5
+        for k in range(304, 352):
+            work[k] = _atan2(work[k], work[k + 48])
+        for k in range(0, 16):
+            q3_p = work[272 + k]
+            doubt1 = work[288 + k] != 0.0
+            angle1 = work[304 + k]
+            angle2 = work[320 + k]
+            angle3 = work[336 + k]
+            _400 = angle2
+            work[400 + k] = _400
+            _416 = angle1
+            work[416 + k] = _416
+            _432 = q3_p
+            work[432 + k] = _432
+            _448 = angle3
+            work[448 + k] = _448
+            _464 = -angle1
+            work[464 + k] = _464
+            work[480 + k] = UNREACHABLE if _400 != _400 else OK
+            work[496 + k] = UNREACHABLE if _448 != _448 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(2):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -622,12 +624,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 2, 3)), np.empty((len(T), 2), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

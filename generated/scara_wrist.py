@@ -721,64 +721,67 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1056, 1088, 1120, 1152, 1184, 1216],
-    [1056, 1088, 1120, 1248, 1280, 1312],
-    [1344, 1376, 1120, 1408, 1184, 1216],
-    [1344, 1376, 1120, 1440, 1280, 1312],
+    [528, 544, 560, 576, 592, 608],
+    [528, 544, 560, 624, 640, 656],
+    [672, 688, 560, 704, 592, 608],
+    [672, 688, 560, 720, 640, 656],
 ])
-_KINDS = np.array([1472, 1504, 1536, 1568])
-_LEFT_OVER = 255
+_KINDS = np.array([736, 752, 768, 784])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1600)
+    work = np.empty(800)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             wx = T14 - d6 * T13
             wy = T24 - d6 * T23
             N2 = wx * wx + wy * wy
@@ -794,36 +797,36 @@ def _in_tiles(T, q, status):
                 N2 <= doubt_limit_squared2 or (v5 <= m3 or (shortest2_reach <= N2 and N2 <=
                 longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart)))
             )
-            work[544 + k] = v1
-            work[576 + k] = s6
-            work[608 + k] = q3_pp
-            work[640 + k] = doubt1
-            work[672 + k] = w2
-            work[704 + k] = v3 - w2 * (m1 * wx)
-            work[736 + k] = v3 - w2 * (m1 * -wx)
-            work[768 + k] = math.sqrt(v5)
-            work[800 + k] = s6
-            work[832 + k] = -T23
-            work[864 + k] = N2 - k1
-            work[896 + k] = v4 + w2 * (m1 * wy)
-            work[928 + k] = v4 + w2 * (m1 * -wy)
-            work[960 + k] = -T33
-            work[992 + k] = T13 * T22 - T23 * T12
-            work[1024 + k] = -T13
-        for k in range(672, 864):
-            work[k] = _atan2(work[k], work[k + 192])
-        for k in range(0, 32):
-            T23 = work[192 + k]
-            v1 = work[544 + k]
-            s6 = work[576 + k]
-            q3_pp = work[608 + k]
-            doubt1 = work[640 + k] != 0.0
-            angle1 = work[672 + k]
-            angle2 = work[704 + k]
-            angle3 = work[736 + k]
-            angle4 = work[768 + k]
-            angle5 = work[800 + k]
-            angle6 = work[832 + k]
+            work[272 + k] = v1
+            work[288 + k] = s6
+            work[304 + k] = q3_pp
+            work[320 + k] = doubt1
+            work[336 + k] = w2
+            work[352 + k] = v3 - w2 * (m1 * wx)
+            work[368 + k] = v3 - w2 * (m1 * -wx)
+            work[384 + k] = math.sqrt(v5)
+            work[400 + k] = s6
+            work[416 + k] = -T23
+            work[432 + k] = N2 - k1
+            work[448 + k] = v4 + w2 * (m1 * wy)
+            work[464 + k] = v4 + w2 * (m1 * -wy)
+            work[480 + k] = -T33
+            work[496 + k] = T13 * T22 - T23 * T12
+            work[512 + k] = -T13
+        for k in range(336, 432):
+            work[k] = _atan2(work[k], work[k + 96])
+        for k in range(0, 16):
+            T23 = work[96 + k]
+            v1 = work[272 + k]
+            s6 = work[288 + k]
+            q3_pp = work[304 + k]
+            doubt1 = work[320 + k] != 0.0
+            angle1 = work[336 + k]
+            angle2 = work[352 + k]
+            angle3 = work[368 + k]
+            angle4 = work[384 + k]
+            angle5 = work[400 + k]
+            angle6 = work[416 + k]
             v6 = angle1 + angle2
             v7 = angle3 - angle1
             v8 = angle6 - h1 * math.copysign(half_turn, -T23)
@@ -839,40 +842,39 @@ def _in_tiles(T, q, status):
             q5_pm = v1 - angle4
             q6_pp = v1 + angle5
             q6_pm = v1 + (angle5 - math.copysign(half_turn, s6) * h1)
-            _1056 = angle2
-            work[1056 + k] = _1056
-            _1088 = angle1
-            work[1088 + k] = _1088
-            _1120 = q3_pp
-            work[1120 + k] = _1120
-            _1152 = q4_pp
-            work[1152 + k] = _1152
-            _1184 = q5_pp
-            work[1184 + k] = _1184
-            _1216 = q6_pp
-            work[1216 + k] = _1216
-            _1248 = q4_pm
-            work[1248 + k] = _1248
-            _1280 = q5_pm
-            work[1280 + k] = _1280
-            _1312 = q6_pm
-            work[1312 + k] = _1312
-            _1344 = angle3
-            work[1344 + k] = _1344
-            _1376 = -angle1
-            work[1376 + k] = _1376
-            _1408 = q4_mp
-            work[1408 + k] = _1408
-            _1440 = q4_mm
-            work[1440 + k] = _1440
-            work[1472 + k] = UNREACHABLE if _1056 != _1056 else OK
-            work[1504 + k] = UNREACHABLE if _1056 != _1056 else OK
-            work[1536 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[1568 + k] = UNREACHABLE if _1344 != _1344 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _528 = angle2
+            work[528 + k] = _528
+            _544 = angle1
+            work[544 + k] = _544
+            _560 = q3_pp
+            work[560 + k] = _560
+            _576 = q4_pp
+            work[576 + k] = _576
+            _592 = q5_pp
+            work[592 + k] = _592
+            _608 = q6_pp
+            work[608 + k] = _608
+            _624 = q4_pm
+            work[624 + k] = _624
+            _640 = q5_pm
+            work[640 + k] = _640
+            _656 = q6_pm
+            work[656 + k] = _656
+            _672 = angle3
+            work[672 + k] = _672
+            _688 = -angle1
+            work[688 + k] = _688
+            _704 = q4_mp
+            work[704 + k] = _704
+            _720 = q4_mm
+            work[720 + k] = _720
+            work[736 + k] = UNREACHABLE if _528 != _528 else OK
+            work[752 + k] = UNREACHABLE if _528 != _528 else OK
+            work[768 + k] = UNREACHABLE if _672 != _672 else OK
+            work[784 + k] = UNREACHABLE if _672 != _672 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(4):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -895,12 +897,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 4, 6)), np.empty((len(T), 4), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -340,7 +340,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 6dccf05779f93eb4"
+_KEY = "scorbot_pointing 9e17520938ebe0a0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1312,57 +1312,60 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q_free, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q_free[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q_free[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1472, 1504, 1536, 1568, 1600],
-    [1632, 1664, 1696, 1728, 1760],
-    [1792, 1824, 1856, 1888, 1920],
-    [1952, 1984, 2016, 2048, 2080],
+    [736, 752, 768, 784, 800],
+    [816, 832, 848, 864, 880],
+    [896, 912, 928, 944, 960],
+    [976, 992, 1008, 1024, 1040],
 ])
-_KINDS = np.array([2112, 2144, 2176, 2208])
-_LEFT_OVER = 255
+_KINDS = np.array([1056, 1072, 1088, 1104])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q_free, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(2240)
+    work = np.empty(1120)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
             for i in range(1):
-                work[(16 + i) * 32 + k] = q_free[first + k, i]
-        for k in range(32):
-            x, y, z = work[64 + k], work[192 + k], work[320 + k]
+                work[(16 + i) * 16 + k] = q_free[first + k, i]
+        for k in range(16):
+            x, y, z = work[32 + k], work[96 + k], work[160 + k]
             square = x * x + y * y + z * z - 1.0
             miss = (
-                square * square + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k] + work[512 +
+                square * square + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k] + work[256 +
                 k])
             )
             exact = miss <= 1e-24
-            work[544 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
-            given1 = work[512 + k]
+            work[272 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
+            given1 = work[256 + k]
             v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
             v2 = T14 + T13 * v1
             v3 = T24 + T23 * v1
@@ -1496,57 +1499,57 @@ def _in_tiles(T, q_free, q, status):
                 and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart)))))))))))))
             )
-            work[576 + k] = v3
-            work[608 + k] = v24
-            work[640 + k] = v25
-            work[672 + k] = v77
-            work[704 + k] = v78
-            work[736 + k] = v79
-            work[768 + k] = v80
-            work[800 + k] = q5_pp
-            work[832 + k] = q5_pm
-            work[864 + k] = q5_mp
-            work[896 + k] = q5_mm
-            work[928 + k] = doubt1
-            work[960 + k] = -v3
-            work[992 + k] = -v8
-            work[1024 + k] = w3_p
-            work[1056 + k] = w3_m
-            work[1088 + k] = -v31
-            work[1120 + k] = -v32
-            work[1152 + k] = -v34
-            work[1184 + k] = -v35
-            work[1216 + k] = -v2
-            work[1248 + k] = T33
-            work[1280 + k] = K3_p
-            work[1312 + k] = K3_m
-            work[1344 + k] = C2_pp
-            work[1376 + k] = C2_pm
-            work[1408 + k] = -v40
-            work[1440 + k] = -v41
-        for k in range(960, 1216):
-            work[k] = _atan2(work[k], work[k + 256])
-        for k in range(0, 32):
-            v3 = work[576 + k]
-            v24 = work[608 + k]
-            v25 = work[640 + k]
-            v77 = work[672 + k]
-            v78 = work[704 + k]
-            v79 = work[736 + k]
-            v80 = work[768 + k]
-            q5_pp = work[800 + k]
-            q5_pm = work[832 + k]
-            q5_mp = work[864 + k]
-            q5_mm = work[896 + k]
-            doubt1 = work[928 + k] != 0.0
-            angle1 = work[960 + k]
-            angle2 = work[992 + k]
-            angle3 = work[1024 + k]
-            angle4 = work[1056 + k]
-            angle5 = work[1088 + k]
-            angle6 = work[1120 + k]
-            angle7 = work[1152 + k]
-            angle8 = work[1184 + k]
+            work[288 + k] = v3
+            work[304 + k] = v24
+            work[320 + k] = v25
+            work[336 + k] = v77
+            work[352 + k] = v78
+            work[368 + k] = v79
+            work[384 + k] = v80
+            work[400 + k] = q5_pp
+            work[416 + k] = q5_pm
+            work[432 + k] = q5_mp
+            work[448 + k] = q5_mm
+            work[464 + k] = doubt1
+            work[480 + k] = -v3
+            work[496 + k] = -v8
+            work[512 + k] = w3_p
+            work[528 + k] = w3_m
+            work[544 + k] = -v31
+            work[560 + k] = -v32
+            work[576 + k] = -v34
+            work[592 + k] = -v35
+            work[608 + k] = -v2
+            work[624 + k] = T33
+            work[640 + k] = K3_p
+            work[656 + k] = K3_m
+            work[672 + k] = C2_pp
+            work[688 + k] = C2_pm
+            work[704 + k] = -v40
+            work[720 + k] = -v41
+        for k in range(480, 608):
+            work[k] = _atan2(work[k], work[k + 128])
+        for k in range(0, 16):
+            v3 = work[288 + k]
+            v24 = work[304 + k]
+            v25 = work[320 + k]
+            v77 = work[336 + k]
+            v78 = work[352 + k]
+            v79 = work[368 + k]
+            v80 = work[384 + k]
+            q5_pp = work[400 + k]
+            q5_pm = work[416 + k]
+            q5_mp = work[432 + k]
+            q5_mm = work[448 + k]
+            doubt1 = work[464 + k] != 0.0
+            angle1 = work[480 + k]
+            angle2 = work[496 + k]
+            angle3 = work[512 + k]
+            angle4 = work[528 + k]
+            angle5 = work[544 + k]
+            angle6 = work[560 + k]
+            angle7 = work[576 + k]
+            angle8 = work[592 + k]
             v81 = angle2 - (angle3 + angle5) - offset4
             v82 = angle2 - (angle6 - angle3) - offset4
             v83 = offset4 + (angle2 + (angle4 + angle7))
@@ -1573,54 +1576,53 @@ def _in_tiles(T, q_free, q, status):
             q4_pm = v78 + (v86 + (m10 if v86 <= -half_turn else 0.0))
             q4_mp = v79 + (v87 + (m10 if v87 <= -half_turn else 0.0))
             q4_mm = v80 + (v88 + (m10 if v88 <= -half_turn else 0.0))
-            _1472 = q1_pp
-            work[1472 + k] = _1472
-            _1504 = q2_pp
-            work[1504 + k] = _1504
-            _1536 = q3_pp
-            work[1536 + k] = _1536
-            _1568 = q4_pp
-            work[1568 + k] = _1568
-            _1600 = q5_pp
-            work[1600 + k] = _1600
-            _1632 = q1_pm
-            work[1632 + k] = _1632
-            _1664 = q2_pm
-            work[1664 + k] = _1664
-            _1696 = q3_pm
-            work[1696 + k] = _1696
-            _1728 = q4_pm
-            work[1728 + k] = _1728
-            _1760 = q5_pm
-            work[1760 + k] = _1760
-            _1792 = q1_mp
-            work[1792 + k] = _1792
-            _1824 = q2_mp
-            work[1824 + k] = _1824
-            _1856 = q3_mp
-            work[1856 + k] = _1856
-            _1888 = q4_mp
-            work[1888 + k] = _1888
-            _1920 = q5_mp
-            work[1920 + k] = _1920
-            _1952 = q1_mm
-            work[1952 + k] = _1952
-            _1984 = q2_mm
-            work[1984 + k] = _1984
-            _2016 = q3_mm
-            work[2016 + k] = _2016
-            _2048 = q4_mm
-            work[2048 + k] = _2048
-            _2080 = q5_mm
-            work[2080 + k] = _2080
-            work[2112 + k] = UNREACHABLE if _1472 != _1472 else OK
-            work[2144 + k] = UNREACHABLE if _1632 != _1632 else OK
-            work[2176 + k] = UNREACHABLE if _1792 != _1792 else OK
-            work[2208 + k] = UNREACHABLE if _1952 != _1952 else OK
-            work[544 + k] = 1.0 if doubt1 else work[544 + k]
+            _736 = q1_pp
+            work[736 + k] = _736
+            _752 = q2_pp
+            work[752 + k] = _752
+            _768 = q3_pp
+            work[768 + k] = _768
+            _784 = q4_pp
+            work[784 + k] = _784
+            _800 = q5_pp
+            work[800 + k] = _800
+            _816 = q1_pm
+            work[816 + k] = _816
+            _832 = q2_pm
+            work[832 + k] = _832
+            _848 = q3_pm
+            work[848 + k] = _848
+            _864 = q4_pm
+            work[864 + k] = _864
+            _880 = q5_pm
+            work[880 + k] = _880
+            _896 = q1_mp
+            work[896 + k] = _896
+            _912 = q2_mp
+            work[912 + k] = _912
+            _928 = q3_mp
+            work[928 + k] = _928
+            _944 = q4_mp
+            work[944 + k] = _944
+            _960 = q5_mp
+            work[960 + k] = _960
+            _976 = q1_mm
+            work[976 + k] = _976
+            _992 = q2_mm
+            work[992 + k] = _992
+            _1008 = q3_mm
+            work[1008 + k] = _1008
+            _1024 = q4_mm
+            work[1024 + k] = _1024
+            _1040 = q5_mm
+            work[1040 + k] = _1040
+            work[1056 + k] = UNREACHABLE if _736 != _736 else OK
+            work[1072 + k] = UNREACHABLE if _816 != _816 else OK
+            work[1088 + k] = UNREACHABLE if _896 != _896 else OK
+            work[1104 + k] = UNREACHABLE if _976 != _976 else OK
+            work[272 + k] = 1.0 if doubt1 else work[272 + k]
         for k in range(count):
-            if work[544 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[272 + k] != 0.0:
                 continue
             for row in range(4):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1643,13 +1645,12 @@ def ik_batch(T, q_free, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 4, 5)), np.empty((len(T), 4), _BYTE)
+    status[:, 0] = _UNSOLVED
     q_free = _array(q_free, (len(T), 1), "q_free")
     if _COMPILED:
         _share(_in_tiles, cores, T, q_free, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q_free[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q_free, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q_free, q, status)
     return q, status
 
 

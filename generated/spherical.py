@@ -519,93 +519,95 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [768, 800, 832],
-    [768, 864, 896],
-    [928, 960, 832],
-    [928, 992, 896],
+    [384, 400, 416],
+    [384, 432, 448],
+    [464, 480, 416],
+    [464, 496, 448],
 ])
-_KINDS = np.array([1024, 1056, 1088, 1120])
-_LEFT_OVER = 255
+_KINDS = np.array([512, 528, 544, 560])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1152)
+    work = np.empty(576)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            miss = 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            T24 = work[224 + k]
-            T34 = work[352 + k]
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            T24 = work[112 + k]
+            T34 = work[176 + k]
             v1 = T14 * T14 + T24 * T24
             Y2_2 = T34 - d1
             v2 = v1 + Y2_2 * Y2_2
             q3_pp = math.sqrt(v2)
             doubt1 = v1 <= m1 or v2 <= m1
-            work[544 + k] = v1
-            work[576 + k] = q3_pp
-            work[608 + k] = doubt1
-            work[640 + k] = T24
-            work[672 + k] = -math.sqrt(v1)
-            work[704 + k] = T14
-            work[736 + k] = Y2_2
-        for k in range(640, 704):
-            work[k] = _atan2(work[k], work[k + 64])
-        for k in range(0, 32):
-            T24 = work[224 + k]
-            v1 = work[544 + k]
-            q3_pp = work[576 + k]
-            doubt1 = work[608 + k] != 0.0
-            angle1 = work[640 + k]
-            angle2 = work[672 + k]
+            work[272 + k] = v1
+            work[288 + k] = q3_pp
+            work[304 + k] = doubt1
+            work[320 + k] = T24
+            work[336 + k] = -math.sqrt(v1)
+            work[352 + k] = T14
+            work[368 + k] = Y2_2
+        for k in range(320, 352):
+            work[k] = _atan2(work[k], work[k + 32])
+        for k in range(0, 16):
+            T24 = work[112 + k]
+            v1 = work[272 + k]
+            q3_pp = work[288 + k]
+            doubt1 = work[304 + k] != 0.0
+            angle1 = work[320 + k]
+            angle2 = work[336 + k]
             q1_mp = angle1 - math.copysign(half_turn, T24) * h1
             q2_pm = angle2 - h1 * math.copysign(half_turn, -math.sqrt(v1))
-            _768 = angle1
-            work[768 + k] = _768
-            _800 = angle2
-            work[800 + k] = _800
-            _832 = q3_pp
-            work[832 + k] = _832
-            _864 = q2_pm
-            work[864 + k] = _864
-            _896 = -q3_pp
-            work[896 + k] = _896
-            _928 = q1_mp
-            work[928 + k] = _928
-            _960 = -angle2
-            work[960 + k] = _960
-            _992 = -q2_pm
-            work[992 + k] = _992
-            work[1024 + k] = UNREACHABLE if _768 != _768 else OK
-            work[1056 + k] = UNREACHABLE if _768 != _768 else OK
-            work[1088 + k] = UNREACHABLE if _928 != _928 else OK
-            work[1120 + k] = UNREACHABLE if _928 != _928 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _384 = angle1
+            work[384 + k] = _384
+            _400 = angle2
+            work[400 + k] = _400
+            _416 = q3_pp
+            work[416 + k] = _416
+            _432 = q2_pm
+            work[432 + k] = _432
+            _448 = -q3_pp
+            work[448 + k] = _448
+            _464 = q1_mp
+            work[464 + k] = _464
+            _480 = -angle2
+            work[480 + k] = _480
+            _496 = -q2_pm
+            work[496 + k] = _496
+            work[512 + k] = UNREACHABLE if _384 != _384 else OK
+            work[528 + k] = UNREACHABLE if _384 != _384 else OK
+            work[544 + k] = UNREACHABLE if _464 != _464 else OK
+            work[560 + k] = UNREACHABLE if _464 != _464 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(4):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -628,12 +630,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

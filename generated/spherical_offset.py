@@ -543,46 +543,49 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [864, 896, 928],
-    [864, 960, 992],
-    [1024, 1056, 928],
-    [1024, 1088, 992],
+    [432, 448, 464],
+    [432, 480, 496],
+    [512, 528, 464],
+    [512, 544, 496],
 ])
-_KINDS = np.array([1120, 1152, 1184, 1216])
-_LEFT_OVER = 255
+_KINDS = np.array([560, 576, 592, 608])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1248)
+    work = np.empty(624)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            miss = 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            miss = 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
-            T14 = work[96 + k]
-            T24 = work[224 + k]
-            T34 = work[352 + k]
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
+            T14 = work[48 + k]
+            T24 = work[112 + k]
+            T34 = work[176 + k]
             N1 = T14 * T14 + T24 * T24
             D1 = N1 - k1
             w1 = math.sqrt(D1)
@@ -596,51 +599,50 @@ def _in_tiles(T, q, status):
             q3_pp = v1 + w3
             q3_pm = v1 - w3
             doubt1 = abs(D1) <= k2 or (v6 <= m1 or N1 <= doubt_limit_squared2)
-            work[544 + k] = w1
-            work[576 + k] = q3_pp
-            work[608 + k] = q3_pm
-            work[640 + k] = doubt1
-            work[672 + k] = -(v2 + v5)
-            work[704 + k] = v5 - v2
-            work[736 + k] = -w1
-            work[768 + k] = v3 - v4
-            work[800 + k] = v3 + v4
-            work[832 + k] = T34
-        for k in range(672, 768):
-            work[k] = _atan2(work[k], work[k + 96])
-        for k in range(0, 32):
-            w1 = work[544 + k]
-            q3_pp = work[576 + k]
-            q3_pm = work[608 + k]
-            doubt1 = work[640 + k] != 0.0
-            angle1 = work[672 + k]
-            angle2 = work[704 + k]
-            angle3 = work[736 + k]
+            work[272 + k] = w1
+            work[288 + k] = q3_pp
+            work[304 + k] = q3_pm
+            work[320 + k] = doubt1
+            work[336 + k] = -(v2 + v5)
+            work[352 + k] = v5 - v2
+            work[368 + k] = -w1
+            work[384 + k] = v3 - v4
+            work[400 + k] = v3 + v4
+            work[416 + k] = T34
+        for k in range(336, 384):
+            work[k] = _atan2(work[k], work[k + 48])
+        for k in range(0, 16):
+            w1 = work[272 + k]
+            q3_pp = work[288 + k]
+            q3_pm = work[304 + k]
+            doubt1 = work[320 + k] != 0.0
+            angle1 = work[336 + k]
+            angle2 = work[352 + k]
+            angle3 = work[368 + k]
             q2_pm = angle3 - math.copysign(half_turn, -w1) * h1
-            _864 = angle1
-            work[864 + k] = _864
-            _896 = angle3
-            work[896 + k] = _896
-            _928 = q3_pp
-            work[928 + k] = _928
-            _960 = q2_pm
-            work[960 + k] = _960
-            _992 = q3_pm
-            work[992 + k] = _992
-            _1024 = angle2
-            work[1024 + k] = _1024
-            _1056 = -angle3
-            work[1056 + k] = _1056
-            _1088 = -q2_pm
-            work[1088 + k] = _1088
-            work[1120 + k] = UNREACHABLE if _864 != _864 else OK
-            work[1152 + k] = UNREACHABLE if _864 != _864 else OK
-            work[1184 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[1216 + k] = UNREACHABLE if _1024 != _1024 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _432 = angle1
+            work[432 + k] = _432
+            _448 = angle3
+            work[448 + k] = _448
+            _464 = q3_pp
+            work[464 + k] = _464
+            _480 = q2_pm
+            work[480 + k] = _480
+            _496 = q3_pm
+            work[496 + k] = _496
+            _512 = angle2
+            work[512 + k] = _512
+            _528 = -angle3
+            work[528 + k] = _528
+            _544 = -q2_pm
+            work[544 + k] = _544
+            work[560 + k] = UNREACHABLE if _432 != _432 else OK
+            work[576 + k] = UNREACHABLE if _432 != _432 else OK
+            work[592 + k] = UNREACHABLE if _512 != _512 else OK
+            work[608 + k] = UNREACHABLE if _512 != _512 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(4):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -663,12 +665,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 4, 3)), np.empty((len(T), 4), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -967,70 +967,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2560, 2592, 2624, 2656, 2688, 2720],
-    [2560, 2592, 2624, 2752, 2784, 2816],
-    [2560, 2848, 2880, 2912, 2944, 2976],
-    [2560, 2848, 2880, 3008, 3040, 3072],
-    [3104, 3136, 3168, 3200, 3232, 3264],
-    [3104, 3136, 3168, 3296, 3328, 3360],
-    [3104, 3392, 3424, 3456, 3488, 3520],
-    [3104, 3392, 3424, 3552, 3584, 3616],
+    [1280, 1296, 1312, 1328, 1344, 1360],
+    [1280, 1296, 1312, 1376, 1392, 1408],
+    [1280, 1424, 1440, 1456, 1472, 1488],
+    [1280, 1424, 1440, 1504, 1520, 1536],
+    [1552, 1568, 1584, 1600, 1616, 1632],
+    [1552, 1568, 1584, 1648, 1664, 1680],
+    [1552, 1696, 1712, 1728, 1744, 1760],
+    [1552, 1696, 1712, 1776, 1792, 1808],
 ])
-_KINDS = np.array([3648, 3680, 3712, 3744, 3776, 3808, 3840, 3872])
-_LEFT_OVER = 255
+_KINDS = np.array([1824, 1840, 1856, 1872, 1888, 1904, 1920, 1936])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3904)
+    work = np.empty(1952)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             wx = T14 - d6 * T13
             Y1 = d6 * T23 - T24
             N1 = wx * wx + Y1 * Y1
@@ -1111,116 +1114,116 @@ def _in_tiles(T, q, status):
                 (shortest3_apart < N3_p and N3_p < longest3_apart)) or (abs(D1) <= k3 or (N1 <=
                 doubt_limit_squared2 or (v36 <= m7 or (v35 <= m7 or (v33 <= m7 or v34 <= m7))))))))
             )
-            work[544 + k] = w3_p
-            work[576 + k] = w3_m
-            work[608 + k] = c23_pp
-            work[640 + k] = c23_pm
-            work[672 + k] = c23_mp
-            work[704 + k] = c23_mm
-            work[736 + k] = s23_pp
-            work[768 + k] = s23_pm
-            work[800 + k] = s23_mp
-            work[832 + k] = s23_mm
-            work[864 + k] = X4_pp
-            work[896 + k] = X4_pm
-            work[928 + k] = X4_mp
-            work[960 + k] = X4_mm
-            work[992 + k] = Y4_p
-            work[1024 + k] = Y4_m
-            work[1056 + k] = v37
-            work[1088 + k] = v38
-            work[1120 + k] = v43
-            work[1152 + k] = v44
-            work[1184 + k] = v45
-            work[1216 + k] = v46
-            work[1248 + k] = doubt1
-            work[1280 + k] = w3_p
-            work[1312 + k] = w3_m
-            work[1344 + k] = -(factor2_p * (v10 - v14))
-            work[1376 + k] = -(factor2_p * (v10 + v14))
-            work[1408 + k] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
-            work[1440 + k] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
-            work[1472 + k] = Y4_p
-            work[1504 + k] = Y4_p
-            work[1536 + k] = Y4_m
-            work[1568 + k] = Y4_m
-            work[1600 + k] = -math.sqrt(v33)
-            work[1632 + k] = -math.sqrt(v34)
-            work[1664 + k] = -math.sqrt(v35)
-            work[1696 + k] = -math.sqrt(v36)
-            work[1728 + k] = -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31))
-            work[1760 + k] = -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31))
-            work[1792 + k] = -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31))
-            work[1824 + k] = -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31))
-            work[1856 + k] = s1_p
-            work[1888 + k] = s1_m
-            work[1920 + k] = N3_p - k7
-            work[1952 + k] = N3_m - k7
-            work[1984 + k] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
-            work[2016 + k] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
-            work[2048 + k] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
-            work[2080 + k] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
-            work[2112 + k] = -X4_pp
-            work[2144 + k] = -X4_pm
-            work[2176 + k] = -X4_mp
-            work[2208 + k] = -X4_mm
-            work[2240 + k] = T33 * c23_pp + s23_pp * v29
-            work[2272 + k] = T33 * c23_pm + s23_pm * v29
-            work[2304 + k] = T33 * c23_mp + s23_mp * v30
-            work[2336 + k] = T33 * c23_mm + s23_mm * v30
-            work[2368 + k] = -(-X4_pp * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32))
-            work[2400 + k] = -(-X4_pm * v39 + Y4_p * (c23_pm * v41 - s23_pm * T32))
-            work[2432 + k] = -(-X4_mp * v40 + Y4_m * (c23_mp * v42 - s23_mp * T32))
-            work[2464 + k] = -(-X4_mm * v40 + Y4_m * (c23_mm * v42 - s23_mm * T32))
-            work[2496 + k] = -v2
-            work[2528 + k] = -v3
-        for k in range(1280, 1920):
-            work[k] = _atan2(work[k], work[k + 640])
-        for k in range(0, 32):
-            T31 = work[256 + k]
-            w3_p = work[544 + k]
-            w3_m = work[576 + k]
-            c23_pp = work[608 + k]
-            c23_pm = work[640 + k]
-            c23_mp = work[672 + k]
-            c23_mm = work[704 + k]
-            s23_pp = work[736 + k]
-            s23_pm = work[768 + k]
-            s23_mp = work[800 + k]
-            s23_mm = work[832 + k]
-            X4_pp = work[864 + k]
-            X4_pm = work[896 + k]
-            X4_mp = work[928 + k]
-            X4_mm = work[960 + k]
-            Y4_p = work[992 + k]
-            Y4_m = work[1024 + k]
-            v37 = work[1056 + k]
-            v38 = work[1088 + k]
-            v43 = work[1120 + k]
-            v44 = work[1152 + k]
-            v45 = work[1184 + k]
-            v46 = work[1216 + k]
-            doubt1 = work[1248 + k] != 0.0
-            angle1 = work[1280 + k]
-            angle2 = work[1312 + k]
-            angle3 = work[1344 + k]
-            angle4 = work[1376 + k]
-            angle5 = work[1408 + k]
-            angle6 = work[1440 + k]
-            angle7 = work[1472 + k]
-            angle8 = work[1504 + k]
-            angle9 = work[1536 + k]
-            angle10 = work[1568 + k]
-            angle11 = work[1600 + k]
-            angle12 = work[1632 + k]
-            angle13 = work[1664 + k]
-            angle14 = work[1696 + k]
-            angle15 = work[1728 + k]
-            angle16 = work[1760 + k]
-            angle17 = work[1792 + k]
-            angle18 = work[1824 + k]
-            angle19 = work[1856 + k]
-            angle20 = work[1888 + k]
+            work[272 + k] = w3_p
+            work[288 + k] = w3_m
+            work[304 + k] = c23_pp
+            work[320 + k] = c23_pm
+            work[336 + k] = c23_mp
+            work[352 + k] = c23_mm
+            work[368 + k] = s23_pp
+            work[384 + k] = s23_pm
+            work[400 + k] = s23_mp
+            work[416 + k] = s23_mm
+            work[432 + k] = X4_pp
+            work[448 + k] = X4_pm
+            work[464 + k] = X4_mp
+            work[480 + k] = X4_mm
+            work[496 + k] = Y4_p
+            work[512 + k] = Y4_m
+            work[528 + k] = v37
+            work[544 + k] = v38
+            work[560 + k] = v43
+            work[576 + k] = v44
+            work[592 + k] = v45
+            work[608 + k] = v46
+            work[624 + k] = doubt1
+            work[640 + k] = w3_p
+            work[656 + k] = w3_m
+            work[672 + k] = -(factor2_p * (v10 - v14))
+            work[688 + k] = -(factor2_p * (v10 + v14))
+            work[704 + k] = -(factor2_m * (v11 - w3_m * (m1 * v6)))
+            work[720 + k] = -(factor2_m * (v11 - w3_m * (m1 * -v6)))
+            work[736 + k] = Y4_p
+            work[752 + k] = Y4_p
+            work[768 + k] = Y4_m
+            work[784 + k] = Y4_m
+            work[800 + k] = -math.sqrt(v33)
+            work[816 + k] = -math.sqrt(v34)
+            work[832 + k] = -math.sqrt(v35)
+            work[848 + k] = -math.sqrt(v36)
+            work[864 + k] = -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31))
+            work[880 + k] = -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31))
+            work[896 + k] = -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31))
+            work[912 + k] = -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31))
+            work[928 + k] = s1_p
+            work[944 + k] = s1_m
+            work[960 + k] = N3_p - k7
+            work[976 + k] = N3_m - k7
+            work[992 + k] = -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))
+            work[1008 + k] = -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))
+            work[1024 + k] = -(v13 + w3_m * (m1 * (Z1_3 * factor2_m)))
+            work[1040 + k] = -(v13 + w3_m * (m1 * (-Z1_3 * factor2_m)))
+            work[1056 + k] = -X4_pp
+            work[1072 + k] = -X4_pm
+            work[1088 + k] = -X4_mp
+            work[1104 + k] = -X4_mm
+            work[1120 + k] = T33 * c23_pp + s23_pp * v29
+            work[1136 + k] = T33 * c23_pm + s23_pm * v29
+            work[1152 + k] = T33 * c23_mp + s23_mp * v30
+            work[1168 + k] = T33 * c23_mm + s23_mm * v30
+            work[1184 + k] = -(-X4_pp * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32))
+            work[1200 + k] = -(-X4_pm * v39 + Y4_p * (c23_pm * v41 - s23_pm * T32))
+            work[1216 + k] = -(-X4_mp * v40 + Y4_m * (c23_mp * v42 - s23_mp * T32))
+            work[1232 + k] = -(-X4_mm * v40 + Y4_m * (c23_mm * v42 - s23_mm * T32))
+            work[1248 + k] = -v2
+            work[1264 + k] = -v3
+        for k in range(640, 960):
+            work[k] = _atan2(work[k], work[k + 320])
+        for k in range(0, 16):
+            T31 = work[128 + k]
+            w3_p = work[272 + k]
+            w3_m = work[288 + k]
+            c23_pp = work[304 + k]
+            c23_pm = work[320 + k]
+            c23_mp = work[336 + k]
+            c23_mm = work[352 + k]
+            s23_pp = work[368 + k]
+            s23_pm = work[384 + k]
+            s23_mp = work[400 + k]
+            s23_mm = work[416 + k]
+            X4_pp = work[432 + k]
+            X4_pm = work[448 + k]
+            X4_mp = work[464 + k]
+            X4_mm = work[480 + k]
+            Y4_p = work[496 + k]
+            Y4_m = work[512 + k]
+            v37 = work[528 + k]
+            v38 = work[544 + k]
+            v43 = work[560 + k]
+            v44 = work[576 + k]
+            v45 = work[592 + k]
+            v46 = work[608 + k]
+            doubt1 = work[624 + k] != 0.0
+            angle1 = work[640 + k]
+            angle2 = work[656 + k]
+            angle3 = work[672 + k]
+            angle4 = work[688 + k]
+            angle5 = work[704 + k]
+            angle6 = work[720 + k]
+            angle7 = work[736 + k]
+            angle8 = work[752 + k]
+            angle9 = work[768 + k]
+            angle10 = work[784 + k]
+            angle11 = work[800 + k]
+            angle12 = work[816 + k]
+            angle13 = work[832 + k]
+            angle14 = work[848 + k]
+            angle15 = work[864 + k]
+            angle16 = work[880 + k]
+            angle17 = work[896 + k]
+            angle18 = work[912 + k]
+            angle19 = work[928 + k]
+            angle20 = work[944 + k]
             q3__pp = angle1 - turn1
             v8 = turn1 + angle1
             q3__mp = angle2 - turn1
@@ -1249,86 +1252,85 @@ def _in_tiles(T, q, status):
             q3_mpp = q3__mp - (m9 if half_turn < q3__mp else 0.0)
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
-            _2560 = q1_ppp
-            work[2560 + k] = _2560
-            _2592 = angle3
-            work[2592 + k] = _2592
-            _2624 = q3_ppp
-            work[2624 + k] = _2624
-            _2656 = angle7
-            work[2656 + k] = _2656
-            _2688 = angle11
-            work[2688 + k] = _2688
-            _2720 = angle15
-            work[2720 + k] = _2720
-            _2752 = q4_ppm
-            work[2752 + k] = _2752
-            _2784 = -angle11
-            work[2784 + k] = _2784
-            _2816 = q6_ppm
-            work[2816 + k] = _2816
-            _2848 = angle4
-            work[2848 + k] = _2848
-            _2880 = -(v8 + (m9 if half_turn < -v8 else 0.0))
-            work[2880 + k] = _2880
-            _2912 = angle8
-            work[2912 + k] = _2912
-            _2944 = angle12
-            work[2944 + k] = _2944
-            _2976 = angle16
-            work[2976 + k] = _2976
-            _3008 = q4_pmm
-            work[3008 + k] = _3008
-            _3040 = -angle12
-            work[3040 + k] = _3040
-            _3072 = q6_pmm
-            work[3072 + k] = _3072
-            _3104 = q1_mpp
-            work[3104 + k] = _3104
-            _3136 = angle5
-            work[3136 + k] = _3136
-            _3168 = q3_mpp
-            work[3168 + k] = _3168
-            _3200 = angle9
-            work[3200 + k] = _3200
-            _3232 = angle13
-            work[3232 + k] = _3232
-            _3264 = angle17
-            work[3264 + k] = _3264
-            _3296 = q4_mpm
-            work[3296 + k] = _3296
-            _3328 = -angle13
-            work[3328 + k] = _3328
-            _3360 = q6_mpm
-            work[3360 + k] = _3360
-            _3392 = angle6
-            work[3392 + k] = _3392
-            _3424 = -(v9 + (m9 if half_turn < -v9 else 0.0))
-            work[3424 + k] = _3424
-            _3456 = angle10
-            work[3456 + k] = _3456
-            _3488 = angle14
-            work[3488 + k] = _3488
-            _3520 = angle18
-            work[3520 + k] = _3520
-            _3552 = q4_mmm
-            work[3552 + k] = _3552
-            _3584 = -angle14
-            work[3584 + k] = _3584
-            _3616 = q6_mmm
-            work[3616 + k] = _3616
-            work[3648 + k] = UNREACHABLE if _2560 != _2560 else OK
-            work[3680 + k] = UNREACHABLE if _2560 != _2560 else OK
-            work[3712 + k] = UNREACHABLE if _2560 != _2560 else OK
-            work[3744 + k] = UNREACHABLE if _2560 != _2560 else OK
-            work[3776 + k] = UNREACHABLE if _3104 != _3104 else OK
-            work[3808 + k] = UNREACHABLE if _3104 != _3104 else OK
-            work[3840 + k] = UNREACHABLE if _3104 != _3104 else OK
-            work[3872 + k] = UNREACHABLE if _3104 != _3104 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _1280 = q1_ppp
+            work[1280 + k] = _1280
+            _1296 = angle3
+            work[1296 + k] = _1296
+            _1312 = q3_ppp
+            work[1312 + k] = _1312
+            _1328 = angle7
+            work[1328 + k] = _1328
+            _1344 = angle11
+            work[1344 + k] = _1344
+            _1360 = angle15
+            work[1360 + k] = _1360
+            _1376 = q4_ppm
+            work[1376 + k] = _1376
+            _1392 = -angle11
+            work[1392 + k] = _1392
+            _1408 = q6_ppm
+            work[1408 + k] = _1408
+            _1424 = angle4
+            work[1424 + k] = _1424
+            _1440 = -(v8 + (m9 if half_turn < -v8 else 0.0))
+            work[1440 + k] = _1440
+            _1456 = angle8
+            work[1456 + k] = _1456
+            _1472 = angle12
+            work[1472 + k] = _1472
+            _1488 = angle16
+            work[1488 + k] = _1488
+            _1504 = q4_pmm
+            work[1504 + k] = _1504
+            _1520 = -angle12
+            work[1520 + k] = _1520
+            _1536 = q6_pmm
+            work[1536 + k] = _1536
+            _1552 = q1_mpp
+            work[1552 + k] = _1552
+            _1568 = angle5
+            work[1568 + k] = _1568
+            _1584 = q3_mpp
+            work[1584 + k] = _1584
+            _1600 = angle9
+            work[1600 + k] = _1600
+            _1616 = angle13
+            work[1616 + k] = _1616
+            _1632 = angle17
+            work[1632 + k] = _1632
+            _1648 = q4_mpm
+            work[1648 + k] = _1648
+            _1664 = -angle13
+            work[1664 + k] = _1664
+            _1680 = q6_mpm
+            work[1680 + k] = _1680
+            _1696 = angle6
+            work[1696 + k] = _1696
+            _1712 = -(v9 + (m9 if half_turn < -v9 else 0.0))
+            work[1712 + k] = _1712
+            _1728 = angle10
+            work[1728 + k] = _1728
+            _1744 = angle14
+            work[1744 + k] = _1744
+            _1760 = angle18
+            work[1760 + k] = _1760
+            _1776 = q4_mmm
+            work[1776 + k] = _1776
+            _1792 = -angle14
+            work[1792 + k] = _1792
+            _1808 = q6_mmm
+            work[1808 + k] = _1808
+            work[1824 + k] = UNREACHABLE if _1280 != _1280 else OK
+            work[1840 + k] = UNREACHABLE if _1280 != _1280 else OK
+            work[1856 + k] = UNREACHABLE if _1280 != _1280 else OK
+            work[1872 + k] = UNREACHABLE if _1280 != _1280 else OK
+            work[1888 + k] = UNREACHABLE if _1552 != _1552 else OK
+            work[1904 + k] = UNREACHABLE if _1552 != _1552 else OK
+            work[1920 + k] = UNREACHABLE if _1552 != _1552 else OK
+            work[1936 + k] = UNREACHABLE if _1552 != _1552 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1351,12 +1353,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

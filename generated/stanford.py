@@ -829,70 +829,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1504, 1536, 1568, 1600, 1632, 1664],
-    [1504, 1536, 1568, 1696, 1728, 1760],
-    [1504, 1792, 1824, 1856, 1888, 1760],
-    [1504, 1792, 1824, 1920, 1952, 1664],
-    [1984, 2016, 1568, 2048, 2080, 2112],
-    [1984, 2016, 1568, 2144, 2176, 2208],
-    [1984, 2240, 1824, 2272, 2304, 2208],
-    [1984, 2240, 1824, 2336, 2368, 2112],
+    [752, 768, 784, 800, 816, 832],
+    [752, 768, 784, 848, 864, 880],
+    [752, 896, 912, 928, 944, 880],
+    [752, 896, 912, 960, 976, 832],
+    [992, 1008, 784, 1024, 1040, 1056],
+    [992, 1008, 784, 1072, 1088, 1104],
+    [992, 1120, 912, 1136, 1152, 1104],
+    [992, 1120, 912, 1168, 1184, 1056],
 ])
-_KINDS = np.array([2400, 2432, 2464, 2496, 2528, 2560, 2592, 2624])
-_LEFT_OVER = 255
+_KINDS = np.array([1200, 1216, 1232, 1248, 1264, 1280, 1296, 1312])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(2656)
+    work = np.empty(1328)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             N1 = T14 * T14 + T24 * T24
             D1 = N1 - k2
             w1 = math.sqrt(D1)
@@ -937,60 +940,60 @@ def _in_tiles(T, q, status):
                 abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v10 <= m1 or (v15 <= m3 or v16 <=
                 m3)))
             )
-            work[544 + k] = w1
-            work[576 + k] = v13
-            work[608 + k] = v14
-            work[640 + k] = v15
-            work[672 + k] = v16
-            work[704 + k] = s6_p
-            work[736 + k] = s6_m
-            work[768 + k] = v24
-            work[800 + k] = v25
-            work[832 + k] = q3_ppp
-            work[864 + k] = q3_pmp
-            work[896 + k] = doubt1
-            work[928 + k] = -v8
-            work[960 + k] = -v9
-            work[992 + k] = -w1
-            work[1024 + k] = v13
-            work[1056 + k] = v14
-            work[1088 + k] = -math.sqrt(v15)
-            work[1120 + k] = -math.sqrt(v16)
-            work[1152 + k] = s6_p
-            work[1184 + k] = s6_m
-            work[1216 + k] = c1_p
-            work[1248 + k] = c1_m
-            work[1280 + k] = Y2_2
-            work[1312 + k] = c4_p
-            work[1344 + k] = c4_m
-            work[1376 + k] = factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23))
-            work[1408 + k] = factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23))
-            work[1440 + k] = c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12)
-            work[1472 + k] = c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12)
-        for k in range(928, 1216):
-            work[k] = _atan2(work[k], work[k + 288])
-        for k in range(0, 32):
-            w1 = work[544 + k]
-            v13 = work[576 + k]
-            v14 = work[608 + k]
-            v15 = work[640 + k]
-            v16 = work[672 + k]
-            s6_p = work[704 + k]
-            s6_m = work[736 + k]
-            v24 = work[768 + k] != 0.0
-            v25 = work[800 + k] != 0.0
-            q3_ppp = work[832 + k]
-            q3_pmp = work[864 + k]
-            doubt1 = work[896 + k] != 0.0
-            angle1 = work[928 + k]
-            angle2 = work[960 + k]
-            angle3 = work[992 + k]
-            angle4 = work[1024 + k]
-            angle5 = work[1056 + k]
-            angle6 = work[1088 + k]
-            angle7 = work[1120 + k]
-            angle8 = work[1152 + k]
-            angle9 = work[1184 + k]
+            work[272 + k] = w1
+            work[288 + k] = v13
+            work[304 + k] = v14
+            work[320 + k] = v15
+            work[336 + k] = v16
+            work[352 + k] = s6_p
+            work[368 + k] = s6_m
+            work[384 + k] = v24
+            work[400 + k] = v25
+            work[416 + k] = q3_ppp
+            work[432 + k] = q3_pmp
+            work[448 + k] = doubt1
+            work[464 + k] = -v8
+            work[480 + k] = -v9
+            work[496 + k] = -w1
+            work[512 + k] = v13
+            work[528 + k] = v14
+            work[544 + k] = -math.sqrt(v15)
+            work[560 + k] = -math.sqrt(v16)
+            work[576 + k] = s6_p
+            work[592 + k] = s6_m
+            work[608 + k] = c1_p
+            work[624 + k] = c1_m
+            work[640 + k] = Y2_2
+            work[656 + k] = c4_p
+            work[672 + k] = c4_m
+            work[688 + k] = factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23))
+            work[704 + k] = factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23))
+            work[720 + k] = c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12)
+            work[736 + k] = c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12)
+        for k in range(464, 608):
+            work[k] = _atan2(work[k], work[k + 144])
+        for k in range(0, 16):
+            w1 = work[272 + k]
+            v13 = work[288 + k]
+            v14 = work[304 + k]
+            v15 = work[320 + k]
+            v16 = work[336 + k]
+            s6_p = work[352 + k]
+            s6_m = work[368 + k]
+            v24 = work[384 + k] != 0.0
+            v25 = work[400 + k] != 0.0
+            q3_ppp = work[416 + k]
+            q3_pmp = work[432 + k]
+            doubt1 = work[448 + k] != 0.0
+            angle1 = work[464 + k]
+            angle2 = work[480 + k]
+            angle3 = work[496 + k]
+            angle4 = work[512 + k]
+            angle5 = work[528 + k]
+            angle6 = work[544 + k]
+            angle7 = work[560 + k]
+            angle8 = work[576 + k]
+            angle9 = work[592 + k]
             q2_pmp = angle3 - math.copysign(half_turn, -w1) * h1
             q4_ppm = angle4 - h1 * math.copysign(half_turn, v13)
             q4_mpm = angle5 - h1 * math.copysign(half_turn, v14)
@@ -1040,90 +1043,73 @@ def _in_tiles(T, q, status):
                 v32 or (-q5_mmp < low5 or high5 < -q5_mmp or (v29 or (-q4_mpm < low4 or high4 <
                 -q4_mpm)))
             )
-            _1504 = angle1
-            work[1504 + k] = _1504
-            _1536 = angle3
-            work[1536 + k] = _1536
-            _1568 = q3_ppp
-            work[1568 + k] = _1568
-            _1600 = angle4
-            work[1600 + k] = _1600
-            _1632 = angle6
-            work[1632 + k] = _1632
-            _1664 = angle8
-            work[1664 + k] = _1664
-            _1696 = q4_ppm
-            work[1696 + k] = _1696
-            _1728 = -angle6
-            work[1728 + k] = _1728
-            _1760 = q6_ppm
-            work[1760 + k] = _1760
-            _1792 = q2_pmp
-            work[1792 + k] = _1792
-            _1824 = q3_pmp
-            work[1824 + k] = _1824
-            _1856 = -angle4
-            work[1856 + k] = _1856
-            _1888 = q5_pmp
-            work[1888 + k] = _1888
-            _1920 = -q4_ppm
-            work[1920 + k] = _1920
-            _1952 = -q5_pmp
-            work[1952 + k] = _1952
-            _1984 = angle2
-            work[1984 + k] = _1984
-            _2016 = -angle3
-            work[2016 + k] = _2016
-            _2048 = angle5
-            work[2048 + k] = _2048
-            _2080 = angle7
-            work[2080 + k] = _2080
-            _2112 = angle9
-            work[2112 + k] = _2112
-            _2144 = q4_mpm
-            work[2144 + k] = _2144
-            _2176 = -angle7
-            work[2176 + k] = _2176
-            _2208 = q6_mpm
-            work[2208 + k] = _2208
-            _2240 = -q2_pmp
-            work[2240 + k] = _2240
-            _2272 = -angle5
-            work[2272 + k] = _2272
-            _2304 = q5_mmp
-            work[2304 + k] = _2304
-            _2336 = -q4_mpm
-            work[2336 + k] = _2336
-            _2368 = -q5_mmp
-            work[2368 + k] = _2368
-            work[2400 + k] = (
-                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_ppp else OK)
-            )
-            work[2432 + k] = (
-                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_ppm else OK)
-            )
-            work[2464 + k] = (
-                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_pmp else OK)
-            )
-            work[2496 + k] = (
-                UNREACHABLE if _1504 != _1504 else (OUT_OF_LIMITS if outside_pmm else OK)
-            )
-            work[2528 + k] = (
-                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_mpp else OK)
-            )
-            work[2560 + k] = (
-                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_mpm else OK)
-            )
-            work[2592 + k] = (
-                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_mmp else OK)
-            )
-            work[2624 + k] = (
-                UNREACHABLE if _1984 != _1984 else (OUT_OF_LIMITS if outside_mmm else OK)
-            )
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _752 = angle1
+            work[752 + k] = _752
+            _768 = angle3
+            work[768 + k] = _768
+            _784 = q3_ppp
+            work[784 + k] = _784
+            _800 = angle4
+            work[800 + k] = _800
+            _816 = angle6
+            work[816 + k] = _816
+            _832 = angle8
+            work[832 + k] = _832
+            _848 = q4_ppm
+            work[848 + k] = _848
+            _864 = -angle6
+            work[864 + k] = _864
+            _880 = q6_ppm
+            work[880 + k] = _880
+            _896 = q2_pmp
+            work[896 + k] = _896
+            _912 = q3_pmp
+            work[912 + k] = _912
+            _928 = -angle4
+            work[928 + k] = _928
+            _944 = q5_pmp
+            work[944 + k] = _944
+            _960 = -q4_ppm
+            work[960 + k] = _960
+            _976 = -q5_pmp
+            work[976 + k] = _976
+            _992 = angle2
+            work[992 + k] = _992
+            _1008 = -angle3
+            work[1008 + k] = _1008
+            _1024 = angle5
+            work[1024 + k] = _1024
+            _1040 = angle7
+            work[1040 + k] = _1040
+            _1056 = angle9
+            work[1056 + k] = _1056
+            _1072 = q4_mpm
+            work[1072 + k] = _1072
+            _1088 = -angle7
+            work[1088 + k] = _1088
+            _1104 = q6_mpm
+            work[1104 + k] = _1104
+            _1120 = -q2_pmp
+            work[1120 + k] = _1120
+            _1136 = -angle5
+            work[1136 + k] = _1136
+            _1152 = q5_mmp
+            work[1152 + k] = _1152
+            _1168 = -q4_mpm
+            work[1168 + k] = _1168
+            _1184 = -q5_mmp
+            work[1184 + k] = _1184
+            work[1200 + k] = UNREACHABLE if _752 != _752 else (OUT_OF_LIMITS if outside_ppp else OK)
+            work[1216 + k] = UNREACHABLE if _752 != _752 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1232 + k] = UNREACHABLE if _752 != _752 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1248 + k] = UNREACHABLE if _752 != _752 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1264 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1280 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1296 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[1312 + k] = UNREACHABLE if _992 != _992 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1146,12 +1132,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

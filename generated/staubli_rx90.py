@@ -895,70 +895,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1984, 2016, 2048, 2080, 2112, 2144],
-    [1984, 2016, 2048, 2176, 2208, 2240],
-    [1984, 2272, 2304, 2336, 2368, 2400],
-    [1984, 2272, 2304, 2432, 2464, 2496],
-    [2528, 2560, 2048, 2592, 2624, 2656],
-    [2528, 2560, 2048, 2688, 2720, 2752],
-    [2528, 2784, 2304, 2816, 2848, 2880],
-    [2528, 2784, 2304, 2912, 2944, 2976],
+    [992, 1008, 1024, 1040, 1056, 1072],
+    [992, 1008, 1024, 1088, 1104, 1120],
+    [992, 1136, 1152, 1168, 1184, 1200],
+    [992, 1136, 1152, 1216, 1232, 1248],
+    [1264, 1280, 1024, 1296, 1312, 1328],
+    [1264, 1280, 1024, 1344, 1360, 1376],
+    [1264, 1392, 1152, 1408, 1424, 1440],
+    [1264, 1392, 1152, 1456, 1472, 1488],
 ])
-_KINDS = np.array([3008, 3040, 3072, 3104, 3136, 3168, 3200, 3232])
-_LEFT_OVER = 255
+_KINDS = np.array([1504, 1520, 1536, 1552, 1568, 1584, 1600, 1616])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3264)
+    work = np.empty(1632)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             v1 = T14 * T14 + T24 * T24
             w1 = math.sqrt(v1)
             v2 = 1.0 / v1
@@ -1053,82 +1056,82 @@ def _in_tiles(T, q, status):
                 (v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
                 (shortest3_apart < N3 and N3 < longest3_apart)) or v20 <= m4))))))
             )
-            work[544 + k] = v3
-            work[576 + k] = v4
-            work[608 + k] = v41
-            work[640 + k] = v42
-            work[672 + k] = v48
-            work[704 + k] = v50
-            work[736 + k] = v51
-            work[768 + k] = v52
-            work[800 + k] = doubt1
-            work[832 + k] = -T24
-            work[864 + k] = -v4
-            work[896 + k] = S2_pp
-            work[928 + k] = S2_pm
-            work[960 + k] = S2_pm
-            work[992 + k] = S2_pp
-            work[1024 + k] = Y4
-            work[1056 + k] = Y4
-            work[1088 + k] = -Y4
-            work[1120 + k] = -Y4
-            work[1152 + k] = w4_pp
-            work[1184 + k] = w4_pm
-            work[1216 + k] = w4_mp
-            work[1248 + k] = w4_mm
-            work[1280 + k] = v48
-            work[1312 + k] = v50
-            work[1344 + k] = v51
-            work[1376 + k] = v52
-            work[1408 + k] = -T14
-            work[1440 + k] = v6
-            work[1472 + k] = C2_pp
-            work[1504 + k] = -C2_mp
-            work[1536 + k] = C2_mp
-            work[1568 + k] = -C2_pp
-            work[1600 + k] = -X4_pp
-            work[1632 + k] = -X4_pm
-            work[1664 + k] = -X4_mp
-            work[1696 + k] = -X4_mm
-            work[1728 + k] = c23_pp * T33 + s23_pp * v30
-            work[1760 + k] = v43 + s23_pm * v30
-            work[1792 + k] = v43 - s23_mp * v30
-            work[1824 + k] = c23_mm * T33 + v29 * v30
-            work[1856 + k] = v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45)
-            work[1888 + k] = v38 * v44 - s4_pm * (s23_pm * T32 - v53)
-            work[1920 + k] = s4_mp * (v53 + s23_mp * T32) - v39 * v44
-            work[1952 + k] = s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44
-        for k in range(832, 1408):
-            work[k] = _atan2(work[k], work[k + 576])
-        for k in range(0, 32):
-            T24 = work[224 + k]
-            v3 = work[544 + k]
-            v4 = work[576 + k]
-            v41 = work[608 + k]
-            v42 = work[640 + k]
-            v48 = work[672 + k]
-            v50 = work[704 + k]
-            v51 = work[736 + k]
-            v52 = work[768 + k]
-            doubt1 = work[800 + k] != 0.0
-            angle1 = work[832 + k]
-            angle2 = work[864 + k]
-            angle3 = work[896 + k]
-            angle4 = work[928 + k]
-            angle5 = work[960 + k]
-            angle6 = work[992 + k]
-            angle7 = work[1024 + k]
-            angle8 = work[1056 + k]
-            angle9 = work[1088 + k]
-            angle10 = work[1120 + k]
-            angle11 = work[1152 + k]
-            angle12 = work[1184 + k]
-            angle13 = work[1216 + k]
-            angle14 = work[1248 + k]
-            angle15 = work[1280 + k]
-            angle16 = work[1312 + k]
-            angle17 = work[1344 + k]
-            angle18 = work[1376 + k]
+            work[272 + k] = v3
+            work[288 + k] = v4
+            work[304 + k] = v41
+            work[320 + k] = v42
+            work[336 + k] = v48
+            work[352 + k] = v50
+            work[368 + k] = v51
+            work[384 + k] = v52
+            work[400 + k] = doubt1
+            work[416 + k] = -T24
+            work[432 + k] = -v4
+            work[448 + k] = S2_pp
+            work[464 + k] = S2_pm
+            work[480 + k] = S2_pm
+            work[496 + k] = S2_pp
+            work[512 + k] = Y4
+            work[528 + k] = Y4
+            work[544 + k] = -Y4
+            work[560 + k] = -Y4
+            work[576 + k] = w4_pp
+            work[592 + k] = w4_pm
+            work[608 + k] = w4_mp
+            work[624 + k] = w4_mm
+            work[640 + k] = v48
+            work[656 + k] = v50
+            work[672 + k] = v51
+            work[688 + k] = v52
+            work[704 + k] = -T14
+            work[720 + k] = v6
+            work[736 + k] = C2_pp
+            work[752 + k] = -C2_mp
+            work[768 + k] = C2_mp
+            work[784 + k] = -C2_pp
+            work[800 + k] = -X4_pp
+            work[816 + k] = -X4_pm
+            work[832 + k] = -X4_mp
+            work[848 + k] = -X4_mm
+            work[864 + k] = c23_pp * T33 + s23_pp * v30
+            work[880 + k] = v43 + s23_pm * v30
+            work[896 + k] = v43 - s23_mp * v30
+            work[912 + k] = c23_mm * T33 + v29 * v30
+            work[928 + k] = v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45)
+            work[944 + k] = v38 * v44 - s4_pm * (s23_pm * T32 - v53)
+            work[960 + k] = s4_mp * (v53 + s23_mp * T32) - v39 * v44
+            work[976 + k] = s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44
+        for k in range(416, 704):
+            work[k] = _atan2(work[k], work[k + 288])
+        for k in range(0, 16):
+            T24 = work[112 + k]
+            v3 = work[272 + k]
+            v4 = work[288 + k]
+            v41 = work[304 + k]
+            v42 = work[320 + k]
+            v48 = work[336 + k]
+            v50 = work[352 + k]
+            v51 = work[368 + k]
+            v52 = work[384 + k]
+            doubt1 = work[400 + k] != 0.0
+            angle1 = work[416 + k]
+            angle2 = work[432 + k]
+            angle3 = work[448 + k]
+            angle4 = work[464 + k]
+            angle5 = work[480 + k]
+            angle6 = work[496 + k]
+            angle7 = work[512 + k]
+            angle8 = work[528 + k]
+            angle9 = work[544 + k]
+            angle10 = work[560 + k]
+            angle11 = work[576 + k]
+            angle12 = work[592 + k]
+            angle13 = work[608 + k]
+            angle14 = work[624 + k]
+            angle15 = work[640 + k]
+            angle16 = work[656 + k]
+            angle17 = work[672 + k]
+            angle18 = work[688 + k]
             q3_pmp = math.copysign(half_turn, -v4) * h1 - angle2
             q4_ppm = angle7 - v41
             q4_pmm = angle8 - v41
@@ -1140,82 +1143,81 @@ def _in_tiles(T, q, status):
             q6_mmm = angle18 - h1 * math.copysign(half_turn, v52)
             q1_ppp = angle1 + v3
             q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24) * h1)
-            _1984 = q1_ppp
-            work[1984 + k] = _1984
-            _2016 = angle3
-            work[2016 + k] = _2016
-            _2048 = angle2
-            work[2048 + k] = _2048
-            _2080 = angle7
-            work[2080 + k] = _2080
-            _2112 = angle11
-            work[2112 + k] = _2112
-            _2144 = angle15
-            work[2144 + k] = _2144
-            _2176 = q4_ppm
-            work[2176 + k] = _2176
-            _2208 = -angle11
-            work[2208 + k] = _2208
-            _2240 = q6_ppm
-            work[2240 + k] = _2240
-            _2272 = angle4
-            work[2272 + k] = _2272
-            _2304 = q3_pmp
-            work[2304 + k] = _2304
-            _2336 = angle8
-            work[2336 + k] = _2336
-            _2368 = angle12
-            work[2368 + k] = _2368
-            _2400 = angle16
-            work[2400 + k] = _2400
-            _2432 = q4_pmm
-            work[2432 + k] = _2432
-            _2464 = -angle12
-            work[2464 + k] = _2464
-            _2496 = q6_pmm
-            work[2496 + k] = _2496
-            _2528 = q1_mpp
-            work[2528 + k] = _2528
-            _2560 = angle5
-            work[2560 + k] = _2560
-            _2592 = angle9
-            work[2592 + k] = _2592
-            _2624 = angle13
-            work[2624 + k] = _2624
-            _2656 = angle17
-            work[2656 + k] = _2656
-            _2688 = q4_mpm
-            work[2688 + k] = _2688
-            _2720 = -angle13
-            work[2720 + k] = _2720
-            _2752 = q6_mpm
-            work[2752 + k] = _2752
-            _2784 = angle6
-            work[2784 + k] = _2784
-            _2816 = angle10
-            work[2816 + k] = _2816
-            _2848 = angle14
-            work[2848 + k] = _2848
-            _2880 = angle18
-            work[2880 + k] = _2880
-            _2912 = q4_mmm
-            work[2912 + k] = _2912
-            _2944 = -angle14
-            work[2944 + k] = _2944
-            _2976 = q6_mmm
-            work[2976 + k] = _2976
-            work[3008 + k] = UNREACHABLE if _1984 != _1984 else OK
-            work[3040 + k] = UNREACHABLE if _1984 != _1984 else OK
-            work[3072 + k] = UNREACHABLE if _1984 != _1984 else OK
-            work[3104 + k] = UNREACHABLE if _1984 != _1984 else OK
-            work[3136 + k] = UNREACHABLE if _2528 != _2528 else OK
-            work[3168 + k] = UNREACHABLE if _2528 != _2528 else OK
-            work[3200 + k] = UNREACHABLE if _2528 != _2528 else OK
-            work[3232 + k] = UNREACHABLE if _2528 != _2528 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _992 = q1_ppp
+            work[992 + k] = _992
+            _1008 = angle3
+            work[1008 + k] = _1008
+            _1024 = angle2
+            work[1024 + k] = _1024
+            _1040 = angle7
+            work[1040 + k] = _1040
+            _1056 = angle11
+            work[1056 + k] = _1056
+            _1072 = angle15
+            work[1072 + k] = _1072
+            _1088 = q4_ppm
+            work[1088 + k] = _1088
+            _1104 = -angle11
+            work[1104 + k] = _1104
+            _1120 = q6_ppm
+            work[1120 + k] = _1120
+            _1136 = angle4
+            work[1136 + k] = _1136
+            _1152 = q3_pmp
+            work[1152 + k] = _1152
+            _1168 = angle8
+            work[1168 + k] = _1168
+            _1184 = angle12
+            work[1184 + k] = _1184
+            _1200 = angle16
+            work[1200 + k] = _1200
+            _1216 = q4_pmm
+            work[1216 + k] = _1216
+            _1232 = -angle12
+            work[1232 + k] = _1232
+            _1248 = q6_pmm
+            work[1248 + k] = _1248
+            _1264 = q1_mpp
+            work[1264 + k] = _1264
+            _1280 = angle5
+            work[1280 + k] = _1280
+            _1296 = angle9
+            work[1296 + k] = _1296
+            _1312 = angle13
+            work[1312 + k] = _1312
+            _1328 = angle17
+            work[1328 + k] = _1328
+            _1344 = q4_mpm
+            work[1344 + k] = _1344
+            _1360 = -angle13
+            work[1360 + k] = _1360
+            _1376 = q6_mpm
+            work[1376 + k] = _1376
+            _1392 = angle6
+            work[1392 + k] = _1392
+            _1408 = angle10
+            work[1408 + k] = _1408
+            _1424 = angle14
+            work[1424 + k] = _1424
+            _1440 = angle18
+            work[1440 + k] = _1440
+            _1456 = q4_mmm
+            work[1456 + k] = _1456
+            _1472 = -angle14
+            work[1472 + k] = _1472
+            _1488 = q6_mmm
+            work[1488 + k] = _1488
+            work[1504 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1520 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1536 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1552 + k] = UNREACHABLE if _992 != _992 else OK
+            work[1568 + k] = UNREACHABLE if _1264 != _1264 else OK
+            work[1584 + k] = UNREACHABLE if _1264 != _1264 else OK
+            work[1600 + k] = UNREACHABLE if _1264 != _1264 else OK
+            work[1616 + k] = UNREACHABLE if _1264 != _1264 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1238,12 +1240,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

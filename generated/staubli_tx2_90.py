@@ -1032,70 +1032,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2624, 2656, 2688, 2720, 2752, 2784],
-    [2624, 2656, 2688, 2816, 2848, 2880],
-    [2624, 2912, 2944, 2976, 3008, 3040],
-    [2624, 2912, 2944, 3072, 3104, 3136],
-    [3168, 3200, 3232, 3264, 3296, 3328],
-    [3168, 3200, 3232, 3360, 3392, 3424],
-    [3168, 3456, 3488, 3520, 3552, 3584],
-    [3168, 3456, 3488, 3616, 3648, 3680],
+    [1312, 1328, 1344, 1360, 1376, 1392],
+    [1312, 1328, 1344, 1408, 1424, 1440],
+    [1312, 1456, 1472, 1488, 1504, 1520],
+    [1312, 1456, 1472, 1536, 1552, 1568],
+    [1584, 1600, 1616, 1632, 1648, 1664],
+    [1584, 1600, 1616, 1680, 1696, 1712],
+    [1584, 1728, 1744, 1760, 1776, 1792],
+    [1584, 1728, 1744, 1808, 1824, 1840],
 ])
-_KINDS = np.array([3712, 3744, 3776, 3808, 3840, 3872, 3904, 3936])
-_LEFT_OVER = 255
+_KINDS = np.array([1856, 1872, 1888, 1904, 1920, 1936, 1952, 1968])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3968)
+    work = np.empty(1984)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             t14 = T14 - d6 * T11
             Y1 = d6 * T21 - T24
             N1 = t14 * t14 + Y1 * Y1
@@ -1186,120 +1189,120 @@ def _in_tiles(T, q, status):
                 and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart))))))))))))
             )
-            work[544 + k] = w3_p
-            work[576 + k] = w3_m
-            work[608 + k] = s3_p
-            work[640 + k] = s3_m
-            work[672 + k] = v28
-            work[704 + k] = v29
-            work[736 + k] = v30
-            work[768 + k] = v31
-            work[800 + k] = v32
-            work[832 + k] = v33
-            work[864 + k] = v34
-            work[896 + k] = v35
-            work[928 + k] = X4_pp
-            work[960 + k] = X4_pm
-            work[992 + k] = X4_mp
-            work[1024 + k] = X4_mm
-            work[1056 + k] = v38
-            work[1088 + k] = v39
-            work[1120 + k] = v50
-            work[1152 + k] = v51
-            work[1184 + k] = v52
-            work[1216 + k] = v53
-            work[1248 + k] = v62
-            work[1280 + k] = v63
-            work[1312 + k] = doubt1
-            work[1344 + k] = -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))
-            work[1376 + k] = -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))
-            work[1408 + k] = -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))
-            work[1440 + k] = -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))
-            work[1472 + k] = S2_pp
-            work[1504 + k] = -v15
-            work[1536 + k] = S2_mp
-            work[1568 + k] = S2_mm
-            work[1600 + k] = s3_p
-            work[1632 + k] = s3_m
-            work[1664 + k] = -v38
-            work[1696 + k] = -v38
-            work[1728 + k] = -v39
-            work[1760 + k] = -v39
-            work[1792 + k] = math.sqrt(v42)
-            work[1824 + k] = math.sqrt(v43)
-            work[1856 + k] = math.sqrt(v44)
-            work[1888 + k] = math.sqrt(v45)
-            work[1920 + k] = s1_p
-            work[1952 + k] = s1_m
-            work[1984 + k] = v46 * -X4_pp + v38 * (v28 * v48 - v32 * T32)
-            work[2016 + k] = v46 * -X4_pm + v38 * (v29 * v48 - v33 * T32)
-            work[2048 + k] = v47 * -X4_mp + v39 * (v30 * v49 - v34 * T32)
-            work[2080 + k] = v47 * -X4_mm + v39 * (v31 * v49 - v35 * T32)
-            work[2112 + k] = -v20
-            work[2144 + k] = -v21
-            work[2176 + k] = -v22
-            work[2208 + k] = -v23
-            work[2240 + k] = -v10
-            work[2272 + k] = -v11
-            work[2304 + k] = factor2_pp * -X4_pp
-            work[2336 + k] = factor2_pm * -X4_pm
-            work[2368 + k] = factor2_mp * -X4_mp
-            work[2400 + k] = factor2_mm * -X4_mm
-            work[2432 + k] = factor2_pp * (T31 * v28 + v32 * v36)
-            work[2464 + k] = factor2_pm * (T31 * v29 + v33 * v36)
-            work[2496 + k] = factor2_mp * (T31 * v30 + v34 * v37)
-            work[2528 + k] = factor2_mm * (T31 * v31 + v35 * v37)
-            work[2560 + k] = -v2
-            work[2592 + k] = -v3
-        for k in range(1344, 1984):
-            work[k] = _atan2(work[k], work[k + 640])
-        for k in range(0, 32):
-            T33 = work[320 + k]
-            w3_p = work[544 + k]
-            w3_m = work[576 + k]
-            s3_p = work[608 + k]
-            s3_m = work[640 + k]
-            v28 = work[672 + k]
-            v29 = work[704 + k]
-            v30 = work[736 + k]
-            v31 = work[768 + k]
-            v32 = work[800 + k]
-            v33 = work[832 + k]
-            v34 = work[864 + k]
-            v35 = work[896 + k]
-            X4_pp = work[928 + k]
-            X4_pm = work[960 + k]
-            X4_mp = work[992 + k]
-            X4_mm = work[1024 + k]
-            v38 = work[1056 + k]
-            v39 = work[1088 + k]
-            v50 = work[1120 + k]
-            v51 = work[1152 + k]
-            v52 = work[1184 + k]
-            v53 = work[1216 + k]
-            v62 = work[1248 + k]
-            v63 = work[1280 + k]
-            doubt1 = work[1312 + k] != 0.0
-            angle1 = work[1344 + k]
-            angle2 = work[1376 + k]
-            angle3 = work[1408 + k]
-            angle4 = work[1440 + k]
-            angle5 = work[1472 + k]
-            angle6 = work[1504 + k]
-            angle7 = work[1536 + k]
-            angle8 = work[1568 + k]
-            angle9 = work[1600 + k]
-            angle10 = work[1632 + k]
-            angle11 = work[1664 + k]
-            angle12 = work[1696 + k]
-            angle13 = work[1728 + k]
-            angle14 = work[1760 + k]
-            angle15 = work[1792 + k]
-            angle16 = work[1824 + k]
-            angle17 = work[1856 + k]
-            angle18 = work[1888 + k]
-            angle19 = work[1920 + k]
-            angle20 = work[1952 + k]
+            work[272 + k] = w3_p
+            work[288 + k] = w3_m
+            work[304 + k] = s3_p
+            work[320 + k] = s3_m
+            work[336 + k] = v28
+            work[352 + k] = v29
+            work[368 + k] = v30
+            work[384 + k] = v31
+            work[400 + k] = v32
+            work[416 + k] = v33
+            work[432 + k] = v34
+            work[448 + k] = v35
+            work[464 + k] = X4_pp
+            work[480 + k] = X4_pm
+            work[496 + k] = X4_mp
+            work[512 + k] = X4_mm
+            work[528 + k] = v38
+            work[544 + k] = v39
+            work[560 + k] = v50
+            work[576 + k] = v51
+            work[592 + k] = v52
+            work[608 + k] = v53
+            work[624 + k] = v62
+            work[640 + k] = v63
+            work[656 + k] = doubt1
+            work[672 + k] = -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))
+            work[688 + k] = -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))
+            work[704 + k] = -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))
+            work[720 + k] = -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))
+            work[736 + k] = S2_pp
+            work[752 + k] = -v15
+            work[768 + k] = S2_mp
+            work[784 + k] = S2_mm
+            work[800 + k] = s3_p
+            work[816 + k] = s3_m
+            work[832 + k] = -v38
+            work[848 + k] = -v38
+            work[864 + k] = -v39
+            work[880 + k] = -v39
+            work[896 + k] = math.sqrt(v42)
+            work[912 + k] = math.sqrt(v43)
+            work[928 + k] = math.sqrt(v44)
+            work[944 + k] = math.sqrt(v45)
+            work[960 + k] = s1_p
+            work[976 + k] = s1_m
+            work[992 + k] = v46 * -X4_pp + v38 * (v28 * v48 - v32 * T32)
+            work[1008 + k] = v46 * -X4_pm + v38 * (v29 * v48 - v33 * T32)
+            work[1024 + k] = v47 * -X4_mp + v39 * (v30 * v49 - v34 * T32)
+            work[1040 + k] = v47 * -X4_mm + v39 * (v31 * v49 - v35 * T32)
+            work[1056 + k] = -v20
+            work[1072 + k] = -v21
+            work[1088 + k] = -v22
+            work[1104 + k] = -v23
+            work[1120 + k] = -v10
+            work[1136 + k] = -v11
+            work[1152 + k] = factor2_pp * -X4_pp
+            work[1168 + k] = factor2_pm * -X4_pm
+            work[1184 + k] = factor2_mp * -X4_mp
+            work[1200 + k] = factor2_mm * -X4_mm
+            work[1216 + k] = factor2_pp * (T31 * v28 + v32 * v36)
+            work[1232 + k] = factor2_pm * (T31 * v29 + v33 * v36)
+            work[1248 + k] = factor2_mp * (T31 * v30 + v34 * v37)
+            work[1264 + k] = factor2_mm * (T31 * v31 + v35 * v37)
+            work[1280 + k] = -v2
+            work[1296 + k] = -v3
+        for k in range(672, 992):
+            work[k] = _atan2(work[k], work[k + 320])
+        for k in range(0, 16):
+            T33 = work[160 + k]
+            w3_p = work[272 + k]
+            w3_m = work[288 + k]
+            s3_p = work[304 + k]
+            s3_m = work[320 + k]
+            v28 = work[336 + k]
+            v29 = work[352 + k]
+            v30 = work[368 + k]
+            v31 = work[384 + k]
+            v32 = work[400 + k]
+            v33 = work[416 + k]
+            v34 = work[432 + k]
+            v35 = work[448 + k]
+            X4_pp = work[464 + k]
+            X4_pm = work[480 + k]
+            X4_mp = work[496 + k]
+            X4_mm = work[512 + k]
+            v38 = work[528 + k]
+            v39 = work[544 + k]
+            v50 = work[560 + k]
+            v51 = work[576 + k]
+            v52 = work[592 + k]
+            v53 = work[608 + k]
+            v62 = work[624 + k]
+            v63 = work[640 + k]
+            doubt1 = work[656 + k] != 0.0
+            angle1 = work[672 + k]
+            angle2 = work[688 + k]
+            angle3 = work[704 + k]
+            angle4 = work[720 + k]
+            angle5 = work[736 + k]
+            angle6 = work[752 + k]
+            angle7 = work[768 + k]
+            angle8 = work[784 + k]
+            angle9 = work[800 + k]
+            angle10 = work[816 + k]
+            angle11 = work[832 + k]
+            angle12 = work[848 + k]
+            angle13 = work[864 + k]
+            angle14 = work[880 + k]
+            angle15 = work[896 + k]
+            angle16 = work[912 + k]
+            angle17 = work[928 + k]
+            angle18 = work[944 + k]
+            angle19 = work[960 + k]
+            angle20 = work[976 + k]
             q6_ppm = (
                 angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))) *
                 h1
@@ -1378,102 +1381,101 @@ def _in_tiles(T, q, status):
             outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
             outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
             outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
-            _2624 = q1_ppp
-            work[2624 + k] = _2624
-            _2656 = q2_ppp
-            work[2656 + k] = _2656
-            _2688 = q3_ppp
-            work[2688 + k] = _2688
-            _2720 = q4_ppp
-            work[2720 + k] = _2720
-            _2752 = q5_ppp
-            work[2752 + k] = _2752
-            _2784 = angle1
-            work[2784 + k] = _2784
-            _2816 = q4_ppm
-            work[2816 + k] = _2816
-            _2848 = q5_ppm
-            work[2848 + k] = _2848
-            _2880 = q6_ppm
-            work[2880 + k] = _2880
-            _2912 = q2_pmp
-            work[2912 + k] = _2912
-            _2944 = q3_pmp
-            work[2944 + k] = _2944
-            _2976 = q4_pmp
-            work[2976 + k] = _2976
-            _3008 = q5_pmp
-            work[3008 + k] = _3008
-            _3040 = angle2
-            work[3040 + k] = _3040
-            _3072 = q4_pmm
-            work[3072 + k] = _3072
-            _3104 = q5_pmm
-            work[3104 + k] = _3104
-            _3136 = q6_pmm
-            work[3136 + k] = _3136
-            _3168 = q1_mpp
-            work[3168 + k] = _3168
-            _3200 = q2_mpp
-            work[3200 + k] = _3200
-            _3232 = q3_mpp
-            work[3232 + k] = _3232
-            _3264 = q4_mpp
-            work[3264 + k] = _3264
-            _3296 = q5_mpp
-            work[3296 + k] = _3296
-            _3328 = angle3
-            work[3328 + k] = _3328
-            _3360 = q4_mpm
-            work[3360 + k] = _3360
-            _3392 = q5_mpm
-            work[3392 + k] = _3392
-            _3424 = q6_mpm
-            work[3424 + k] = _3424
-            _3456 = q2_mmp
-            work[3456 + k] = _3456
-            _3488 = q3_mmp
-            work[3488 + k] = _3488
-            _3520 = q4_mmp
-            work[3520 + k] = _3520
-            _3552 = q5_mmp
-            work[3552 + k] = _3552
-            _3584 = angle4
-            work[3584 + k] = _3584
-            _3616 = q4_mmm
-            work[3616 + k] = _3616
-            _3648 = q5_mmm
-            work[3648 + k] = _3648
-            _3680 = q6_mmm
-            work[3680 + k] = _3680
-            work[3712 + k] = (
-                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_ppp else OK)
+            _1312 = q1_ppp
+            work[1312 + k] = _1312
+            _1328 = q2_ppp
+            work[1328 + k] = _1328
+            _1344 = q3_ppp
+            work[1344 + k] = _1344
+            _1360 = q4_ppp
+            work[1360 + k] = _1360
+            _1376 = q5_ppp
+            work[1376 + k] = _1376
+            _1392 = angle1
+            work[1392 + k] = _1392
+            _1408 = q4_ppm
+            work[1408 + k] = _1408
+            _1424 = q5_ppm
+            work[1424 + k] = _1424
+            _1440 = q6_ppm
+            work[1440 + k] = _1440
+            _1456 = q2_pmp
+            work[1456 + k] = _1456
+            _1472 = q3_pmp
+            work[1472 + k] = _1472
+            _1488 = q4_pmp
+            work[1488 + k] = _1488
+            _1504 = q5_pmp
+            work[1504 + k] = _1504
+            _1520 = angle2
+            work[1520 + k] = _1520
+            _1536 = q4_pmm
+            work[1536 + k] = _1536
+            _1552 = q5_pmm
+            work[1552 + k] = _1552
+            _1568 = q6_pmm
+            work[1568 + k] = _1568
+            _1584 = q1_mpp
+            work[1584 + k] = _1584
+            _1600 = q2_mpp
+            work[1600 + k] = _1600
+            _1616 = q3_mpp
+            work[1616 + k] = _1616
+            _1632 = q4_mpp
+            work[1632 + k] = _1632
+            _1648 = q5_mpp
+            work[1648 + k] = _1648
+            _1664 = angle3
+            work[1664 + k] = _1664
+            _1680 = q4_mpm
+            work[1680 + k] = _1680
+            _1696 = q5_mpm
+            work[1696 + k] = _1696
+            _1712 = q6_mpm
+            work[1712 + k] = _1712
+            _1728 = q2_mmp
+            work[1728 + k] = _1728
+            _1744 = q3_mmp
+            work[1744 + k] = _1744
+            _1760 = q4_mmp
+            work[1760 + k] = _1760
+            _1776 = q5_mmp
+            work[1776 + k] = _1776
+            _1792 = angle4
+            work[1792 + k] = _1792
+            _1808 = q4_mmm
+            work[1808 + k] = _1808
+            _1824 = q5_mmm
+            work[1824 + k] = _1824
+            _1840 = q6_mmm
+            work[1840 + k] = _1840
+            work[1856 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_ppp else OK)
             )
-            work[3744 + k] = (
-                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_ppm else OK)
+            work[1872 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
-            work[3776 + k] = (
-                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_pmp else OK)
+            work[1888 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
-            work[3808 + k] = (
-                UNREACHABLE if _2624 != _2624 else (OUT_OF_LIMITS if outside_pmm else OK)
+            work[1904 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
-            work[3840 + k] = (
-                UNREACHABLE if _3168 != _3168 else (OUT_OF_LIMITS if outside_mpp else OK)
+            work[1920 + k] = (
+                UNREACHABLE if _1584 != _1584 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
-            work[3872 + k] = (
-                UNREACHABLE if _3168 != _3168 else (OUT_OF_LIMITS if outside_mpm else OK)
+            work[1936 + k] = (
+                UNREACHABLE if _1584 != _1584 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
-            work[3904 + k] = (
-                UNREACHABLE if _3168 != _3168 else (OUT_OF_LIMITS if outside_mmp else OK)
+            work[1952 + k] = (
+                UNREACHABLE if _1584 != _1584 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
-            work[3936 + k] = (
-                UNREACHABLE if _3168 != _3168 else (OUT_OF_LIMITS if outside_mmm else OK)
+            work[1968 + k] = (
+                UNREACHABLE if _1584 != _1584 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1496,12 +1498,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -1006,70 +1006,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2080, 2112, 2144, 2176, 2208, 2240],
-    [2080, 2112, 2144, 2272, 2304, 2336],
-    [2080, 2368, 2400, 2432, 2464, 2496],
-    [2080, 2368, 2400, 2528, 2560, 2592],
-    [2624, 2656, 2144, 2688, 2720, 2752],
-    [2624, 2656, 2144, 2784, 2816, 2848],
-    [2624, 2880, 2400, 2912, 2944, 2976],
-    [2624, 2880, 2400, 3008, 3040, 3072],
+    [1040, 1056, 1072, 1088, 1104, 1120],
+    [1040, 1056, 1072, 1136, 1152, 1168],
+    [1040, 1184, 1200, 1216, 1232, 1248],
+    [1040, 1184, 1200, 1264, 1280, 1296],
+    [1312, 1328, 1072, 1344, 1360, 1376],
+    [1312, 1328, 1072, 1392, 1408, 1424],
+    [1312, 1440, 1200, 1456, 1472, 1488],
+    [1312, 1440, 1200, 1504, 1520, 1536],
 ])
-_KINDS = np.array([3104, 3136, 3168, 3200, 3232, 3264, 3296, 3328])
-_LEFT_OVER = 255
+_KINDS = np.array([1552, 1568, 1584, 1600, 1616, 1632, 1648, 1664])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3360)
+    work = np.empty(1680)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             X1 = d6 * T13 - T14
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
@@ -1154,86 +1157,86 @@ def _in_tiles(T, q, status):
                 N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart))
                 or v14 <= m2)))))))))
             )
-            work[544 + k] = v1
-            work[576 + k] = v6
-            work[608 + k] = v7
-            work[640 + k] = s6_pp
-            work[672 + k] = s6_pm
-            work[704 + k] = s6_mp
-            work[736 + k] = s6_mm
-            work[768 + k] = v48
-            work[800 + k] = v49
-            work[832 + k] = doubt1
-            work[864 + k] = s6_pp
-            work[896 + k] = s6_pm
-            work[928 + k] = s6_mp
-            work[960 + k] = s6_mm
-            work[992 + k] = s1_p
-            work[1024 + k] = s1_m
-            work[1056 + k] = S2_pp
-            work[1088 + k] = S2_pm
-            work[1120 + k] = S2_pm
-            work[1152 + k] = S2_pp
-            work[1184 + k] = v7
-            work[1216 + k] = Y4_p
-            work[1248 + k] = Y4_p
-            work[1280 + k] = Y4_m
-            work[1312 + k] = Y4_m
-            work[1344 + k] = math.sqrt(v28)
-            work[1376 + k] = math.sqrt(v29)
-            work[1408 + k] = math.sqrt(v30)
-            work[1440 + k] = math.sqrt(v31)
-            work[1472 + k] = Y4_p * (s23_pp * T32 - S2_pm * v34) - v32 * -X4_pp
-            work[1504 + k] = Y4_p * (s23_pm * T32 - S2_pp * v34) - v32 * -X4_pm
-            work[1536 + k] = Y4_m * (s23_mp * T32 - S2_pp * v35) - v33 * -X4_mp
-            work[1568 + k] = Y4_m * (s23_mm * T32 - S2_pm * v35) - v33 * -X4_mm
-            work[1600 + k] = -v3
-            work[1632 + k] = -v4
-            work[1664 + k] = C2_pp
-            work[1696 + k] = C2_pm
-            work[1728 + k] = C2_mp
-            work[1760 + k] = C2_mm
-            work[1792 + k] = -(k4 * w3)
-            work[1824 + k] = factor2_pp * -X4_pp
-            work[1856 + k] = factor2_pm * -X4_pm
-            work[1888 + k] = factor2_mp * -X4_mp
-            work[1920 + k] = factor2_mm * -X4_mm
-            work[1952 + k] = -(factor2_pp * (v58 + s23_pp * v24))
-            work[1984 + k] = -(factor2_pm * (v59 + s23_pm * v24))
-            work[2016 + k] = -(factor2_mp * (v59 + s23_mp * v25))
-            work[2048 + k] = -(factor2_mm * (v58 + s23_mm * v25))
-        for k in range(864, 1472):
-            work[k] = _atan2(work[k], work[k + 608])
-        for k in range(0, 32):
-            v1 = work[544 + k]
-            v6 = work[576 + k]
-            v7 = work[608 + k]
-            s6_pp = work[640 + k]
-            s6_pm = work[672 + k]
-            s6_mp = work[704 + k]
-            s6_mm = work[736 + k]
-            v48 = work[768 + k]
-            v49 = work[800 + k]
-            doubt1 = work[832 + k] != 0.0
-            angle1 = work[864 + k]
-            angle2 = work[896 + k]
-            angle3 = work[928 + k]
-            angle4 = work[960 + k]
-            angle5 = work[992 + k]
-            angle6 = work[1024 + k]
-            angle7 = work[1056 + k]
-            angle8 = work[1088 + k]
-            angle9 = work[1120 + k]
-            angle10 = work[1152 + k]
-            angle11 = work[1184 + k]
-            angle12 = work[1216 + k]
-            angle13 = work[1248 + k]
-            angle14 = work[1280 + k]
-            angle15 = work[1312 + k]
-            angle16 = work[1344 + k]
-            angle17 = work[1376 + k]
-            angle18 = work[1408 + k]
-            angle19 = work[1440 + k]
+            work[272 + k] = v1
+            work[288 + k] = v6
+            work[304 + k] = v7
+            work[320 + k] = s6_pp
+            work[336 + k] = s6_pm
+            work[352 + k] = s6_mp
+            work[368 + k] = s6_mm
+            work[384 + k] = v48
+            work[400 + k] = v49
+            work[416 + k] = doubt1
+            work[432 + k] = s6_pp
+            work[448 + k] = s6_pm
+            work[464 + k] = s6_mp
+            work[480 + k] = s6_mm
+            work[496 + k] = s1_p
+            work[512 + k] = s1_m
+            work[528 + k] = S2_pp
+            work[544 + k] = S2_pm
+            work[560 + k] = S2_pm
+            work[576 + k] = S2_pp
+            work[592 + k] = v7
+            work[608 + k] = Y4_p
+            work[624 + k] = Y4_p
+            work[640 + k] = Y4_m
+            work[656 + k] = Y4_m
+            work[672 + k] = math.sqrt(v28)
+            work[688 + k] = math.sqrt(v29)
+            work[704 + k] = math.sqrt(v30)
+            work[720 + k] = math.sqrt(v31)
+            work[736 + k] = Y4_p * (s23_pp * T32 - S2_pm * v34) - v32 * -X4_pp
+            work[752 + k] = Y4_p * (s23_pm * T32 - S2_pp * v34) - v32 * -X4_pm
+            work[768 + k] = Y4_m * (s23_mp * T32 - S2_pp * v35) - v33 * -X4_mp
+            work[784 + k] = Y4_m * (s23_mm * T32 - S2_pm * v35) - v33 * -X4_mm
+            work[800 + k] = -v3
+            work[816 + k] = -v4
+            work[832 + k] = C2_pp
+            work[848 + k] = C2_pm
+            work[864 + k] = C2_mp
+            work[880 + k] = C2_mm
+            work[896 + k] = -(k4 * w3)
+            work[912 + k] = factor2_pp * -X4_pp
+            work[928 + k] = factor2_pm * -X4_pm
+            work[944 + k] = factor2_mp * -X4_mp
+            work[960 + k] = factor2_mm * -X4_mm
+            work[976 + k] = -(factor2_pp * (v58 + s23_pp * v24))
+            work[992 + k] = -(factor2_pm * (v59 + s23_pm * v24))
+            work[1008 + k] = -(factor2_mp * (v59 + s23_mp * v25))
+            work[1024 + k] = -(factor2_mm * (v58 + s23_mm * v25))
+        for k in range(432, 736):
+            work[k] = _atan2(work[k], work[k + 304])
+        for k in range(0, 16):
+            v1 = work[272 + k]
+            v6 = work[288 + k]
+            v7 = work[304 + k]
+            s6_pp = work[320 + k]
+            s6_pm = work[336 + k]
+            s6_mp = work[352 + k]
+            s6_mm = work[368 + k]
+            v48 = work[384 + k]
+            v49 = work[400 + k]
+            doubt1 = work[416 + k] != 0.0
+            angle1 = work[432 + k]
+            angle2 = work[448 + k]
+            angle3 = work[464 + k]
+            angle4 = work[480 + k]
+            angle5 = work[496 + k]
+            angle6 = work[512 + k]
+            angle7 = work[528 + k]
+            angle8 = work[544 + k]
+            angle9 = work[560 + k]
+            angle10 = work[576 + k]
+            angle11 = work[592 + k]
+            angle12 = work[608 + k]
+            angle13 = work[624 + k]
+            angle14 = work[640 + k]
+            angle15 = work[656 + k]
+            angle16 = work[672 + k]
+            angle17 = work[688 + k]
+            angle18 = work[704 + k]
+            angle19 = work[720 + k]
             q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
             q6_pmm = angle2 - math.copysign(half_turn, s6_pm) * h1
             q6_mpm = angle3 - math.copysign(half_turn, s6_mp) * h1
@@ -1286,82 +1289,81 @@ def _in_tiles(T, q, status):
             q1_mpp = v6 + (v41 + (m7 if v41 <= -half_turn else 0.0))
             q3_ppp = v1 + (v46 + (m7 if v46 <= -half_turn else 0.0))
             q3_pmp = v1 + (v47 + (m7 if v47 <= -half_turn else 0.0))
-            _2080 = q1_ppp
-            work[2080 + k] = _2080
-            _2112 = q2_ppp
-            work[2112 + k] = _2112
-            _2144 = q3_ppp
-            work[2144 + k] = _2144
-            _2176 = q4_ppp
-            work[2176 + k] = _2176
-            _2208 = q5_ppp
-            work[2208 + k] = _2208
-            _2240 = angle1
-            work[2240 + k] = _2240
-            _2272 = q4_ppm
-            work[2272 + k] = _2272
-            _2304 = q5_ppm
-            work[2304 + k] = _2304
-            _2336 = q6_ppm
-            work[2336 + k] = _2336
-            _2368 = q2_pmp
-            work[2368 + k] = _2368
-            _2400 = q3_pmp
-            work[2400 + k] = _2400
-            _2432 = q4_pmp
-            work[2432 + k] = _2432
-            _2464 = q5_pmp
-            work[2464 + k] = _2464
-            _2496 = angle2
-            work[2496 + k] = _2496
-            _2528 = q4_pmm
-            work[2528 + k] = _2528
-            _2560 = q5_pmm
-            work[2560 + k] = _2560
-            _2592 = q6_pmm
-            work[2592 + k] = _2592
-            _2624 = q1_mpp
-            work[2624 + k] = _2624
-            _2656 = q2_mpp
-            work[2656 + k] = _2656
-            _2688 = q4_mpp
-            work[2688 + k] = _2688
-            _2720 = q5_mpp
-            work[2720 + k] = _2720
-            _2752 = angle3
-            work[2752 + k] = _2752
-            _2784 = q4_mpm
-            work[2784 + k] = _2784
-            _2816 = q5_mpm
-            work[2816 + k] = _2816
-            _2848 = q6_mpm
-            work[2848 + k] = _2848
-            _2880 = q2_mmp
-            work[2880 + k] = _2880
-            _2912 = q4_mmp
-            work[2912 + k] = _2912
-            _2944 = q5_mmp
-            work[2944 + k] = _2944
-            _2976 = angle4
-            work[2976 + k] = _2976
-            _3008 = q4_mmm
-            work[3008 + k] = _3008
-            _3040 = q5_mmm
-            work[3040 + k] = _3040
-            _3072 = q6_mmm
-            work[3072 + k] = _3072
-            work[3104 + k] = UNREACHABLE if _2080 != _2080 else OK
-            work[3136 + k] = UNREACHABLE if _2080 != _2080 else OK
-            work[3168 + k] = UNREACHABLE if _2080 != _2080 else OK
-            work[3200 + k] = UNREACHABLE if _2080 != _2080 else OK
-            work[3232 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[3264 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[3296 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[3328 + k] = UNREACHABLE if _2624 != _2624 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _1040 = q1_ppp
+            work[1040 + k] = _1040
+            _1056 = q2_ppp
+            work[1056 + k] = _1056
+            _1072 = q3_ppp
+            work[1072 + k] = _1072
+            _1088 = q4_ppp
+            work[1088 + k] = _1088
+            _1104 = q5_ppp
+            work[1104 + k] = _1104
+            _1120 = angle1
+            work[1120 + k] = _1120
+            _1136 = q4_ppm
+            work[1136 + k] = _1136
+            _1152 = q5_ppm
+            work[1152 + k] = _1152
+            _1168 = q6_ppm
+            work[1168 + k] = _1168
+            _1184 = q2_pmp
+            work[1184 + k] = _1184
+            _1200 = q3_pmp
+            work[1200 + k] = _1200
+            _1216 = q4_pmp
+            work[1216 + k] = _1216
+            _1232 = q5_pmp
+            work[1232 + k] = _1232
+            _1248 = angle2
+            work[1248 + k] = _1248
+            _1264 = q4_pmm
+            work[1264 + k] = _1264
+            _1280 = q5_pmm
+            work[1280 + k] = _1280
+            _1296 = q6_pmm
+            work[1296 + k] = _1296
+            _1312 = q1_mpp
+            work[1312 + k] = _1312
+            _1328 = q2_mpp
+            work[1328 + k] = _1328
+            _1344 = q4_mpp
+            work[1344 + k] = _1344
+            _1360 = q5_mpp
+            work[1360 + k] = _1360
+            _1376 = angle3
+            work[1376 + k] = _1376
+            _1392 = q4_mpm
+            work[1392 + k] = _1392
+            _1408 = q5_mpm
+            work[1408 + k] = _1408
+            _1424 = q6_mpm
+            work[1424 + k] = _1424
+            _1440 = q2_mmp
+            work[1440 + k] = _1440
+            _1456 = q4_mmp
+            work[1456 + k] = _1456
+            _1472 = q5_mmp
+            work[1472 + k] = _1472
+            _1488 = angle4
+            work[1488 + k] = _1488
+            _1504 = q4_mmm
+            work[1504 + k] = _1504
+            _1520 = q5_mmm
+            work[1520 + k] = _1520
+            _1536 = q6_mmm
+            work[1536 + k] = _1536
+            work[1552 + k] = UNREACHABLE if _1040 != _1040 else OK
+            work[1568 + k] = UNREACHABLE if _1040 != _1040 else OK
+            work[1584 + k] = UNREACHABLE if _1040 != _1040 else OK
+            work[1600 + k] = UNREACHABLE if _1040 != _1040 else OK
+            work[1616 + k] = UNREACHABLE if _1312 != _1312 else OK
+            work[1632 + k] = UNREACHABLE if _1312 != _1312 else OK
+            work[1648 + k] = UNREACHABLE if _1312 != _1312 else OK
+            work[1664 + k] = UNREACHABLE if _1312 != _1312 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1384,12 +1386,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

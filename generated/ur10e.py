@@ -1101,70 +1101,73 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [2112, 2144, 2176, 2208, 2240, 2272],
-    [2112, 2304, 2336, 2368, 2240, 2272],
-    [2400, 2432, 2464, 2496, 2528, 2560],
-    [2400, 2592, 2624, 2656, 2528, 2560],
-    [2688, 2720, 2752, 2784, 2816, 2848],
-    [2688, 2880, 2912, 2944, 2816, 2848],
-    [2976, 3008, 3040, 3072, 3104, 3136],
-    [2976, 3168, 3200, 3232, 3104, 3136],
+    [1056, 1072, 1088, 1104, 1120, 1136],
+    [1056, 1152, 1168, 1184, 1120, 1136],
+    [1200, 1216, 1232, 1248, 1264, 1280],
+    [1200, 1296, 1312, 1328, 1264, 1280],
+    [1344, 1360, 1376, 1392, 1408, 1424],
+    [1344, 1440, 1456, 1472, 1408, 1424],
+    [1488, 1504, 1520, 1536, 1552, 1568],
+    [1488, 1584, 1600, 1616, 1552, 1568],
 ])
-_KINDS = np.array([3264, 3296, 3328, 3360, 3392, 3424, 3456, 3488])
-_LEFT_OVER = 255
+_KINDS = np.array([1632, 1648, 1664, 1680, 1696, 1712, 1728, 1744])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(3520)
+    work = np.empty(1760)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             X1 = d6 * T13 - T14
             wy = T24 - d6 * T23
             N1 = X1 * X1 + wy * wy
@@ -1261,87 +1264,87 @@ def _in_tiles(T, q, status):
                 longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or
                 (abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v9 <= m1 or v10 <= m1))))))))))
             )
-            work[544 + k] = v7
-            work[576 + k] = v8
-            work[608 + k] = v15
-            work[640 + k] = v16
-            work[672 + k] = v30
-            work[704 + k] = v31
-            work[736 + k] = v32
-            work[768 + k] = v33
-            work[800 + k] = doubt1
-            work[832 + k] = s1_p
-            work[864 + k] = s1_m
-            work[896 + k] = -v7
-            work[928 + k] = -v8
-            work[960 + k] = w6_p
-            work[992 + k] = w6_m
-            work[1024 + k] = v15
-            work[1056 + k] = v16
-            work[1088 + k] = w3_pp
-            work[1120 + k] = w3_pm
-            work[1152 + k] = w3_mp
-            work[1184 + k] = w3_mm
-            work[1216 + k] = v46 - v38
-            work[1248 + k] = -(v38 + v46)
-            work[1280 + k] = v48 - v39
-            work[1312 + k] = -(v39 + v48)
-            work[1344 + k] = v50 - v40
-            work[1376 + k] = -(v40 + v50)
-            work[1408 + k] = v52 - v41
-            work[1440 + k] = -(v41 + v52)
-            work[1472 + k] = -v2
-            work[1504 + k] = -v3
-            work[1536 + k] = v5
-            work[1568 + k] = v6
-            work[1600 + k] = c5_p
-            work[1632 + k] = c5_m
-            work[1664 + k] = v13
-            work[1696 + k] = v14
-            work[1728 + k] = N3_pp - k4
-            work[1760 + k] = N3_pm - k4
-            work[1792 + k] = N3_mp - k4
-            work[1824 + k] = N3_mm - k4
-            work[1856 + k] = -(v42 + v47)
-            work[1888 + k] = v47 - v42
-            work[1920 + k] = -(v43 + v49)
-            work[1952 + k] = v49 - v43
-            work[1984 + k] = -(v44 + v51)
-            work[2016 + k] = v51 - v44
-            work[2048 + k] = -(v45 + v53)
-            work[2080 + k] = v53 - v45
-        for k in range(832, 1472):
-            work[k] = _atan2(work[k], work[k + 640])
-        for k in range(0, 32):
-            v7 = work[544 + k]
-            v8 = work[576 + k]
-            v15 = work[608 + k]
-            v16 = work[640 + k]
-            v30 = work[672 + k]
-            v31 = work[704 + k]
-            v32 = work[736 + k]
-            v33 = work[768 + k]
-            doubt1 = work[800 + k] != 0.0
-            angle1 = work[832 + k]
-            angle2 = work[864 + k]
-            angle3 = work[896 + k]
-            angle4 = work[928 + k]
-            angle5 = work[960 + k]
-            angle6 = work[992 + k]
-            angle7 = work[1024 + k]
-            angle8 = work[1056 + k]
-            angle9 = work[1088 + k]
-            angle10 = work[1120 + k]
-            angle11 = work[1152 + k]
-            angle12 = work[1184 + k]
-            angle13 = work[1216 + k]
-            angle14 = work[1248 + k]
-            angle15 = work[1280 + k]
-            angle16 = work[1312 + k]
-            angle17 = work[1344 + k]
-            angle18 = work[1376 + k]
-            angle19 = work[1408 + k]
-            angle20 = work[1440 + k]
+            work[272 + k] = v7
+            work[288 + k] = v8
+            work[304 + k] = v15
+            work[320 + k] = v16
+            work[336 + k] = v30
+            work[352 + k] = v31
+            work[368 + k] = v32
+            work[384 + k] = v33
+            work[400 + k] = doubt1
+            work[416 + k] = s1_p
+            work[432 + k] = s1_m
+            work[448 + k] = -v7
+            work[464 + k] = -v8
+            work[480 + k] = w6_p
+            work[496 + k] = w6_m
+            work[512 + k] = v15
+            work[528 + k] = v16
+            work[544 + k] = w3_pp
+            work[560 + k] = w3_pm
+            work[576 + k] = w3_mp
+            work[592 + k] = w3_mm
+            work[608 + k] = v46 - v38
+            work[624 + k] = -(v38 + v46)
+            work[640 + k] = v48 - v39
+            work[656 + k] = -(v39 + v48)
+            work[672 + k] = v50 - v40
+            work[688 + k] = -(v40 + v50)
+            work[704 + k] = v52 - v41
+            work[720 + k] = -(v41 + v52)
+            work[736 + k] = -v2
+            work[752 + k] = -v3
+            work[768 + k] = v5
+            work[784 + k] = v6
+            work[800 + k] = c5_p
+            work[816 + k] = c5_m
+            work[832 + k] = v13
+            work[848 + k] = v14
+            work[864 + k] = N3_pp - k4
+            work[880 + k] = N3_pm - k4
+            work[896 + k] = N3_mp - k4
+            work[912 + k] = N3_mm - k4
+            work[928 + k] = -(v42 + v47)
+            work[944 + k] = v47 - v42
+            work[960 + k] = -(v43 + v49)
+            work[976 + k] = v49 - v43
+            work[992 + k] = -(v44 + v51)
+            work[1008 + k] = v51 - v44
+            work[1024 + k] = -(v45 + v53)
+            work[1040 + k] = v53 - v45
+        for k in range(416, 736):
+            work[k] = _atan2(work[k], work[k + 320])
+        for k in range(0, 16):
+            v7 = work[272 + k]
+            v8 = work[288 + k]
+            v15 = work[304 + k]
+            v16 = work[320 + k]
+            v30 = work[336 + k]
+            v31 = work[352 + k]
+            v32 = work[368 + k]
+            v33 = work[384 + k]
+            doubt1 = work[400 + k] != 0.0
+            angle1 = work[416 + k]
+            angle2 = work[432 + k]
+            angle3 = work[448 + k]
+            angle4 = work[464 + k]
+            angle5 = work[480 + k]
+            angle6 = work[496 + k]
+            angle7 = work[512 + k]
+            angle8 = work[528 + k]
+            angle9 = work[544 + k]
+            angle10 = work[560 + k]
+            angle11 = work[576 + k]
+            angle12 = work[592 + k]
+            angle13 = work[608 + k]
+            angle14 = work[624 + k]
+            angle15 = work[640 + k]
+            angle16 = work[656 + k]
+            angle17 = work[672 + k]
+            angle18 = work[688 + k]
+            angle19 = work[704 + k]
+            angle20 = work[720 + k]
             theta234_pm = angle7 - h1 * math.copysign(half_turn, v15)
             theta234_mm = angle8 - h1 * math.copysign(half_turn, v16)
             v54 = angle7 - (angle9 + angle13)
@@ -1372,90 +1375,89 @@ def _in_tiles(T, q, status):
             q6_pmp = v31 + (angle3 - math.copysign(half_turn, -v7) * h1)
             q6_mpp = angle4 + v32
             q6_mmp = v33 + (angle4 - math.copysign(half_turn, -v8) * h1)
-            _2112 = q1_ppp
-            work[2112 + k] = _2112
-            _2144 = angle13
-            work[2144 + k] = _2144
-            _2176 = angle9
-            work[2176 + k] = _2176
-            _2208 = q4_ppp
-            work[2208 + k] = _2208
-            _2240 = q5_ppp
-            work[2240 + k] = _2240
-            _2272 = q6_ppp
-            work[2272 + k] = _2272
-            _2304 = angle14
-            work[2304 + k] = _2304
-            _2336 = -angle9
-            work[2336 + k] = _2336
-            _2368 = q4_ppm
-            work[2368 + k] = _2368
-            _2400 = q1_pmp
-            work[2400 + k] = _2400
-            _2432 = angle15
-            work[2432 + k] = _2432
-            _2464 = angle10
-            work[2464 + k] = _2464
-            _2496 = q4_pmp
-            work[2496 + k] = _2496
-            _2528 = q5_pmp
-            work[2528 + k] = _2528
-            _2560 = q6_pmp
-            work[2560 + k] = _2560
-            _2592 = angle16
-            work[2592 + k] = _2592
-            _2624 = -angle10
-            work[2624 + k] = _2624
-            _2656 = q4_pmm
-            work[2656 + k] = _2656
-            _2688 = q1_mpp
-            work[2688 + k] = _2688
-            _2720 = angle17
-            work[2720 + k] = _2720
-            _2752 = angle11
-            work[2752 + k] = _2752
-            _2784 = q4_mpp
-            work[2784 + k] = _2784
-            _2816 = q5_mpp
-            work[2816 + k] = _2816
-            _2848 = q6_mpp
-            work[2848 + k] = _2848
-            _2880 = angle18
-            work[2880 + k] = _2880
-            _2912 = -angle11
-            work[2912 + k] = _2912
-            _2944 = q4_mpm
-            work[2944 + k] = _2944
-            _2976 = q1_mmp
-            work[2976 + k] = _2976
-            _3008 = angle19
-            work[3008 + k] = _3008
-            _3040 = angle12
-            work[3040 + k] = _3040
-            _3072 = q4_mmp
-            work[3072 + k] = _3072
-            _3104 = q5_mmp
-            work[3104 + k] = _3104
-            _3136 = q6_mmp
-            work[3136 + k] = _3136
-            _3168 = angle20
-            work[3168 + k] = _3168
-            _3200 = -angle12
-            work[3200 + k] = _3200
-            _3232 = q4_mmm
-            work[3232 + k] = _3232
-            work[3264 + k] = UNREACHABLE if _2112 != _2112 else OK
-            work[3296 + k] = UNREACHABLE if _2112 != _2112 else OK
-            work[3328 + k] = UNREACHABLE if _2400 != _2400 else OK
-            work[3360 + k] = UNREACHABLE if _2400 != _2400 else OK
-            work[3392 + k] = UNREACHABLE if _2688 != _2688 else OK
-            work[3424 + k] = UNREACHABLE if _2688 != _2688 else OK
-            work[3456 + k] = UNREACHABLE if _2976 != _2976 else OK
-            work[3488 + k] = UNREACHABLE if _2976 != _2976 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _1056 = q1_ppp
+            work[1056 + k] = _1056
+            _1072 = angle13
+            work[1072 + k] = _1072
+            _1088 = angle9
+            work[1088 + k] = _1088
+            _1104 = q4_ppp
+            work[1104 + k] = _1104
+            _1120 = q5_ppp
+            work[1120 + k] = _1120
+            _1136 = q6_ppp
+            work[1136 + k] = _1136
+            _1152 = angle14
+            work[1152 + k] = _1152
+            _1168 = -angle9
+            work[1168 + k] = _1168
+            _1184 = q4_ppm
+            work[1184 + k] = _1184
+            _1200 = q1_pmp
+            work[1200 + k] = _1200
+            _1216 = angle15
+            work[1216 + k] = _1216
+            _1232 = angle10
+            work[1232 + k] = _1232
+            _1248 = q4_pmp
+            work[1248 + k] = _1248
+            _1264 = q5_pmp
+            work[1264 + k] = _1264
+            _1280 = q6_pmp
+            work[1280 + k] = _1280
+            _1296 = angle16
+            work[1296 + k] = _1296
+            _1312 = -angle10
+            work[1312 + k] = _1312
+            _1328 = q4_pmm
+            work[1328 + k] = _1328
+            _1344 = q1_mpp
+            work[1344 + k] = _1344
+            _1360 = angle17
+            work[1360 + k] = _1360
+            _1376 = angle11
+            work[1376 + k] = _1376
+            _1392 = q4_mpp
+            work[1392 + k] = _1392
+            _1408 = q5_mpp
+            work[1408 + k] = _1408
+            _1424 = q6_mpp
+            work[1424 + k] = _1424
+            _1440 = angle18
+            work[1440 + k] = _1440
+            _1456 = -angle11
+            work[1456 + k] = _1456
+            _1472 = q4_mpm
+            work[1472 + k] = _1472
+            _1488 = q1_mmp
+            work[1488 + k] = _1488
+            _1504 = angle19
+            work[1504 + k] = _1504
+            _1520 = angle12
+            work[1520 + k] = _1520
+            _1536 = q4_mmp
+            work[1536 + k] = _1536
+            _1552 = q5_mmp
+            work[1552 + k] = _1552
+            _1568 = q6_mmp
+            work[1568 + k] = _1568
+            _1584 = angle20
+            work[1584 + k] = _1584
+            _1600 = -angle12
+            work[1600 + k] = _1600
+            _1616 = q4_mmm
+            work[1616 + k] = _1616
+            work[1632 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1648 + k] = UNREACHABLE if _1056 != _1056 else OK
+            work[1664 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[1680 + k] = UNREACHABLE if _1200 != _1200 else OK
+            work[1696 + k] = UNREACHABLE if _1344 != _1344 else OK
+            work[1712 + k] = UNREACHABLE if _1344 != _1344 else OK
+            work[1728 + k] = UNREACHABLE if _1488 != _1488 else OK
+            work[1744 + k] = UNREACHABLE if _1488 != _1488 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(8):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1478,12 +1480,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

@@ -1598,6 +1598,14 @@ typedef struct {
     double double_c[WELDING_5R_ROOTS], double_s[WELDING_5R_ROOTS];
 } welding_5r_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} welding_5r_window;
+
 static void welding_5r_fit(const double samples[24], welding_5r_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1790,8 +1798,9 @@ static double welding_5r_between(const welding_5r_trigonometric *f, int order, d
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void welding_5r_few(const welding_5r_trigonometric *f, double low, const double at_low[3],
-                        double high, const double at_high[3], welding_5r_roots *roots)
+static void welding_5r_few(const welding_5r_trigonometric *f, double lifted, double low,
+                        const double at_low[3], double high, const double at_high[3],
+                        welding_5r_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1803,7 +1812,7 @@ static void welding_5r_few(const welding_5r_trigonometric *f, double low, const 
     x = welding_5r_between(f, 1, low, at_low, high, at_high);
     welding_5r_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         welding_5r_add_root(roots, x, 1);
         return;
     }
@@ -1861,7 +1870,8 @@ static int welding_5r_kind(const welding_5r_trigonometric *f, const double low[3
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void welding_5r_many(const welding_5r_trigonometric *f, double low, double high,
+static void welding_5r_many(const welding_5r_trigonometric *f, double lifted, double low, double
+    high,
                          const double first[3], const double last[3], int *budget,
                          welding_5r_roots *roots)
 {
@@ -1880,7 +1890,7 @@ static void welding_5r_many(const welding_5r_trigonometric *f, double low, doubl
         const int kind = welding_5r_kind(f, at_low, at[top], h);
         if (kind != WELDING_5R_ROOTLESS) {
             if (kind == WELDING_5R_TAME) {
-                welding_5r_few(f, low, at_low, edge[top], at[top], roots);
+                welding_5r_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == WELDING_5R_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 welding_5r_add_root(roots, low + 0.5 * h, 1);
@@ -1987,7 +1997,9 @@ static int welding_5r_lowest(unsigned long long bits)
 #endif
 }
 
-static void welding_5r_find_roots(const welding_5r_trigonometric *f, welding_5r_roots *roots)
+static void welding_5r_find_roots(const welding_5r_trigonometric *f, const welding_5r_window
+    *window,
+                               welding_5r_roots *roots)
 {
     welding_5r_grid g;
     int plain[WELDING_5R_ROOTS], special[256], plains = 0, specials = 0;
@@ -2001,6 +2013,10 @@ static void welding_5r_find_roots(const welding_5r_trigonometric *f, welding_5r_
             welding_5r_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + welding_5r_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < WELDING_5R_ROOTS &&
@@ -2021,9 +2037,9 @@ static void welding_5r_find_roots(const welding_5r_trigonometric *f, welding_5r_
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (welding_5r_kind(f, low, high, h) == WELDING_5R_TAME) {
-            welding_5r_few(f, i * h, low, (i + 1) * h, high, roots);
+            welding_5r_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            welding_5r_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            welding_5r_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
         }
     }
 }
@@ -2093,18 +2109,131 @@ static void welding_5r_behind(const welding_5r_lens *a, int count, double *cosin
     }
 }
 
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*welding_5r_sampler)(const void *of, const welding_5r_lens *lens, double samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int welding_5r_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int welding_5r_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < WELDING_5R_ROOTS; i++) {
+        if (welding_5r_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int welding_5r_magnify(welding_5r_sampler sample, const void *of, double cosine, double sine,
+                           welding_5r_roots *roots)
+{
+    const welding_5r_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const welding_5r_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    welding_5r_trigonometric f;
+    welding_5r_roots found;
+    sample(of, &lens, samples);
+    welding_5r_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    welding_5r_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    welding_5r_behind(&lens, found.simple, found.c, found.s);
+    welding_5r_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = welding_5r_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = welding_5r_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = welding_5r_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = welding_5r_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void welding_5r_look_closer(welding_5r_sampler sample, const void *of, welding_5r_roots
+    *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == WELDING_5R_ROOTS || roots->doubles == WELDING_5R_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= welding_5r_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= welding_5r_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int welding_5r_real_roots(welding_5r_sampler sample, const void *of, welding_5r_roots *roots)
+{
+    const welding_5r_window all = {0, 128, 5e-09};
+    double samples[24];
+    welding_5r_trigonometric f;
+    welding_5r_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (welding_5r_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    welding_5r_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    welding_5r_find_roots(&f, &all, roots);
+    welding_5r_behind(&lens, roots->simple, roots->c, roots->s);
+    welding_5r_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    welding_5r_look_closer(sample, of, roots);
+    return 1;
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root. */
+ * the same for all that belong to one such root, which is none where the matrix is regular. */
 typedef struct {
-    int count, groups, group[WELDING_5R_CANDIDATES];
+    int count, groups, group[WELDING_5R_CANDIDATES], regular[WELDING_5R_CANDIDATES];
     double c[WELDING_5R_CANDIDATES], s[WELDING_5R_CANDIDATES], n[6][WELDING_5R_CANDIDATES];
 } welding_5r_candidates;
 
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
-static inline void welding_5r_inverse_iteration(welding_5r_lane U[6][6], const welding_5r_lane
-    inverse[6],
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+static inline welding_5r_lane welding_5r_inverse_iteration(welding_5r_lane U[6][6], const
+    welding_5r_lane inverse[6],
                                              welding_5r_lane x[6])
 {
     welding_5r_lane square = {0};
@@ -2121,10 +2250,11 @@ static inline void welding_5r_inverse_iteration(welding_5r_lane U[6][6], const w
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    square = 1.0 / welding_5r_sqrt(square);
+    const welding_5r_lane length = welding_5r_sqrt(square);
     for (int i = 0; i < 6; i++) {
-        x[i] *= square;
+        x[i] *= 1.0 / length;
     }
+    return length;
 }
 
 /* The reciprocals of a diagonal, kept finite. */
@@ -2162,8 +2292,8 @@ static void welding_5r_null_vectors(const double *E, const welding_5r_roots *roo
         for (int i = 0; i < 6; i++) {
             x[i] = welding_5r_all(start[i]);
         }
-        welding_5r_inverse_iteration(factor, inverse, x);
-        welding_5r_inverse_iteration(factor, inverse, x);
+        (void)welding_5r_inverse_iteration(factor, inverse, x);
+        (void)welding_5r_inverse_iteration(factor, inverse, x);
         WELDING_5R_STORE(out->c + from, c);
         WELDING_5R_STORE(out->s + from, s);
         for (int i = 0; i < 6; i++) {
@@ -2250,18 +2380,24 @@ static void welding_5r_null_plane(const double *E, double c, double s, welding_5
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    welding_5r_lane factor[6][6], inverse[6], x[2][6];
+    welding_5r_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
     double n[2][6];
+    if (out->groups == WELDING_5R_CANDIDATES) {
+        return;
+    }
     (void)welding_5r_fold(E, welding_5r_all(c), welding_5r_all(s), factor);
     welding_5r_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = welding_5r_all(start[0][i]);
         x[1][i] = welding_5r_all(start[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
     }
     for (int step = 0; step < 4; step++) {
         welding_5r_lane along = {0};
-        welding_5r_inverse_iteration(factor, inverse, x[0]);
-        welding_5r_inverse_iteration(factor, inverse, x[1]);
+        length = welding_5r_inverse_iteration(factor, inverse, x[0]);
+        (void)welding_5r_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2269,15 +2405,16 @@ static void welding_5r_null_plane(const double *E, double c, double s, welding_5
             x[1][i] -= along * x[0][i];
         }
     }
+    out->regular[out->groups] = welding_5r_largest(length * squares) < 9.999999999999999e+17;
     for (int r = 0; r < 2; r++) {
-        double length = 0.0;
+        double square = 0.0;
         for (int i = 0; i < 6; i++) {
             n[r][i] = welding_5r_largest(x[r][i]);
-            length += n[r][i] * n[r][i];
+            square += n[r][i] * n[r][i];
         }
-        length = sqrt(length) + 1e-300;
+        square = sqrt(square) + 1e-300;
         for (int i = 0; i < 6; i++) {
-            n[r][i] /= length;
+            n[r][i] /= square;
         }
     }
     welding_5r_add_candidate(out, c, s, n[0]);
@@ -2688,7 +2825,7 @@ static void welding_5r_close_roots(const double *E, const welding_5r_roots *root
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int welding_5r_settle(const welding_5r_formulation *form, const welding_5r_loop *loop,
                           double link[6][12], const welding_5r_candidates *all, int simple,
                           int doubles, welding_5r_found *found)
@@ -2723,21 +2860,25 @@ static int welding_5r_settle(const welding_5r_formulation *form, const welding_5
         }
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
-        expected += of_group[i] & found->singular ? 1 : 2;
+        if (of_group[i] || !all->regular[i]) {
+            found->doubles++;
+            expected += of_group[i] & found->singular ? 1 : 2;
+        }
     }
     return complete && welding_5r_bits(met) >= expected && welding_5r_paired(found);
 }
 
 /* The determinant at the sample angles, through a lens. */
-static void welding_5r_sample(const double *E, const welding_5r_lens *lens, double samples[24])
+static void welding_5r_sample(const void *equations, const welding_5r_lens *lens, double
+    samples[24])
 {
     for (int k = 0; k < 24; k += WELDING_5R_LANES) {
         welding_5r_lane factor[6][6];
         welding_5r_lane c = WELDING_5R_LOAD(welding_5r_sample_c + k), s =
             WELDING_5R_LOAD(welding_5r_sample_s + k);
         const welding_5r_lane square = welding_5r_through(lens, &c, &s);
-        WELDING_5R_STORE(samples + k, welding_5r_weighted(welding_5r_fold(E, c, s, factor),
-            square));
+        const welding_5r_lane determinant = welding_5r_fold(equations, c, s, factor);
+        WELDING_5R_STORE(samples + k, welding_5r_weighted(determinant, square));
     }
 }
 
@@ -2745,30 +2886,19 @@ static void welding_5r_sample(const double *E, const welding_5r_lens *lens, doub
 static int welding_5r_attempt(const welding_5r_formulation *form, const welding_5r_loop *loop,
                            welding_5r_found *found)
 {
-    double link[6][12], E[192], samples[24];
-    welding_5r_trigonometric f;
+    double link[6][12], E[192];
     welding_5r_roots roots;
     welding_5r_candidates all;
-    welding_5r_lens lens = {0.0, 0.0};
     welding_5r_around(form, loop, link);
     welding_5r_equations(form, link, E);
-    welding_5r_sample(E, &lens, samples);
-    if (welding_5r_spread(samples, &lens)) {
-        welding_5r_sample(E, &lens, samples);
-    }
-    welding_5r_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!welding_5r_real_roots(welding_5r_sample, E, &roots)) {
         return 0;
     }
-    welding_5r_find_roots(&f, &roots);
-    welding_5r_behind(&lens, roots.simple, roots.c, roots.s);
-    welding_5r_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     welding_5r_null_vectors(E, &roots, &all);
     welding_5r_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
         welding_5r_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    found->doubles += roots.doubles;
     return welding_5r_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }

@@ -817,64 +817,67 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1088, 1120, 1152],
-    [1184, 1216, 1248],
+    [544, 560, 576],
+    [592, 608, 624],
 ])
-_KINDS = np.array([1280, 1312])
-_LEFT_OVER = 255
+_KINDS = np.array([640, 656])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1344)
+    work = np.empty(672)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
-            rest = abs(work[384 + k]) + abs(work[416 + k]) + abs(work[448 + k])
+            rest = abs(work[192 + k]) + abs(work[208 + k]) + abs(work[224 + k])
             miss = (
-                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[480 + k]
-                - 1.0) + 0.0 * (work[96 + k] + work[224 + k] + work[352 + k])
+                xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w + rest + abs(work[240 + k]
+                - 1.0) + 0.0 * (work[48 + k] + work[112 + k] + work[176 + k])
             )
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T14 = work[96 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T24 = work[224 + k]
-            T31 = work[256 + k]
-            T32 = work[288 + k]
-            T33 = work[320 + k]
-            T34 = work[352 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T14 = work[48 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T24 = work[112 + k]
+            T31 = work[128 + k]
+            T32 = work[144 + k]
+            T33 = work[160 + k]
+            T34 = work[176 + k]
             v1 = k1 * (sqrt3 * T14)
             Y1 = k1 * (sqrt3 * T24)
             N1 = v1 * v1 + Y1 * Y1
@@ -1044,61 +1047,60 @@ def _in_tiles(T, q, status):
                 doubt_limit_squared2 or abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or
                 (m7 < v107 and v107 <= m8))))))))
             )
-            work[544 + k] = v105
-            work[576 + k] = v106
-            work[608 + k] = v109
-            work[640 + k] = v110
-            work[672 + k] = doubt1
-            work[704 + k] = s1_p
-            work[736 + k] = -v10
-            work[768 + k] = -v38
-            work[800 + k] = -v39
-            work[832 + k] = -S3_p
-            work[864 + k] = -S3_m
-            work[896 + k] = c1_p
-            work[928 + k] = c1_m
-            work[960 + k] = -v36
-            work[992 + k] = -v37
-            work[1024 + k] = -C3_p
-            work[1056 + k] = -C3_m
-        for k in range(704, 896):
-            work[k] = _atan2(work[k], work[k + 192])
-        for k in range(0, 32):
-            v105 = work[544 + k]
-            v106 = work[576 + k]
-            v109 = work[608 + k]
-            v110 = work[640 + k]
-            doubt1 = work[672 + k] != 0.0
-            angle1 = work[704 + k]
-            angle2 = work[736 + k]
-            angle3 = work[768 + k]
-            angle4 = work[800 + k]
-            angle5 = work[832 + k]
-            angle6 = work[864 + k]
+            work[272 + k] = v105
+            work[288 + k] = v106
+            work[304 + k] = v109
+            work[320 + k] = v110
+            work[336 + k] = doubt1
+            work[352 + k] = s1_p
+            work[368 + k] = -v10
+            work[384 + k] = -v38
+            work[400 + k] = -v39
+            work[416 + k] = -S3_p
+            work[432 + k] = -S3_m
+            work[448 + k] = c1_p
+            work[464 + k] = c1_m
+            work[480 + k] = -v36
+            work[496 + k] = -v37
+            work[512 + k] = -C3_p
+            work[528 + k] = -C3_m
+        for k in range(352, 448):
+            work[k] = _atan2(work[k], work[k + 96])
+        for k in range(0, 16):
+            v105 = work[272 + k]
+            v106 = work[288 + k]
+            v109 = work[304 + k]
+            v110 = work[320 + k]
+            doubt1 = work[336 + k] != 0.0
+            angle1 = work[352 + k]
+            angle2 = work[368 + k]
+            angle3 = work[384 + k]
+            angle4 = work[400 + k]
+            angle5 = work[416 + k]
+            angle6 = work[432 + k]
             q1_p = v109 + (v105 + angle1)
             q1_m = v110 + (v106 + angle2)
             q2_p = v109 + (v105 + angle3)
             q2_m = v110 + (v106 + angle4)
             q3_p = v109 + (v105 + angle5)
             q3_m = v110 + (v106 + angle6)
-            _1088 = q1_p
-            work[1088 + k] = _1088
-            _1120 = q2_p
-            work[1120 + k] = _1120
-            _1152 = q3_p
-            work[1152 + k] = _1152
-            _1184 = q1_m
-            work[1184 + k] = _1184
-            _1216 = q2_m
-            work[1216 + k] = _1216
-            _1248 = q3_m
-            work[1248 + k] = _1248
-            work[1280 + k] = UNREACHABLE if _1088 != _1088 else OK
-            work[1312 + k] = UNREACHABLE if _1184 != _1184 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _544 = q1_p
+            work[544 + k] = _544
+            _560 = q2_p
+            work[560 + k] = _560
+            _576 = q3_p
+            work[576 + k] = _576
+            _592 = q1_m
+            work[592 + k] = _592
+            _608 = q2_m
+            work[608 + k] = _608
+            _624 = q3_m
+            work[624 + k] = _624
+            work[640 + k] = UNREACHABLE if _544 != _544 else OK
+            work[656 + k] = UNREACHABLE if _592 != _592 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(2):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -1121,12 +1123,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 2, 3)), np.empty((len(T), 2), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

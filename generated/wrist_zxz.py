@@ -512,95 +512,97 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
+_UNSOLVED = 255  # the first status of a pose that is still to be solved
+
+
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        _unseeded(T[k], q[k], status[k])
+        if status[k, 0] == _UNSOLVED:
+            _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [800, 832, 864],
-    [896, 928, 960],
+    [400, 416, 432],
+    [448, 464, 480],
 ])
-_KINDS = np.array([992, 1024])
-_LEFT_OVER = 255
+_KINDS = np.array([496, 512])
 
 
 @njit(nogil=True, **_OPTIONS)
 def _in_tiles(T, q, status):
-    """32 poses at a time, side by side: work[place + k] is a value of pose k.
+    """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; the status of a pose that it does not answer is _LEFT_OVER.
+    _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(1056)
+    work = np.empty(528)
     work[:] = 0.0  # the last tile may be half full
-    for first in range(0, len(T), 32):
-        count = min(32, len(T) - first)
+    for first in range(0, len(T), 16):
+        count = min(16, len(T) - first)
         for k in range(count):
             for i in range(4):
                 for j in range(4):
-                    work[(4 * i + j) * 32 + k] = T[first + k, i, j]
-        for k in range(32):
-            x0, x1, x2 = work[0 + k], work[32 + k], work[64 + k]
-            y0, y1, y2 = work[128 + k], work[160 + k], work[192 + k]
-            z0, z1, z2 = work[256 + k], work[288 + k], work[320 + k]
+                    work[(4 * i + j) * 16 + k] = T[first + k, i, j]
+        for k in range(16):
+            x0, x1, x2 = work[0 + k], work[16 + k], work[32 + k]
+            y0, y1, y2 = work[64 + k], work[80 + k], work[96 + k]
+            z0, z1, z2 = work[128 + k], work[144 + k], work[160 + k]
             xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
             yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
             xy = x0 * y0 + x1 * y1 + x2 * y2
             u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2
             miss = xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w
             exact = miss <= 1e-24
-            work[512 + k] = 0.0 if exact else 1.0
-        for k in range(0, 32):
+            work[256 + k] = 0.0 if exact else 1.0
+        for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[32 + k]
-            T13 = work[64 + k]
-            T21 = work[128 + k]
-            T22 = work[160 + k]
-            T23 = work[192 + k]
-            T33 = work[320 + k]
+            T12 = work[16 + k]
+            T13 = work[32 + k]
+            T21 = work[64 + k]
+            T22 = work[80 + k]
+            T23 = work[96 + k]
+            T33 = work[160 + k]
             v1 = T23 * T23 + T13 * T13
             doubt1 = v1 <= m1
             v2 = T13 * T22 - T23 * T12
-            work[544 + k] = doubt1
-            work[576 + k] = v2
-            work[608 + k] = -T13
-            work[640 + k] = -math.sqrt(v1)
-            work[672 + k] = v2
-            work[704 + k] = T23
-            work[736 + k] = T33
-            work[768 + k] = T23 * T11 - T13 * T21
-        for k in range(608, 704):
-            work[k] = _atan2(work[k], work[k + 96])
-        for k in range(0, 32):
-            T13 = work[64 + k]
-            doubt1 = work[544 + k] != 0.0
-            v2 = work[576 + k]
-            angle1 = work[608 + k]
-            angle2 = work[640 + k]
-            angle3 = work[672 + k]
+            work[272 + k] = doubt1
+            work[288 + k] = v2
+            work[304 + k] = -T13
+            work[320 + k] = -math.sqrt(v1)
+            work[336 + k] = v2
+            work[352 + k] = T23
+            work[368 + k] = T33
+            work[384 + k] = T23 * T11 - T13 * T21
+        for k in range(304, 352):
+            work[k] = _atan2(work[k], work[k + 48])
+        for k in range(0, 16):
+            T13 = work[32 + k]
+            doubt1 = work[272 + k] != 0.0
+            v2 = work[288 + k]
+            angle1 = work[304 + k]
+            angle2 = work[320 + k]
+            angle3 = work[336 + k]
             q1_m = angle1 - math.copysign(half_turn, -T13) * h1
             q3_m = angle3 - h1 * math.copysign(half_turn, v2)
-            _800 = angle1
-            work[800 + k] = _800
-            _832 = angle2
-            work[832 + k] = _832
-            _864 = angle3
-            work[864 + k] = _864
-            _896 = q1_m
-            work[896 + k] = _896
-            _928 = -angle2
-            work[928 + k] = _928
-            _960 = q3_m
-            work[960 + k] = _960
-            work[992 + k] = UNREACHABLE if _800 != _800 else OK
-            work[1024 + k] = UNREACHABLE if _896 != _896 else OK
-            work[512 + k] = 1.0 if doubt1 else work[512 + k]
+            _400 = angle1
+            work[400 + k] = _400
+            _416 = angle2
+            work[416 + k] = _416
+            _432 = angle3
+            work[432 + k] = _432
+            _448 = q1_m
+            work[448 + k] = _448
+            _464 = -angle2
+            work[464 + k] = _464
+            _480 = q3_m
+            work[480 + k] = _480
+            work[496 + k] = UNREACHABLE if _400 != _400 else OK
+            work[512 + k] = UNREACHABLE if _448 != _448 else OK
+            work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
-            if work[512 + k] != 0.0:
-                status[first + k, 0] = _LEFT_OVER
+            if work[256 + k] != 0.0:
                 continue
             for row in range(2):
                 status[first + k, row] = np.uint8(work[_KINDS[row] + k])
@@ -623,12 +625,11 @@ def ik_batch(T, *, cores=None):
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
     q, status = np.empty((len(T), 2, 3)), np.empty((len(T), 2), _BYTE)
+    status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
-        for k in np.flatnonzero(status[:, 0] == _LEFT_OVER):
-            _unseeded(T[k], q[k], status[k])
-        return q, status
-    _share(_one_by_one, cores, T, q, status)
+    if _UNSOLVED in status[:, 0]:
+        _share(_one_by_one, cores, T, q, status)
     return q, status
 
 

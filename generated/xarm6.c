@@ -1594,6 +1594,14 @@ typedef struct {
     double double_c[XARM6_ROOTS], double_s[XARM6_ROOTS];
 } xarm6_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} xarm6_window;
+
 static void xarm6_fit(const double samples[24], xarm6_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1785,8 +1793,9 @@ static double xarm6_between(const xarm6_trigonometric *f, int order, double low,
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void xarm6_few(const xarm6_trigonometric *f, double low, const double at_low[3],
-                        double high, const double at_high[3], xarm6_roots *roots)
+static void xarm6_few(const xarm6_trigonometric *f, double lifted, double low,
+                        const double at_low[3], double high, const double at_high[3],
+                        xarm6_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1798,7 +1807,7 @@ static void xarm6_few(const xarm6_trigonometric *f, double low, const double at_
     x = xarm6_between(f, 1, low, at_low, high, at_high);
     xarm6_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         xarm6_add_root(roots, x, 1);
         return;
     }
@@ -1855,7 +1864,7 @@ static int xarm6_kind(const xarm6_trigonometric *f, const double low[3], const d
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void xarm6_many(const xarm6_trigonometric *f, double low, double high,
+static void xarm6_many(const xarm6_trigonometric *f, double lifted, double low, double high,
                          const double first[3], const double last[3], int *budget,
                          xarm6_roots *roots)
 {
@@ -1874,7 +1883,7 @@ static void xarm6_many(const xarm6_trigonometric *f, double low, double high,
         const int kind = xarm6_kind(f, at_low, at[top], h);
         if (kind != XARM6_ROOTLESS) {
             if (kind == XARM6_TAME) {
-                xarm6_few(f, low, at_low, edge[top], at[top], roots);
+                xarm6_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == XARM6_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 xarm6_add_root(roots, low + 0.5 * h, 1);
@@ -1978,7 +1987,8 @@ static int xarm6_lowest(unsigned long long bits)
 #endif
 }
 
-static void xarm6_find_roots(const xarm6_trigonometric *f, xarm6_roots *roots)
+static void xarm6_find_roots(const xarm6_trigonometric *f, const xarm6_window *window,
+                               xarm6_roots *roots)
 {
     xarm6_grid g;
     int plain[XARM6_ROOTS], special[256], plains = 0, specials = 0;
@@ -1992,6 +2002,10 @@ static void xarm6_find_roots(const xarm6_trigonometric *f, xarm6_roots *roots)
             xarm6_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + xarm6_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < XARM6_ROOTS &&
@@ -2012,9 +2026,9 @@ static void xarm6_find_roots(const xarm6_trigonometric *f, xarm6_roots *roots)
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (xarm6_kind(f, low, high, h) == XARM6_TAME) {
-            xarm6_few(f, i * h, low, (i + 1) * h, high, roots);
+            xarm6_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            xarm6_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            xarm6_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
         }
     }
 }
@@ -2083,17 +2097,129 @@ static void xarm6_behind(const xarm6_lens *a, int count, double *cosine, double 
     }
 }
 
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*xarm6_sampler)(const void *of, const xarm6_lens *lens, double samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int xarm6_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int xarm6_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < XARM6_ROOTS; i++) {
+        if (xarm6_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int xarm6_magnify(xarm6_sampler sample, const void *of, double cosine, double sine,
+                           xarm6_roots *roots)
+{
+    const xarm6_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const xarm6_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    xarm6_trigonometric f;
+    xarm6_roots found;
+    sample(of, &lens, samples);
+    xarm6_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    xarm6_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    xarm6_behind(&lens, found.simple, found.c, found.s);
+    xarm6_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = xarm6_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = xarm6_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = xarm6_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = xarm6_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void xarm6_look_closer(xarm6_sampler sample, const void *of, xarm6_roots *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == XARM6_ROOTS || roots->doubles == XARM6_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= xarm6_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= xarm6_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int xarm6_real_roots(xarm6_sampler sample, const void *of, xarm6_roots *roots)
+{
+    const xarm6_window all = {0, 128, 5e-09};
+    double samples[24];
+    xarm6_trigonometric f;
+    xarm6_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (xarm6_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    xarm6_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    xarm6_find_roots(&f, &all, roots);
+    xarm6_behind(&lens, roots->simple, roots->c, roots->s);
+    xarm6_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    xarm6_look_closer(sample, of, roots);
+    return 1;
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root. */
+ * the same for all that belong to one such root, which is none where the matrix is regular. */
 typedef struct {
-    int count, groups, group[XARM6_CANDIDATES];
+    int count, groups, group[XARM6_CANDIDATES], regular[XARM6_CANDIDATES];
     double c[XARM6_CANDIDATES], s[XARM6_CANDIDATES], n[6][XARM6_CANDIDATES];
 } xarm6_candidates;
 
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
-static inline void xarm6_inverse_iteration(xarm6_lane U[6][6], const xarm6_lane inverse[6],
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+static inline xarm6_lane xarm6_inverse_iteration(xarm6_lane U[6][6], const xarm6_lane inverse[6],
                                              xarm6_lane x[6])
 {
     xarm6_lane square = {0};
@@ -2110,10 +2236,11 @@ static inline void xarm6_inverse_iteration(xarm6_lane U[6][6], const xarm6_lane 
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    square = 1.0 / xarm6_sqrt(square);
+    const xarm6_lane length = xarm6_sqrt(square);
     for (int i = 0; i < 6; i++) {
-        x[i] *= square;
+        x[i] *= 1.0 / length;
     }
+    return length;
 }
 
 /* The reciprocals of a diagonal, kept finite. */
@@ -2150,8 +2277,8 @@ static void xarm6_null_vectors(const double *E, const xarm6_roots *roots,
         for (int i = 0; i < 6; i++) {
             x[i] = xarm6_all(start[i]);
         }
-        xarm6_inverse_iteration(factor, inverse, x);
-        xarm6_inverse_iteration(factor, inverse, x);
+        (void)xarm6_inverse_iteration(factor, inverse, x);
+        (void)xarm6_inverse_iteration(factor, inverse, x);
         XARM6_STORE(out->c + from, c);
         XARM6_STORE(out->s + from, s);
         for (int i = 0; i < 6; i++) {
@@ -2237,18 +2364,24 @@ static void xarm6_null_plane(const double *E, double c, double s, xarm6_candidat
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    xarm6_lane factor[6][6], inverse[6], x[2][6];
+    xarm6_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
     double n[2][6];
+    if (out->groups == XARM6_CANDIDATES) {
+        return;
+    }
     (void)xarm6_fold(E, xarm6_all(c), xarm6_all(s), factor);
     xarm6_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = xarm6_all(start[0][i]);
         x[1][i] = xarm6_all(start[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
     }
     for (int step = 0; step < 4; step++) {
         xarm6_lane along = {0};
-        xarm6_inverse_iteration(factor, inverse, x[0]);
-        xarm6_inverse_iteration(factor, inverse, x[1]);
+        length = xarm6_inverse_iteration(factor, inverse, x[0]);
+        (void)xarm6_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2256,15 +2389,16 @@ static void xarm6_null_plane(const double *E, double c, double s, xarm6_candidat
             x[1][i] -= along * x[0][i];
         }
     }
+    out->regular[out->groups] = xarm6_largest(length * squares) < 9.999999999999999e+17;
     for (int r = 0; r < 2; r++) {
-        double length = 0.0;
+        double square = 0.0;
         for (int i = 0; i < 6; i++) {
             n[r][i] = xarm6_largest(x[r][i]);
-            length += n[r][i] * n[r][i];
+            square += n[r][i] * n[r][i];
         }
-        length = sqrt(length) + 1e-300;
+        square = sqrt(square) + 1e-300;
         for (int i = 0; i < 6; i++) {
-            n[r][i] /= length;
+            n[r][i] /= square;
         }
     }
     xarm6_add_candidate(out, c, s, n[0]);
@@ -2867,37 +3001,25 @@ static int xarm6_settle_ways(const xarm6_loop *loop, const xarm6_setting *set, c
 }
 
 /* The polynomial at the sample angles, through a lens. */
-static void xarm6_sample_closed(const xarm6_setting *set, const xarm6_lens *lens, double
-    samples[24])
+static void xarm6_sample_closed(const void *setting, const xarm6_lens *lens, double samples[24])
 {
     for (int k = 0; k < 24; k += XARM6_LANES) {
         xarm6_lane c = XARM6_LOAD(xarm6_sample_c + k), s = XARM6_LOAD(xarm6_sample_s + k);
         const xarm6_lane square = xarm6_through(lens, &c, &s);
-        XARM6_STORE(samples + k, xarm6_weighted(xarm6_closed_polynomial(set, c, s), square));
+        XARM6_STORE(samples + k, xarm6_weighted(xarm6_closed_polynomial(setting, c, s), square));
     }
 }
 
 /* Find what a polynomial in closed form finds; whether that is certainly everything. */
 static int xarm6_attempt_closed(int which, const xarm6_loop *loop, xarm6_found *found)
 {
-    double samples[24];
     xarm6_setting set;
-    xarm6_trigonometric f;
     xarm6_roots roots;
     xarm6_ways ways;
-    xarm6_lens lens = {0.0, 0.0};
     xarm6_prepare(&set, which, loop);
-    xarm6_sample_closed(&set, &lens, samples);
-    if (xarm6_spread(samples, &lens)) {
-        xarm6_sample_closed(&set, &lens, samples);
-    }
-    xarm6_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!xarm6_real_roots(xarm6_sample_closed, &set, &roots)) {
         return 0;
     }
-    xarm6_find_roots(&f, &roots);
-    xarm6_behind(&lens, roots.simple, roots.c, roots.s);
-    xarm6_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     ways.count = 0;
     for (int i = 0; i < 2 * XARM6_ROOTS; i++) {
         ways.far[i] = 0;
@@ -2927,7 +3049,7 @@ static void xarm6_close_roots(const double *E, const xarm6_roots *roots, xarm6_c
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int xarm6_settle(const xarm6_formulation *form, const xarm6_loop *loop,
                           double link[6][12], const xarm6_candidates *all, int simple,
                           int doubles, xarm6_found *found)
@@ -2961,19 +3083,23 @@ static int xarm6_settle(const xarm6_formulation *form, const xarm6_loop *loop,
         }
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
-        expected += of_group[i] & found->singular ? 1 : 2;
+        if (of_group[i] || !all->regular[i]) {
+            found->doubles++;
+            expected += of_group[i] & found->singular ? 1 : 2;
+        }
     }
     return complete && xarm6_bits(met) >= expected && xarm6_paired(found);
 }
 
 /* The determinant at the sample angles, through a lens. */
-static void xarm6_sample(const double *E, const xarm6_lens *lens, double samples[24])
+static void xarm6_sample(const void *equations, const xarm6_lens *lens, double samples[24])
 {
     for (int k = 0; k < 24; k += XARM6_LANES) {
         xarm6_lane factor[6][6];
         xarm6_lane c = XARM6_LOAD(xarm6_sample_c + k), s = XARM6_LOAD(xarm6_sample_s + k);
         const xarm6_lane square = xarm6_through(lens, &c, &s);
-        XARM6_STORE(samples + k, xarm6_weighted(xarm6_fold(E, c, s, factor), square));
+        const xarm6_lane determinant = xarm6_fold(equations, c, s, factor);
+        XARM6_STORE(samples + k, xarm6_weighted(determinant, square));
     }
 }
 
@@ -2981,30 +3107,19 @@ static void xarm6_sample(const double *E, const xarm6_lens *lens, double samples
 static int xarm6_attempt(const xarm6_formulation *form, const xarm6_loop *loop,
                            xarm6_found *found)
 {
-    double link[6][12], E[192], samples[24];
-    xarm6_trigonometric f;
+    double link[6][12], E[192];
     xarm6_roots roots;
     xarm6_candidates all;
-    xarm6_lens lens = {0.0, 0.0};
     xarm6_around(form, loop, link);
     xarm6_equations(form, link, E);
-    xarm6_sample(E, &lens, samples);
-    if (xarm6_spread(samples, &lens)) {
-        xarm6_sample(E, &lens, samples);
-    }
-    xarm6_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!xarm6_real_roots(xarm6_sample, E, &roots)) {
         return 0;
     }
-    xarm6_find_roots(&f, &roots);
-    xarm6_behind(&lens, roots.simple, roots.c, roots.s);
-    xarm6_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     xarm6_null_vectors(E, &roots, &all);
     xarm6_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
         xarm6_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    found->doubles += roots.doubles;
     return xarm6_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }

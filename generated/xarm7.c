@@ -1609,6 +1609,14 @@ typedef struct {
     double double_c[XARM7_ROOTS], double_s[XARM7_ROOTS];
 } xarm7_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} xarm7_window;
+
 static void xarm7_fit(const double samples[24], xarm7_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1800,8 +1808,9 @@ static double xarm7_between(const xarm7_trigonometric *f, int order, double low,
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void xarm7_few(const xarm7_trigonometric *f, double low, const double at_low[3],
-                        double high, const double at_high[3], xarm7_roots *roots)
+static void xarm7_few(const xarm7_trigonometric *f, double lifted, double low,
+                        const double at_low[3], double high, const double at_high[3],
+                        xarm7_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1813,7 +1822,7 @@ static void xarm7_few(const xarm7_trigonometric *f, double low, const double at_
     x = xarm7_between(f, 1, low, at_low, high, at_high);
     xarm7_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         xarm7_add_root(roots, x, 1);
         return;
     }
@@ -1870,7 +1879,7 @@ static int xarm7_kind(const xarm7_trigonometric *f, const double low[3], const d
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void xarm7_many(const xarm7_trigonometric *f, double low, double high,
+static void xarm7_many(const xarm7_trigonometric *f, double lifted, double low, double high,
                          const double first[3], const double last[3], int *budget,
                          xarm7_roots *roots)
 {
@@ -1889,7 +1898,7 @@ static void xarm7_many(const xarm7_trigonometric *f, double low, double high,
         const int kind = xarm7_kind(f, at_low, at[top], h);
         if (kind != XARM7_ROOTLESS) {
             if (kind == XARM7_TAME) {
-                xarm7_few(f, low, at_low, edge[top], at[top], roots);
+                xarm7_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == XARM7_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 xarm7_add_root(roots, low + 0.5 * h, 1);
@@ -1993,7 +2002,8 @@ static int xarm7_lowest(unsigned long long bits)
 #endif
 }
 
-static void xarm7_find_roots(const xarm7_trigonometric *f, xarm7_roots *roots)
+static void xarm7_find_roots(const xarm7_trigonometric *f, const xarm7_window *window,
+                               xarm7_roots *roots)
 {
     xarm7_grid g;
     int plain[XARM7_ROOTS], special[256], plains = 0, specials = 0;
@@ -2007,6 +2017,10 @@ static void xarm7_find_roots(const xarm7_trigonometric *f, xarm7_roots *roots)
             xarm7_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + xarm7_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < XARM7_ROOTS &&
@@ -2027,9 +2041,9 @@ static void xarm7_find_roots(const xarm7_trigonometric *f, xarm7_roots *roots)
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (xarm7_kind(f, low, high, h) == XARM7_TAME) {
-            xarm7_few(f, i * h, low, (i + 1) * h, high, roots);
+            xarm7_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            xarm7_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            xarm7_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
         }
     }
 }
@@ -2098,17 +2112,129 @@ static void xarm7_behind(const xarm7_lens *a, int count, double *cosine, double 
     }
 }
 
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*xarm7_sampler)(const void *of, const xarm7_lens *lens, double samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int xarm7_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int xarm7_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < XARM7_ROOTS; i++) {
+        if (xarm7_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int xarm7_magnify(xarm7_sampler sample, const void *of, double cosine, double sine,
+                           xarm7_roots *roots)
+{
+    const xarm7_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const xarm7_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    xarm7_trigonometric f;
+    xarm7_roots found;
+    sample(of, &lens, samples);
+    xarm7_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    xarm7_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    xarm7_behind(&lens, found.simple, found.c, found.s);
+    xarm7_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = xarm7_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = xarm7_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = xarm7_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = xarm7_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void xarm7_look_closer(xarm7_sampler sample, const void *of, xarm7_roots *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == XARM7_ROOTS || roots->doubles == XARM7_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= xarm7_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= xarm7_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int xarm7_real_roots(xarm7_sampler sample, const void *of, xarm7_roots *roots)
+{
+    const xarm7_window all = {0, 128, 5e-09};
+    double samples[24];
+    xarm7_trigonometric f;
+    xarm7_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (xarm7_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    xarm7_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    xarm7_find_roots(&f, &all, roots);
+    xarm7_behind(&lens, roots->simple, roots->c, roots->s);
+    xarm7_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    xarm7_look_closer(sample, of, roots);
+    return 1;
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root. */
+ * the same for all that belong to one such root, which is none where the matrix is regular. */
 typedef struct {
-    int count, groups, group[XARM7_CANDIDATES];
+    int count, groups, group[XARM7_CANDIDATES], regular[XARM7_CANDIDATES];
     double c[XARM7_CANDIDATES], s[XARM7_CANDIDATES], n[6][XARM7_CANDIDATES];
 } xarm7_candidates;
 
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
-static inline void xarm7_inverse_iteration(xarm7_lane U[6][6], const xarm7_lane inverse[6],
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+static inline xarm7_lane xarm7_inverse_iteration(xarm7_lane U[6][6], const xarm7_lane inverse[6],
                                              xarm7_lane x[6])
 {
     xarm7_lane square = {0};
@@ -2125,10 +2251,11 @@ static inline void xarm7_inverse_iteration(xarm7_lane U[6][6], const xarm7_lane 
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    square = 1.0 / xarm7_sqrt(square);
+    const xarm7_lane length = xarm7_sqrt(square);
     for (int i = 0; i < 6; i++) {
-        x[i] *= square;
+        x[i] *= 1.0 / length;
     }
+    return length;
 }
 
 /* The reciprocals of a diagonal, kept finite. */
@@ -2165,8 +2292,8 @@ static void xarm7_null_vectors(const double *E, const xarm7_roots *roots,
         for (int i = 0; i < 6; i++) {
             x[i] = xarm7_all(start[i]);
         }
-        xarm7_inverse_iteration(factor, inverse, x);
-        xarm7_inverse_iteration(factor, inverse, x);
+        (void)xarm7_inverse_iteration(factor, inverse, x);
+        (void)xarm7_inverse_iteration(factor, inverse, x);
         XARM7_STORE(out->c + from, c);
         XARM7_STORE(out->s + from, s);
         for (int i = 0; i < 6; i++) {
@@ -2252,18 +2379,24 @@ static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidat
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    xarm7_lane factor[6][6], inverse[6], x[2][6];
+    xarm7_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
     double n[2][6];
+    if (out->groups == XARM7_CANDIDATES) {
+        return;
+    }
     (void)xarm7_fold(E, xarm7_all(c), xarm7_all(s), factor);
     xarm7_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = xarm7_all(start[0][i]);
         x[1][i] = xarm7_all(start[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
     }
     for (int step = 0; step < 4; step++) {
         xarm7_lane along = {0};
-        xarm7_inverse_iteration(factor, inverse, x[0]);
-        xarm7_inverse_iteration(factor, inverse, x[1]);
+        length = xarm7_inverse_iteration(factor, inverse, x[0]);
+        (void)xarm7_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2271,15 +2404,16 @@ static void xarm7_null_plane(const double *E, double c, double s, xarm7_candidat
             x[1][i] -= along * x[0][i];
         }
     }
+    out->regular[out->groups] = xarm7_largest(length * squares) < 9.999999999999999e+17;
     for (int r = 0; r < 2; r++) {
-        double length = 0.0;
+        double square = 0.0;
         for (int i = 0; i < 6; i++) {
             n[r][i] = xarm7_largest(x[r][i]);
-            length += n[r][i] * n[r][i];
+            square += n[r][i] * n[r][i];
         }
-        length = sqrt(length) + 1e-300;
+        square = sqrt(square) + 1e-300;
         for (int i = 0; i < 6; i++) {
-            n[r][i] /= length;
+            n[r][i] /= square;
         }
     }
     xarm7_add_candidate(out, c, s, n[0]);
@@ -2684,7 +2818,7 @@ static void xarm7_close_roots(const double *E, const xarm7_roots *roots, xarm7_c
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
                           double link[6][12], const xarm7_candidates *all, int simple,
                           int doubles, xarm7_found *found)
@@ -2718,19 +2852,23 @@ static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
         }
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
-        expected += of_group[i] & found->singular ? 1 : 2;
+        if (of_group[i] || !all->regular[i]) {
+            found->doubles++;
+            expected += of_group[i] & found->singular ? 1 : 2;
+        }
     }
     return complete && xarm7_bits(met) >= expected && xarm7_paired(found);
 }
 
 /* The determinant at the sample angles, through a lens. */
-static void xarm7_sample(const double *E, const xarm7_lens *lens, double samples[24])
+static void xarm7_sample(const void *equations, const xarm7_lens *lens, double samples[24])
 {
     for (int k = 0; k < 24; k += XARM7_LANES) {
         xarm7_lane factor[6][6];
         xarm7_lane c = XARM7_LOAD(xarm7_sample_c + k), s = XARM7_LOAD(xarm7_sample_s + k);
         const xarm7_lane square = xarm7_through(lens, &c, &s);
-        XARM7_STORE(samples + k, xarm7_weighted(xarm7_fold(E, c, s, factor), square));
+        const xarm7_lane determinant = xarm7_fold(equations, c, s, factor);
+        XARM7_STORE(samples + k, xarm7_weighted(determinant, square));
     }
 }
 
@@ -2738,30 +2876,19 @@ static void xarm7_sample(const double *E, const xarm7_lens *lens, double samples
 static int xarm7_attempt(const xarm7_formulation *form, const xarm7_loop *loop,
                            xarm7_found *found)
 {
-    double link[6][12], E[192], samples[24];
-    xarm7_trigonometric f;
+    double link[6][12], E[192];
     xarm7_roots roots;
     xarm7_candidates all;
-    xarm7_lens lens = {0.0, 0.0};
     xarm7_around(form, loop, link);
     xarm7_equations(form, link, E);
-    xarm7_sample(E, &lens, samples);
-    if (xarm7_spread(samples, &lens)) {
-        xarm7_sample(E, &lens, samples);
-    }
-    xarm7_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!xarm7_real_roots(xarm7_sample, E, &roots)) {
         return 0;
     }
-    xarm7_find_roots(&f, &roots);
-    xarm7_behind(&lens, roots.simple, roots.c, roots.s);
-    xarm7_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     xarm7_null_vectors(E, &roots, &all);
     xarm7_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
         xarm7_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    found->doubles += roots.doubles;
     return xarm7_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }

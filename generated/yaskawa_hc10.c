@@ -1607,6 +1607,14 @@ typedef struct {
     double double_c[YASKAWA_HC10_ROOTS], double_s[YASKAWA_HC10_ROOTS];
 } yaskawa_hc10_roots;
 
+/* What part of the circle is searched: the cell in its middle, how many it has on both sides, and
+ * the
+ * value of a parabola over its bend where two complex roots count as a double one. */
+typedef struct {
+    int middle, reach;
+    double lifted;
+} yaskawa_hc10_window;
+
 static void yaskawa_hc10_fit(const double samples[24], yaskawa_hc10_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
@@ -1803,9 +1811,9 @@ static double yaskawa_hc10_between(const yaskawa_hc10_trigonometric *f, int orde
 }
 
 /* The roots of a cell where f has one extremum at most. */
-static void yaskawa_hc10_few(const yaskawa_hc10_trigonometric *f, double low, const double
-    at_low[3],
-                        double high, const double at_high[3], yaskawa_hc10_roots *roots)
+static void yaskawa_hc10_few(const yaskawa_hc10_trigonometric *f, double lifted, double low,
+                        const double at_low[3], double high, const double at_high[3],
+                        yaskawa_hc10_roots *roots)
 {
     double x, at[3];
     if (at_low[1] * at_high[1] >= 0.0) {
@@ -1817,7 +1825,7 @@ static void yaskawa_hc10_few(const yaskawa_hc10_trigonometric *f, double low, co
     x = yaskawa_hc10_between(f, 1, low, at_low, high, at_high);
     yaskawa_hc10_at(f, cos(x), sin(x), at);
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * 5e-09)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
         yaskawa_hc10_add_root(roots, x, 1);
         return;
     }
@@ -1875,7 +1883,8 @@ static int yaskawa_hc10_kind(const yaskawa_hc10_trigonometric *f, const double l
 }
 
 /* The roots of a cell where f may turn more than once: halve it until it does not. */
-static void yaskawa_hc10_many(const yaskawa_hc10_trigonometric *f, double low, double high,
+static void yaskawa_hc10_many(const yaskawa_hc10_trigonometric *f, double lifted, double low, double
+    high,
                          const double first[3], const double last[3], int *budget,
                          yaskawa_hc10_roots *roots)
 {
@@ -1894,7 +1903,7 @@ static void yaskawa_hc10_many(const yaskawa_hc10_trigonometric *f, double low, d
         const int kind = yaskawa_hc10_kind(f, at_low, at[top], h);
         if (kind != YASKAWA_HC10_ROOTLESS) {
             if (kind == YASKAWA_HC10_TAME) {
-                yaskawa_hc10_few(f, low, at_low, edge[top], at[top], roots);
+                yaskawa_hc10_few(f, lifted, low, at_low, edge[top], at[top], roots);
             } else if (kind == YASKAWA_HC10_FLAT || depth[top] == 14 || *budget == 0) {
                 roots->complete = 0;
                 yaskawa_hc10_add_root(roots, low + 0.5 * h, 1);
@@ -2002,7 +2011,9 @@ static int yaskawa_hc10_lowest(unsigned long long bits)
 #endif
 }
 
-static void yaskawa_hc10_find_roots(const yaskawa_hc10_trigonometric *f, yaskawa_hc10_roots *roots)
+static void yaskawa_hc10_find_roots(const yaskawa_hc10_trigonometric *f, const yaskawa_hc10_window
+    *window,
+                               yaskawa_hc10_roots *roots)
 {
     yaskawa_hc10_grid g;
     int plain[YASKAWA_HC10_ROOTS], special[256], plains = 0, specials = 0;
@@ -2016,6 +2027,10 @@ static void yaskawa_hc10_find_roots(const yaskawa_hc10_trigonometric *f, yaskawa
             yaskawa_hc10_open_cells(&g, 64 * word, f->rounding + f->scale * 2e-09);
         for (; bits; bits &= bits - 1) {
             const int i = 64 * word + yaskawa_hc10_lowest(bits);
+            const int away = i > window->middle ? i - window->middle : window->middle - i;
+            if (away > window->reach && 256 - away > window->reach) {
+                continue;
+            }
             const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
             const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
             if (low[1] * high[1] > 0.0 && plains < YASKAWA_HC10_ROOTS &&
@@ -2036,9 +2051,9 @@ static void yaskawa_hc10_find_roots(const yaskawa_hc10_trigonometric *f, yaskawa
         const double low[3] = {g.value[i], g.slope[i], g.bend[i]};
         const double high[3] = {g.value[i + 1], g.slope[i + 1], g.bend[i + 1]};
         if (yaskawa_hc10_kind(f, low, high, h) == YASKAWA_HC10_TAME) {
-            yaskawa_hc10_few(f, i * h, low, (i + 1) * h, high, roots);
+            yaskawa_hc10_few(f, window->lifted, i * h, low, (i + 1) * h, high, roots);
         } else {
-            yaskawa_hc10_many(f, i * h, (i + 1) * h, low, high, &budget, roots);
+            yaskawa_hc10_many(f, window->lifted, i * h, (i + 1) * h, low, high, &budget, roots);
         }
     }
 }
@@ -2108,18 +2123,134 @@ static void yaskawa_hc10_behind(const yaskawa_hc10_lens *a, int count, double *c
     }
 }
 
+/* Samples of a polynomial through a lens; `of` is what it is made of. */
+typedef void (*yaskawa_hc10_sampler)(const void *of, const yaskawa_hc10_lens *lens, double
+    samples[24]);
+
+/* Whether two angles, by their cosines and sines, are as near as a closer look reaches. */
+static int yaskawa_hc10_near(double c, double s, double cosine, double sine)
+{
+    return c * cosine + s * sine >= 0.9980487804878049;
+}
+
+/* Of roots those that are near to an angle, or those that are not, behind `count` that are kept. */
+static int yaskawa_hc10_keep_roots(int near, double cosine, double sine, const double *from_c,
+                              const double *from_s, int many, double *c, double *s, int count)
+{
+    for (int i = 0; i < many && count < YASKAWA_HC10_ROOTS; i++) {
+        if (yaskawa_hc10_near(from_c[i], from_s[i], cosine, sine) == near) {
+            c[count] = from_c[i];
+            s[count] = from_s[i];
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The roots around an angle, through a lens that magnifies what is there, instead of those that
+ * were
+ * known. Returns 0, and leaves these, where that does not show all. */
+static int yaskawa_hc10_magnify(yaskawa_hc10_sampler sample, const void *of, double cosine, double
+    sine,
+                           yaskawa_hc10_roots *roots)
+{
+    const yaskawa_hc10_lens lens = { 0.8823529411764706 * cosine, 0.8823529411764706 * sine};
+    const double turns = atan2(sine, cosine) / 6.283185307179586;
+    const int cell = (int)(256.0 * (turns - floor(turns))) % 256;
+    const yaskawa_hc10_window window = {cell, 38, 1.28e-06};
+    double samples[24];
+    yaskawa_hc10_trigonometric f;
+    yaskawa_hc10_roots found;
+    sample(of, &lens, samples);
+    yaskawa_hc10_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    yaskawa_hc10_find_roots(&f, &window, &found);
+    if (!found.complete) {
+        return 0;
+    }
+    yaskawa_hc10_behind(&lens, found.simple, found.c, found.s);
+    yaskawa_hc10_behind(&lens, found.doubles, found.double_c, found.double_s);
+    roots->simple = yaskawa_hc10_keep_roots(0, cosine, sine, roots->c, roots->s, roots->simple,
+                                       roots->c, roots->s, 0);
+    roots->doubles = yaskawa_hc10_keep_roots(0, cosine, sine, roots->double_c, roots->double_s,
+                                        roots->doubles, roots->double_c, roots->double_s, 0);
+    roots->simple = yaskawa_hc10_keep_roots(1, cosine, sine, found.c, found.s, found.simple,
+                                       roots->c, roots->s, roots->simple);
+    roots->doubles = yaskawa_hc10_keep_roots(1, cosine, sine, found.double_c, found.double_s,
+                                        found.doubles, roots->double_c, roots->double_s,
+                                        roots->doubles);
+    return 1;
+}
+
+/* Where roots may be double they are replaced by what a closer look shows: values that are computed
+ * there have the digits that the fit of f lacks. What was given up stands among them. */
+static void yaskawa_hc10_look_closer(yaskawa_hc10_sampler sample, const void *of, yaskawa_hc10_roots
+    *roots)
+{
+    double c[4], s[4];
+    int looks = 0, clear = 1, i = 0;
+    if (roots->simple == YASKAWA_HC10_ROOTS || roots->doubles == YASKAWA_HC10_ROOTS) {
+        return;
+    }
+    while (i < roots->doubles) {
+        int seen = 0;
+        for (int k = 0; k < looks; k++) {
+            seen |= yaskawa_hc10_near(roots->double_c[i], roots->double_s[i], c[k], s[k]);
+        }
+        if (seen) {
+            i++;
+            continue;
+        }
+        if (looks == 4) {
+            break;
+        }
+        c[looks] = roots->double_c[i];
+        s[looks] = roots->double_s[i];
+        clear &= yaskawa_hc10_magnify(sample, of, c[looks], s[looks], roots);
+        looks++;
+        i = 0;
+    }
+    roots->complete = roots->complete || (clear && i == roots->doubles);
+}
+
+/* All real roots of a polynomial. Returns 0 where it vanishes identically. */
+static int yaskawa_hc10_real_roots(yaskawa_hc10_sampler sample, const void *of, yaskawa_hc10_roots
+    *roots)
+{
+    const yaskawa_hc10_window all = {0, 128, 5e-09};
+    double samples[24];
+    yaskawa_hc10_trigonometric f;
+    yaskawa_hc10_lens lens = {0.0, 0.0};
+    sample(of, &lens, samples);
+    if (yaskawa_hc10_spread(samples, &lens)) {
+        sample(of, &lens, samples);
+    }
+    yaskawa_hc10_fit(samples, &f);
+    if (!(f.noise <= 1e-06)) {
+        return 0;
+    }
+    yaskawa_hc10_find_roots(&f, &all, roots);
+    yaskawa_hc10_behind(&lens, roots->simple, roots->c, roots->s);
+    yaskawa_hc10_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
+    yaskawa_hc10_look_closer(sample, of, roots);
+    return 1;
+}
+
 /* Candidates: the hidden angle and a null vector, (x3, 1) x (x2^2, x2, 1) times anything. The
  * simple
  * roots come first, one candidate each; after them those of roots that may be double, `group` being
- * the same for all that belong to one such root. */
+ * the same for all that belong to one such root, which is none where the matrix is regular. */
 typedef struct {
-    int count, groups, group[YASKAWA_HC10_CANDIDATES];
+    int count, groups, group[YASKAWA_HC10_CANDIDATES], regular[YASKAWA_HC10_CANDIDATES];
     double c[YASKAWA_HC10_CANDIDATES], s[YASKAWA_HC10_CANDIDATES], n[6][YASKAWA_HC10_CANDIDATES];
 } yaskawa_hc10_candidates;
 
-/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal */
-static inline void yaskawa_hc10_inverse_iteration(yaskawa_hc10_lane U[6][6], const yaskawa_hc10_lane
-    inverse[6],
+/* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+ * its length: the reciprocal of the square of the smallest singular value, in the end. */
+static inline yaskawa_hc10_lane yaskawa_hc10_inverse_iteration(yaskawa_hc10_lane U[6][6], const
+    yaskawa_hc10_lane inverse[6],
                                              yaskawa_hc10_lane x[6])
 {
     yaskawa_hc10_lane square = {0};
@@ -2136,10 +2267,11 @@ static inline void yaskawa_hc10_inverse_iteration(yaskawa_hc10_lane U[6][6], con
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    square = 1.0 / yaskawa_hc10_sqrt(square);
+    const yaskawa_hc10_lane length = yaskawa_hc10_sqrt(square);
     for (int i = 0; i < 6; i++) {
-        x[i] *= square;
+        x[i] *= 1.0 / length;
     }
+    return length;
 }
 
 /* The reciprocals of a diagonal, kept finite. */
@@ -2177,8 +2309,8 @@ static void yaskawa_hc10_null_vectors(const double *E, const yaskawa_hc10_roots 
         for (int i = 0; i < 6; i++) {
             x[i] = yaskawa_hc10_all(start[i]);
         }
-        yaskawa_hc10_inverse_iteration(factor, inverse, x);
-        yaskawa_hc10_inverse_iteration(factor, inverse, x);
+        (void)yaskawa_hc10_inverse_iteration(factor, inverse, x);
+        (void)yaskawa_hc10_inverse_iteration(factor, inverse, x);
         YASKAWA_HC10_STORE(out->c + from, c);
         YASKAWA_HC10_STORE(out->s + from, s);
         for (int i = 0; i < 6; i++) {
@@ -2266,18 +2398,24 @@ static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa
         { 0.61, -0.37, 0.53, 0.29, 0.71, -0.43 },
         { -0.31, 0.47, 0.59, 0.67, -0.23, 0.41 },
     };
-    yaskawa_hc10_lane factor[6][6], inverse[6], x[2][6];
+    yaskawa_hc10_lane factor[6][6], inverse[6], x[2][6], length, squares = {0};
     double n[2][6];
+    if (out->groups == YASKAWA_HC10_CANDIDATES) {
+        return;
+    }
     (void)yaskawa_hc10_fold(E, yaskawa_hc10_all(c), yaskawa_hc10_all(s), factor);
     yaskawa_hc10_reciprocals(factor, inverse);
     for (int i = 0; i < 6; i++) {
         x[0][i] = yaskawa_hc10_all(start[0][i]);
         x[1][i] = yaskawa_hc10_all(start[1][i]);
+        for (int j = i; j < 6; j++) {
+            squares += factor[i][j] * factor[i][j];
+        }
     }
     for (int step = 0; step < 4; step++) {
         yaskawa_hc10_lane along = {0};
-        yaskawa_hc10_inverse_iteration(factor, inverse, x[0]);
-        yaskawa_hc10_inverse_iteration(factor, inverse, x[1]);
+        length = yaskawa_hc10_inverse_iteration(factor, inverse, x[0]);
+        (void)yaskawa_hc10_inverse_iteration(factor, inverse, x[1]);
         for (int i = 0; i < 6; i++) {
             along += x[0][i] * x[1][i];
         }
@@ -2285,15 +2423,16 @@ static void yaskawa_hc10_null_plane(const double *E, double c, double s, yaskawa
             x[1][i] -= along * x[0][i];
         }
     }
+    out->regular[out->groups] = yaskawa_hc10_largest(length * squares) < 9.999999999999999e+17;
     for (int r = 0; r < 2; r++) {
-        double length = 0.0;
+        double square = 0.0;
         for (int i = 0; i < 6; i++) {
             n[r][i] = yaskawa_hc10_largest(x[r][i]);
-            length += n[r][i] * n[r][i];
+            square += n[r][i] * n[r][i];
         }
-        length = sqrt(length) + 1e-300;
+        square = sqrt(square) + 1e-300;
         for (int i = 0; i < 6; i++) {
-            n[r][i] /= length;
+            n[r][i] /= square;
         }
     }
     yaskawa_hc10_add_candidate(out, c, s, n[0]);
@@ -2907,15 +3046,15 @@ static int yaskawa_hc10_settle_ways(const yaskawa_hc10_loop *loop, const yaskawa
 }
 
 /* The polynomial at the sample angles, through a lens. */
-static void yaskawa_hc10_sample_closed(const yaskawa_hc10_setting *set, const yaskawa_hc10_lens
-    *lens, double samples[24])
+static void yaskawa_hc10_sample_closed(const void *setting, const yaskawa_hc10_lens *lens, double
+    samples[24])
 {
     for (int k = 0; k < 24; k += YASKAWA_HC10_LANES) {
         yaskawa_hc10_lane c = YASKAWA_HC10_LOAD(yaskawa_hc10_sample_c + k), s =
             YASKAWA_HC10_LOAD(yaskawa_hc10_sample_s + k);
         const yaskawa_hc10_lane square = yaskawa_hc10_through(lens, &c, &s);
-        YASKAWA_HC10_STORE(samples + k, yaskawa_hc10_weighted(yaskawa_hc10_closed_polynomial(set, c,
-            s), square));
+        YASKAWA_HC10_STORE(samples + k,
+            yaskawa_hc10_weighted(yaskawa_hc10_closed_polynomial(setting, c, s), square));
     }
 }
 
@@ -2923,24 +3062,13 @@ static void yaskawa_hc10_sample_closed(const yaskawa_hc10_setting *set, const ya
 static int yaskawa_hc10_attempt_closed(int which, const yaskawa_hc10_loop *loop, yaskawa_hc10_found
     *found)
 {
-    double samples[24];
     yaskawa_hc10_setting set;
-    yaskawa_hc10_trigonometric f;
     yaskawa_hc10_roots roots;
     yaskawa_hc10_ways ways;
-    yaskawa_hc10_lens lens = {0.0, 0.0};
     yaskawa_hc10_prepare(&set, which, loop);
-    yaskawa_hc10_sample_closed(&set, &lens, samples);
-    if (yaskawa_hc10_spread(samples, &lens)) {
-        yaskawa_hc10_sample_closed(&set, &lens, samples);
-    }
-    yaskawa_hc10_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!yaskawa_hc10_real_roots(yaskawa_hc10_sample_closed, &set, &roots)) {
         return 0;
     }
-    yaskawa_hc10_find_roots(&f, &roots);
-    yaskawa_hc10_behind(&lens, roots.simple, roots.c, roots.s);
-    yaskawa_hc10_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     ways.count = 0;
     for (int i = 0; i < 2 * YASKAWA_HC10_ROOTS; i++) {
         ways.far[i] = 0;
@@ -2972,7 +3100,7 @@ static void yaskawa_hc10_close_roots(const double *E, const yaskawa_hc10_roots *
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaskawa_hc10_loop *loop,
                           double link[6][12], const yaskawa_hc10_candidates *all, int simple,
                           int doubles, yaskawa_hc10_found *found)
@@ -3007,21 +3135,25 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
         }
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
-        expected += of_group[i] & found->singular ? 1 : 2;
+        if (of_group[i] || !all->regular[i]) {
+            found->doubles++;
+            expected += of_group[i] & found->singular ? 1 : 2;
+        }
     }
     return complete && yaskawa_hc10_bits(met) >= expected && yaskawa_hc10_paired(found);
 }
 
 /* The determinant at the sample angles, through a lens. */
-static void yaskawa_hc10_sample(const double *E, const yaskawa_hc10_lens *lens, double samples[24])
+static void yaskawa_hc10_sample(const void *equations, const yaskawa_hc10_lens *lens, double
+    samples[24])
 {
     for (int k = 0; k < 24; k += YASKAWA_HC10_LANES) {
         yaskawa_hc10_lane factor[6][6];
         yaskawa_hc10_lane c = YASKAWA_HC10_LOAD(yaskawa_hc10_sample_c + k), s =
             YASKAWA_HC10_LOAD(yaskawa_hc10_sample_s + k);
         const yaskawa_hc10_lane square = yaskawa_hc10_through(lens, &c, &s);
-        YASKAWA_HC10_STORE(samples + k, yaskawa_hc10_weighted(yaskawa_hc10_fold(E, c, s, factor),
-            square));
+        const yaskawa_hc10_lane determinant = yaskawa_hc10_fold(equations, c, s, factor);
+        YASKAWA_HC10_STORE(samples + k, yaskawa_hc10_weighted(determinant, square));
     }
 }
 
@@ -3029,30 +3161,19 @@ static void yaskawa_hc10_sample(const double *E, const yaskawa_hc10_lens *lens, 
 static int yaskawa_hc10_attempt(const yaskawa_hc10_formulation *form, const yaskawa_hc10_loop *loop,
                            yaskawa_hc10_found *found)
 {
-    double link[6][12], E[192], samples[24];
-    yaskawa_hc10_trigonometric f;
+    double link[6][12], E[192];
     yaskawa_hc10_roots roots;
     yaskawa_hc10_candidates all;
-    yaskawa_hc10_lens lens = {0.0, 0.0};
     yaskawa_hc10_around(form, loop, link);
     yaskawa_hc10_equations(form, link, E);
-    yaskawa_hc10_sample(E, &lens, samples);
-    if (yaskawa_hc10_spread(samples, &lens)) {
-        yaskawa_hc10_sample(E, &lens, samples);
-    }
-    yaskawa_hc10_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    if (!yaskawa_hc10_real_roots(yaskawa_hc10_sample, E, &roots)) {
         return 0;
     }
-    yaskawa_hc10_find_roots(&f, &roots);
-    yaskawa_hc10_behind(&lens, roots.simple, roots.c, roots.s);
-    yaskawa_hc10_behind(&lens, roots.doubles, roots.double_c, roots.double_s);
     yaskawa_hc10_null_vectors(E, &roots, &all);
     yaskawa_hc10_close_roots(E, &roots, &all);
     for (int i = 0; i < roots.doubles; i++) {
         yaskawa_hc10_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    found->doubles += roots.doubles;
     return yaskawa_hc10_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
         roots.complete;
 }

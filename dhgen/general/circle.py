@@ -75,8 +75,31 @@ class Trigonometric:
 
 
 @dataclass(frozen=True, slots=True)
+class Window:
+    """What part of the circle is searched, and how closely.
+
+    Attributes:
+        middle: The cell in its middle.
+        reach: How many cells it has on both sides of that one.
+        lifted: How near to the circle a complex pair counts as a double root [rad].
+    """
+
+    middle: int = 0
+    reach: int = CELLS // 2
+    lifted: float = LIFTED
+
+    def shows(self, cell: int) -> bool:
+        """Whether a cell lies in it."""
+        away = abs(cell - self.middle)
+        return min(away, CELLS - away) <= self.reach
+
+
+ALL_AROUND = Window()
+
+
+@dataclass(frozen=True, slots=True)
 class Roots:
-    """The real roots of f in [0, 2π).
+    """Real roots of f.
 
     Attributes:
         simple: Where f changes its sign.
@@ -135,8 +158,8 @@ def trigonometric(samples: FloatArray) -> Trigonometric:
     return Trigonometric(np.array(a[: DEGREE + 1]), np.array(b[: DEGREE + 1]), scale, noise)
 
 
-def roots(f: Trigonometric) -> Roots:
-    """All real roots."""
+def roots(f: Trigonometric, window: Window = ALL_AROUND) -> Roots:
+    """All real roots in a window, in [0, 2π)."""
     simple: list[float] = []
     double: list[float] = []
     complete = True
@@ -144,15 +167,19 @@ def roots(f: Trigonometric) -> Roots:
     edges = [i * WIDTH for i in range(CELLS + 1)]
     values = [f.at(cos(x), sin(x)) for x in edges[:-1]]
     values.append(values[0])
-    cells = [(edges[i], values[i], edges[i + 1], values[i + 1], 0) for i in range(CELLS)]
-    cells.reverse()
+    cells = [
+        (edges[i], values[i], edges[i + 1], values[i + 1], 0)
+        for i in reversed(range(CELLS))
+        if window.shows(i)
+    ]
     while cells:
         low, at_low, high, at_high, depth = cells.pop()
         kind = _kind(f, at_low, at_high, high - low)
         if kind is Kind.ROOTLESS:
             continue
         if kind is Kind.TAME:
-            _in_simple_cell(f, low, at_low, high, at_high, simple, double)
+            ends = (low, at_low), (high, at_high)
+            _in_simple_cell(f, ends, window.lifted, simple, double)
         elif kind is Kind.FLAT or depth == DEEPEST or halvings == HALVINGS:
             complete = False
             double.append((low + high) / 2)
@@ -203,21 +230,20 @@ def _of_one_sign(numbers: list[float], doubt: float) -> bool:
 
 def _in_simple_cell(
     f: Trigonometric,
-    low: float,
-    at_low: Values,
-    high: float,
-    at_high: Values,
+    ends: tuple[tuple[float, Values], tuple[float, Values]],
+    near: float,
     simple: list[float],
     double: list[float],
 ) -> None:
     """The roots of a cell where f has one extremum at most."""
+    (low, at_low), (high, at_high) = ends
     if at_low[1] * at_high[1] >= 0:
         if (at_low[0] < 0) != (at_high[0] < 0):
             simple.append(_between(f, 0, low, high, at_low))
         return
     x = _between(f, 1, low, high, at_low)
     at = f.at(cos(x), sin(x))
-    lifted = at[0] * at[2] > 0 and abs(at[0]) <= abs(at[2]) * LIFTED**2 / 2
+    lifted = at[0] * at[2] > 0 and abs(at[0]) <= abs(at[2]) * near**2 / 2
     if abs(at[0]) <= f.rounding or lifted:
         double.append(x)
         return

@@ -70,6 +70,12 @@ def null_vectors(factor: FloatArray, dimension: int) -> Iterator[FloatArray]:
             yield weights[0] * first + weights[1] * second
 
 
+def regularity(factor: FloatArray) -> float:
+    """The smallest singular value of a 6x6 factor over the root of the sum of all squares."""
+    values = np.linalg.svd(factor, compute_uv=False)
+    return float(values[-1] / np.sqrt(values @ values))
+
+
 def _eigenvectors(up: FloatArray, down: FloatArray) -> Iterator[FloatArray]:
     """Weights w with up w = x down w for some x, real ones only; x may be infinite."""
     A, G, H = down.T @ up, down.T @ down, up.T @ up

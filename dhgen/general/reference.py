@@ -13,13 +13,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.circle import roots, trigonometric
 from dhgen.general.determinant import equations, fold
-from dhgen.general.lens import sampled
 from dhgen.general.loop import reach
 from dhgen.general.pointing import any_turn
 from dhgen.general.polish import Target, is_singular, polish
-from dhgen.general.recover import null_vectors, partner_values, remaining_angles
+from dhgen.general.recover import null_vectors, partner_values, regularity, remaining_angles
+from dhgen.general.roots import real_roots
 from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
@@ -40,7 +39,6 @@ STEPS = 4  # Newton steps for a candidate; two are enough unless a root is nearl
 STEPS_FROM_AFAR = 40
 SAME = 1e-6  # solutions closer than this are one [rad]
 TOGETHER = 1e-3  # singular solutions closer than this are one [rad]
-NOISE = 1e-6  # harmonics beyond the eighth above this: f vanishes identically at this pose
 CLOSE = 1e-3  # roots closer than this are also tried as a double root [rad]
 # How far, and where to, the pose is moved when both formulations fail: where roots crowd, they
 # come apart only at some distance.
@@ -53,6 +51,8 @@ NUDGE_DIRECTIONS = (
     (0.33, 0.49, 0.23, -0.51, -0.67, 0.41),
 )
 STARTS = 60
+# A matrix is not singular when its smallest singular value is this part of all.
+REGULAR = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,18 +181,16 @@ def _attempt(kernel: GeneralKernel, search: _Search) -> bool:
 def _certified_closed(arm: OffsetWrist | FourTurns, search: _Search) -> bool:
     """The same as `_certified` where the polynomial is known in closed form."""
     links, P = search.target.links, search.target.P
-    samples, lens = sampled(lambda cosines, sines: arm.values(links, P, cosines, sines))
-    f = trigonometric(samples)
-    if not f.noise <= NOISE or f.scale == 0.0:
+    found = real_roots(lambda cosines, sines: arm.values(links, P, cosines, sines))
+    if found is None:
         return False
-    found = roots(f)
     search.doubles += len(found.double)
     met: set[int | None] = set()
     expected = 0
     complete = found.complete
     for angle in (*found.simple, *found.double):
         double = angle in found.double
-        starts = list(arm.candidates(links, P, lens.angle(angle)))
+        starts = list(arm.candidates(links, P, angle))
         near = [theta for theta in starts if theta is not None]
         places = {search.offer(theta, doubtful=double) for theta in near} - {None}
         met |= places
@@ -215,28 +213,31 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     around = formulation.links(target.links, target.P)
     slides = formulation.slides(target.slides)
     E = equations([link[None] for link in around], slides)
-    samples, lens = sampled(lambda cosines, sines: fold(E, cosines, sines)[0])
-    f = trigonometric(samples)
-    if f.noise > NOISE or f.scale == 0.0:
+    found = real_roots(lambda cosines, sines: fold(E, cosines, sines)[0])
+    if found is None:
         return False
-    found = roots(f)
-    search.doubles += len(found.double)
     met: set[int | None] = set()
-    simple, double = (tuple(map(lens.angle, some)) for some in (found.simple, found.double))
-    expected = len(simple)
+    expected = len(found.simple)
     complete = found.complete
-    for angle in simple:
+    for angle in found.simple:
         (phi,) = _candidates(E, around, slides, (angle, 1))
         place = search.offer(formulation.angles(phi))
         complete = complete and place is not None
         met |= {place} - {None}
-    for angle in (*_nearly_double(simple), *double):
+    for angle in (*_nearly_double(found.simple), *found.double):
         starts = [formulation.angles(phi) for phi in _candidates(E, around, slides, (angle, 2))]
         places = {search.offer(theta, doubtful=True) for theta in starts} - {None}
-        if angle in double:
+        if angle in found.double and (places or _vanishes(E, angle)):
+            search.doubles += 1
             expected += 1 if places & search.singular else 2
         met |= places
     return complete and len(met) >= expected and search.paired
+
+
+def _vanishes(E: FloatArray, angle: float) -> bool:
+    """Whether the determinant is zero, to rounding: where f only comes near to zero it is not."""
+    _, factor = fold(E, np.array([np.cos(angle)]), np.array([np.sin(angle)]))
+    return regularity(factor[..., 0]) < REGULAR
 
 
 def _nearly_double(simple: tuple[float, ...]) -> list[float]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from dhgen.general import circle, reference
 from dhgen.general.digits import HALF_CELLS
+from dhgen.general.roots import LOOKS, REACH
 
 ROOTS = 24  # more than 16 come from rounding
 BATCHES = 16  # of starts where everything else fails
@@ -27,6 +28,8 @@ class Sizes:
         newton_steps: On a polynomial that stands for the function.
         careful_steps: On the function itself.
         roots: Of each kind that are kept.
+        looks: How often places are looked at again.
+        reach: Cells that a closer look has on both sides.
         roots_and_pairs: Simple roots with the middles of close pairs.
         angles: Those and the double roots.
         candidates: For joint angles.
@@ -47,6 +50,8 @@ class Sizes:
     newton_steps: int = circle.NEWTON_STEPS
     careful_steps: int = 4 * circle.NEWTON_STEPS
     roots: int = ROOTS
+    looks: int = LOOKS
+    reach: int = REACH
     roots_and_pairs: int = 3 * ROOTS
     angles: int = 4 * ROOTS
     candidates: int = 4 * ROOTS

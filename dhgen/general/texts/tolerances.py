@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from dhgen.general import circle, lens, polish, recover, reference
+from dhgen.general import circle, lens, polish, recover, reference, roots
 from dhgen.general.determinant import TINY
 from dhgen.general.four_turns import NEARLY_FLAT, PARALLEL
 from dhgen.program.tolerances import TOLERANCES
@@ -20,10 +20,14 @@ class Tolerances:
     rounding: str = repr(circle.ROUNDING)
     noise_factor: str = repr(circle.NOISE_FACTOR)
     lifted: str = repr(0.5 * circle.LIFTED**2)  # the value of a parabola over its bend
+    lifted_closer: str = repr(0.5 * (circle.LIFTED / roots.NEAR) ** 2)
+    near: str = repr(roots.COSINE)
+    strength: str = repr(roots.STRENGTH)
+    regular: str = repr(1.0 / reference.REGULAR**2)  # all over the smallest, squared
     crowded: str = repr(lens.CROWDED**2)  # its square
     strongest: str = repr(lens.STRONGEST)
     mean_per_harmonic: str = repr(lens.MEAN_PER_HARMONIC)
-    noise: str = repr(reference.NOISE)
+    noise: str = repr(roots.NOISE)
     residual: str = repr(TOLERANCES.polished)
     together: str = repr(reference.TOGETHER)
     same: str = repr(reference.SAME)

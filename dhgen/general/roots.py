@@ -1,0 +1,110 @@
+"""All real roots of a polynomial on the circle that is known by what computes it.
+
+Its fit has a rounding of 1e-15 of its largest value, all around the circle; where roots crowd, or
+come near to the circle, that hides whether there are any. Values that are computed there have their
+digits: what may be a double root is looked at again, through a lens of its own.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.general.circle import (
+    CELLS,
+    DEGREE,
+    LIFTED,
+    WIDTH,
+    Roots,
+    Window,
+    roots,
+    sample_cosines,
+    trigonometric,
+)
+from dhgen.general.lens import Lens, sampled
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    FloatArray = NDArray[np.float64]
+    At = Callable[[FloatArray, FloatArray], FloatArray]
+
+NOISE = 1e-6  # harmonics beyond the eighth above this: f vanishes identically at this pose
+LOOKS = 4  # more closely, at most
+# How far a closer look reaches to both sides [rad], nearly, and its cosine from half the tangent.
+NEAR = 1 / 16
+COSINE = (1 - (NEAR / 2) ** 2) / (1 + (NEAR / 2) ** 2)
+# In the middle a lens of this strength magnifies 1 / NEAR times.
+STRENGTH = (1 - NEAR) / (1 + NEAR)
+# In cells: from tan(ψ/2) = tan(φ/2) / NEAR, NEAR becomes 0.93 rad.
+REACH = 38
+
+
+def real_roots(at: At) -> Roots | None:
+    """All real roots [rad], None of a polynomial that vanishes identically.
+
+    Args:
+        at: Values from the cosines and sines of angles, (24,) each.
+    """
+    samples, lens = sampled(at)
+    f = trigonometric(samples)
+    if not f.noise <= NOISE or not samples.any():
+        return None
+    return _closer(at, _through(lens, roots(f)))
+
+
+def _closer(at: At, found: Roots) -> Roots:
+    """Where roots may be double they are replaced by what a closer look shows, if it shows all."""
+    looks: list[float] = []
+    clear = True
+    while len(looks) < LOOKS:
+        places = [x for x in found.double if not any(_near(x, seen) for seen in looks)]
+        if not places:
+            break
+        looks.append(places[0])
+        near = _magnified(at, places[0])
+        clear = clear and near.complete
+        if near.complete:
+            found = Roots(
+                _replaced(found.simple, near.simple, places[0]),
+                _replaced(found.double, near.double, places[0]),
+                found.complete,
+            )
+    # what was given up stands among the double roots
+    every = all(any(_near(x, seen) for seen in looks) for x in found.double)
+    return Roots(found.simple, found.double, found.complete or (clear and every))
+
+
+def _magnified(at: At, middle: float) -> Roots:
+    """The roots around an angle, through a lens that magnifies what is there."""
+    lens = Lens(STRENGTH * cos(middle), STRENGTH * sin(middle))
+    cosines, sines, square = lens.through(*np.array(sample_cosines()))
+    f = trigonometric(at(cosines, sines) * square**DEGREE)
+    if not f.noise <= NOISE:
+        return Roots((), (), complete=False)
+    window = Window(int(middle % (2 * pi) / WIDTH) % CELLS, REACH, LIFTED / NEAR)
+    return _through(lens, roots(f, window))
+
+
+def _through(lens: Lens, found: Roots) -> Roots:
+    """Roots as they are without the lens."""
+    simple, double = (tuple(map(lens.angle, some)) for some in (found.simple, found.double))
+    return Roots(simple, double, found.complete)
+
+
+def _replaced(
+    before: tuple[float, ...], closer: tuple[float, ...], middle: float
+) -> tuple[float, ...]:
+    """Of the former what is far from the middle, of the latter what is near."""
+    return (
+        *(x for x in before if not _near(x, middle)),
+        *(x for x in closer if _near(x, middle)),
+    )
+
+
+def _near(x: float, middle: float) -> bool:
+    return cos(x - middle) >= COSINE

@@ -1,0 +1,60 @@
+"""Roots that may be double, looked at more closely: near the circle, in a crowd, and twice there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.general.circle import Roots, roots, sample_cosines, trigonometric
+from dhgen.general.roots import real_roots
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+CROWDS = ([(1.0, 3e-4)] * 3, [(1.0, 1e-3), (1.002, 2e-3), (1.01, 1e-3)])
+ELSEWHERE = (3.0, 3.5, 4.6, 5.1)
+
+
+def product(*factors: tuple[float, float]) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
+    """cosh(depth) - cos(φ - angle) for every complex pair, to full precision, times real roots."""
+
+    def at(cosine: np.ndarray, sine: np.ndarray) -> np.ndarray:
+        x = np.arctan2(sine, cosine)
+        pairs = [
+            2 * (np.sin((x - angle) / 2) ** 2 + np.sinh(depth / 2) ** 2)
+            for angle, depth in factors
+        ]
+        value: np.ndarray = np.prod([np.sin((x - a) / 2) for a in ELSEWHERE], axis=0)
+        return value * np.prod(pairs, axis=0)
+
+    return at
+
+
+def plain(at: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Roots:
+    """What the fit alone shows."""
+    return roots(trigonometric(at(*np.array(sample_cosines()))))
+
+
+@pytest.mark.parametrize("crowd", CROWDS)
+def test_what_only_comes_near_to_zero_is_no_root(crowd: Sequence[tuple[float, float]]) -> None:
+    at = product(*crowd)
+    first = plain(at)
+    assert first.double or not first.complete or len(first.simple) != len(ELSEWHERE)
+    found = real_roots(at)
+    assert found is not None
+    assert found.complete
+    assert not found.double
+    np.testing.assert_allclose(np.sort(np.mod(found.simple, 2 * np.pi)), ELSEWHERE, atol=1e-9)
+
+
+def test_a_double_root_stays_one() -> None:
+    found = real_roots(product((1.0, 0.0), (2.0, 0.5)))
+    assert found is not None
+    np.testing.assert_allclose(found.double, [1.0], atol=1e-6)
+    assert len(found.simple) == len(ELSEWHERE)
+
+
+def test_nothing_at_all() -> None:
+    assert real_roots(lambda cosine, sine: 0.0 * cosine * sine) is None
