@@ -1,4 +1,4 @@
-"""Roots that may be double, looked at more closely: near the circle, in a crowd, and twice there."""
+"""Roots that may be double, looked at more closely: near the circle, in a crowd, and true ones."""
 
 from __future__ import annotations
 
@@ -23,8 +23,7 @@ def product(*factors: tuple[float, float]) -> Callable[[np.ndarray, np.ndarray],
     def at(cosine: np.ndarray, sine: np.ndarray) -> np.ndarray:
         x = np.arctan2(sine, cosine)
         pairs = [
-            2 * (np.sin((x - angle) / 2) ** 2 + np.sinh(depth / 2) ** 2)
-            for angle, depth in factors
+            2 * (np.sin((x - angle) / 2) ** 2 + np.sinh(depth / 2) ** 2) for angle, depth in factors
         ]
         value: np.ndarray = np.prod([np.sin((x - a) / 2) for a in ELSEWHERE], axis=0)
         return value * np.prod(pairs, axis=0)
