@@ -32,6 +32,7 @@ class Length:
 
 
 Unknown = AngleSum | Length
+Exponents = tuple[int, ...]
 Monomial = tuple[str, ...]  # names of unknown generators, e.g. ("c2", "r3"); () is the constant
 
 
@@ -83,11 +84,12 @@ class Form:
 
     def coefficient(self, *names: str) -> Polynomial:
         """The coefficient of a monomial, zero if it does not occur."""
-        return self.terms.get(tuple(sorted(names)), self.equation.difference.ring.zero)
+        found = self.terms.get(names if len(names) < 2 else tuple(sorted(names)))
+        return self.equation.difference.ring.zero if found is None else found
 
     def within(self, allowed: Iterable[Monomial]) -> bool:
         """Whether no other monomials occur."""
-        return set(self.terms) <= {tuple(sorted(monomial)) for monomial in allowed}
+        return self.terms.keys() <= {tuple(sorted(monomial)) for monomial in allowed}
 
 
 def unknown_name(unknown: Unknown) -> str:
@@ -226,6 +228,15 @@ def _places_of_late(pool: Pool) -> frozenset[int]:
         place
         for place, equation in enumerate(pool.equations)
         if any(monomial[name] for monomial in equation.difference for name in names)
+    )
+
+
+def is_multiple(
+    polynomial: Mapping[Exponents, object], other: Mapping[Exponents, object], sign: int
+) -> bool:
+    """Whether a polynomial, as its coefficients by exponents, is another one times +1 or -1."""
+    return len(polynomial) == len(other) and all(
+        other.get(exponents) == sign * coefficient for exponents, coefficient in polynomial.items()
     )
 
 

@@ -15,12 +15,15 @@ concurrent or parallel axes anywhere in the arm end here.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.forms import is_multiple
 from dhgen.paul.step import Kind, Step
+from dhgen.paul.witness import COUNT
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -28,87 +31,107 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.forms import Form
+    from dhgen.paul.forms import Form, Monomial
     from dhgen.paul.step import View
+
+    Values = NDArray[np.float64]
+    Complex = NDArray[np.complex128]
+    Place = tuple[int, int]  # row and column
 
 PENALTY = 500
 ROOTS = 4
 SAME = 1e-9  # of two products that are one by the arm's geometry
 FLAT = 1e-6  # of the polynomial's size: a slope this small is that of a double root
+STEP = 1e-4  # to both sides of the true angle, for the slope there [rad]
+TURNS = np.array([*np.linspace(0.0, 6.0, 13), STEP, -STEP])  # from the true angle [rad]
 
-
-Number = tuple["Polynomial", "Polynomial"]  # real and imaginary part
-Ratio = tuple[Number, Number]
+R, P, Q = range(3)  # rows: without the angle that is eliminated, with c_i, with s_i
+ROWS = {"P": P, "Q": Q, "R": R}
 
 
 @dataclass(frozen=True, slots=True)
-class Linear:
-    """A coefficient as it depends on the angle that stays: one + cosine c_j + sine s_j."""
+class Ratio:
+    """V1 and V2 with (P1 + i Q1) V2 = (P2 + i Q2) V1, both known.
 
-    one: Polynomial
-    cosine: Polynomial
-    sine: Polynomial
+    Attributes:
+        parts: Real and imaginary part of V1, then of V2.
+        values: V1 and V2 on every witness.
+    """
 
-    @property
-    def is_known(self) -> bool:
-        """Whether it does not depend on that angle."""
-        return not self.cosine and not self.sine
-
-    def is_same(self, other: Linear, sign: int) -> bool:
-        """Whether it is the other, times a sign."""
-        mine = (self.one, self.cosine, self.sine)
-        theirs = (other.one, other.cosine, other.sine)
-        return all(a == sign * b for a, b in zip(mine, theirs, strict=True))
-
-    @property
-    def letters(self) -> tuple[Polynomial, Polynomial, Polynomial]:
-        """The three parts."""
-        return self.one, self.cosine, self.sine
+    parts: tuple[Polynomial, Polynomial, Polynomial, Polynomial]
+    values: tuple[Complex, Complex]
 
 
 @dataclass(frozen=True, slots=True)
 class Split:
-    """Two equations by the angle that is eliminated (i) and the one that stays (j)."""
+    """Two equations by the angle that is eliminated (i) and the one that stays (j).
 
+    Attributes:
+        forms: The equations.
+        eliminated: The first angle.
+        kept: The second one.
+        values: The coefficients of each equation on every witness: those of 1, c_i and s_i, and
+            each by 1, c_j and s_j; shape (3, 3, COUNT).
+    """
+
+    forms: tuple[Form, Form]
     eliminated: AngleSum
     kept: AngleSum
-    p: tuple[Linear, Linear]
-    q: tuple[Linear, Linear]
-    r: tuple[Linear, Linear]
+    values: tuple[Values, Values]
 
     @property
     def is_known(self) -> bool:
         """Whether P and Q are known."""
-        return all(each.is_known for each in (*self.p, *self.q))
+        places = _places(self.eliminated, self.kept)
+        return all(0 in places[monomial] for form in self.forms for monomial in form.terms)
 
-    @property
-    def turned(self) -> int:
+    def letters(self, number: int, row: int) -> tuple[Polynomial, ...]:
+        """R, P or Q of one of the equations: one + cosine c_j + sine s_j."""
+        form = self.forms[number]
+        return tuple(form.coefficient(*each) for each in self._monomials(row))
+
+    def ratio(self) -> Ratio | None:
+        """The ratio of the vectors (P, Q) of both equations, if there is one that is known."""
+        if turned := self._turned():
+            ring, one = self.forms[0].equation.difference.ring, np.ones(COUNT, complex)
+            parts = ring.one, ring.zero, ring.zero, ring.one * turned
+            return Ratio(parts, (one, 1j * turned * one))
+        columns = [place for place in range(3) if self._holds(0, place) or self._holds(1, place)]
+        if not columns or not all(self._holds(n, place) for n in (0, 1) for place in columns):
+            return None
+        first, second = ((each[P] + 1j * each[Q])[columns] for each in self.values)
+        best = int(np.argmax(np.minimum(np.abs(first), np.abs(second)).min(axis=1)))
+        product = first * second[best]
+        if np.any(np.abs(product - second * first[best]) > SAME * np.abs(product)):
+            return None
+        x1, y1, x2, y2 = (
+            self.letters(number, row)[columns[best]] for number in (0, 1) for row in (P, Q)
+        )
+        return Ratio((x1, y1, x2, y2), (first[best], second[best]))
+
+    def _turned(self) -> int:
         """+1 or -1 when (P2, Q2) is (-Q1, P1) times that sign, else 0."""
         for sign in (1, -1):
-            if self.p[1].is_same(self.q[0], -sign) and self.q[1].is_same(self.p[0], sign):
+            if self._is_same(P, Q, -sign) and self._is_same(Q, P, sign):
                 return sign
         return 0
 
-    def ratio(self, view: View) -> Ratio | None:
-        """V1 and V2 with (P1 + i Q1) V2 = (P2 + i Q2) V1, if there are any that are known."""
-        ring = self.p[0].one.ring
-        if self.turned:
-            return (ring.one, ring.zero), (ring.zero, ring.one * self.turned)
-        first, second = (
-            list(zip(p.letters, q.letters, strict=True))
-            for p, q in zip(self.p, self.q, strict=True)
+    def _is_same(self, row: int, other: int, sign: int) -> bool:
+        """Whether a row of the second equation is another one of the first, times a sign."""
+        first, second = self.forms
+        pairs = zip(self._monomials(row), self._monomials(other), strict=True)
+        return all(
+            is_multiple(second.terms.get(mine, {}), first.terms.get(theirs, {}), sign)
+            for mine, theirs in pairs
         )
-        pairs = [(x, y) for x, y in zip(first, second, strict=True) if any(x) or any(y)]
-        if not pairs or not all(any(x) and any(y) for x, y in pairs):
-            return None
-        values = [(_complex(x, view), _complex(y, view)) for x, y in pairs]
-        sizes = [min(float(np.min(np.abs(v))) for v in pair) for pair in values]
-        best = int(np.argmax(sizes))
-        one, other = values[best]
-        for x, y in values:
-            if np.any(np.abs(x * other - y * one) > SAME * np.abs(x * other)):
-                return None
-        return pairs[best]
+
+    def _holds(self, number: int, column: int) -> bool:
+        """Whether P or Q of one of the equations has a part in one column."""
+        terms = self.forms[number].terms
+        return any(self._monomials(row)[column] in terms for row in (P, Q))
+
+    def _monomials(self, row: int) -> tuple[Monomial, ...]:
+        return _monomials(self.eliminated, self.kept)[row]
 
 
 class Circle:
@@ -121,133 +144,117 @@ class Circle:
 
     def why_not(self, forms: Sequence[Form], view: View) -> str | None:
         """Why the equations give no polynomial of degree 2."""
-        splits = _splits(forms)
+        splits = _splits(forms, view)
         if isinstance(splits, str):
             return splits
-        if not any(split.is_known or split.ratio(view) for split in splits):
+        if not any(split.is_known or split.ratio() for split in splits):
             return "the polynomial would be of a higher degree than 2"
         return None
 
     def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:
         """A step for each angle that can stay, unless the polynomial has only double roots."""
-        splits = _splits(forms)
+        splits = _splits(forms, view)
         if isinstance(splits, str):
             return
         for split in splits:
-            ratio = None if split.is_known else split.ratio(view)
+            ratio = None if split.is_known else split.ratio()
             if (split.is_known or ratio) and _is_sound(split, ratio, view):
-                yield _step(split, ratio, forms)
+                yield _step(split, ratio)
 
 
-def _step(split: Split, ratio: Ratio | None, forms: Sequence[Form]) -> Step:
+def _step(split: Split, ratio: Ratio | None) -> Step:
     letters = tuple(
-        (f"{letter}{number}{part}", value)
-        for letter, pair in (("P", split.p), ("Q", split.q), ("R", split.r))
-        for number, linear in enumerate(pair, start=1)
-        for part, value in zip(("", "c", "s"), linear.letters, strict=True)
+        (f"{letter}{number + 1}{part}", value)
+        for letter, row in ROWS.items()
+        for number in (0, 1)
+        for part, value in zip(("", "c", "s"), split.letters(number, row), strict=True)
     )
     if ratio is not None:
-        (x1, y1), (x2, y2) = ratio
-        letters = (*letters, ("V1x", x1), ("V1y", y1), ("V2x", x2), ("V2y", y2))
+        letters = (*letters, *zip(("V1x", "V1y", "V2x", "V2y"), ratio.parts, strict=True))
     penalty = PENALTY + sum(len(value) for _, value in letters)
-    return Step(Kind.CIRCLE, (split.kept,), tuple(forms), letters, ROOTS, penalty)
+    return Step(Kind.CIRCLE, (split.kept,), split.forms, letters, ROOTS, penalty)
 
 
-def _splits(forms: Sequence[Form]) -> list[Split] | str:
+def _splits(forms: Sequence[Form], view: View) -> list[Split] | str:
     first, second = forms
     if first.unknowns != second.unknowns or len(first.unknowns) != 2:
         return "not the same two unknowns"
-    angles = [angle for angle in first.unknowns if isinstance(angle, AngleSum)]
-    if len(angles) != 2:
+    angles = first.two_angles
+    if angles is None:
         return "the unknowns are not two angles"
-    one, other = angles
-    mixed = [(x, y) for x in (one.cosine, one.sine) for y in (other.cosine, other.sine)]
-    single = [(name,) for angle in angles for name in (angle.cosine, angle.sine)]
-    if not all(form.within([(), *single, *mixed]) for form in forms):
+    places = _places(*angles)
+    if not all(form.terms.keys() <= places.keys() for form in forms):
         return "not linear in the cosines and sines of each angle"
-    return [_split(forms, one, other), _split(forms, other, one)]
+    one, other = (_on_witnesses(form, places, view) for form in forms)
+    swapped = one.swapaxes(0, 1), other.swapaxes(0, 1)
+    return [
+        Split((first, second), angles[0], angles[1], (one, other)),
+        Split((first, second), angles[1], angles[0], swapped),
+    ]
 
 
-def _split(forms: Sequence[Form], eliminated: AngleSum, kept: AngleSum) -> Split:
-    def linear(form: Form, *names: str) -> Linear:
-        return Linear(
-            form.coefficient(*names),
-            form.coefficient(*names, kept.cosine),
-            form.coefficient(*names, kept.sine),
-        )
+@cache
+def _monomials(eliminated: AngleSum, kept: AngleSum) -> tuple[tuple[Monomial, ...], ...]:
+    """By rows 1, c_i, s_i and columns 1, c_j, s_j, in the spelling of forms."""
+    i, j = (((), (angle.cosine,), (angle.sine,)) for angle in (eliminated, kept))
+    return tuple(tuple(tuple(sorted((*x, *y))) for y in j) for x in i)
 
-    first, second = forms
-    return Split(
-        eliminated,
-        kept,
-        (linear(first, eliminated.cosine), linear(second, eliminated.cosine)),
-        (linear(first, eliminated.sine), linear(second, eliminated.sine)),
-        (linear(first), linear(second)),
-    )
+
+@cache
+def _places(eliminated: AngleSum, kept: AngleSum) -> dict[Monomial, Place]:
+    """Row and column of every monomial."""
+    rows = _monomials(eliminated, kept)
+    return {name: (row, column) for row in range(3) for column, name in enumerate(rows[row])}
+
+
+def _on_witnesses(form: Form, places: dict[Monomial, Place], view: View) -> Values:
+    values = np.zeros((3, 3, COUNT))
+    for monomial, polynomial in form.terms.items():
+        values[places[monomial]] = view.witnesses.evaluate(polynomial)
+    return values
 
 
 def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
     """Whether the true angle is a simple root on every witness."""
-    cosine = view.witnesses.evaluate(view.knowledge.runs.algebra.generator(split.kept.cosine))
-    sine = view.witnesses.evaluate(view.knowledge.runs.algebra.generator(split.kept.sine))
-    parts = [_numeric(linear, view) for linear in (*split.p, *split.q, *split.r)]
-    numbers = None if ratio is None else (_complex(ratio[0], view), _complex(ratio[1], view))
-    if _says_it_twice(parts, cosine, sine):
+    generator, on = view.knowledge.runs.algebra.generator, view.witnesses.evaluate
+    cosine, sine = on(generator(split.kept.cosine)), on(generator(split.kept.sine))
+    c = np.outer(np.cos(TURNS), cosine) - np.outer(np.sin(TURNS), sine)
+    s = np.outer(np.cos(TURNS), sine) + np.outer(np.sin(TURNS), cosine)
+    first, second = (
+        each[:, 0, None] + each[:, 1, None] * c + each[:, 2, None] * s for each in split.values
+    )
+    if _says_it_twice(first[:, 0], second[:, 0]):
         return False
-    slopes, sizes = _slope(parts, cosine, sine, numbers)
-    return bool(np.all(np.abs(slopes) > FLAT * sizes))
+    values = _polynomial(first, second, ratio)
+    *around, after, before = values
+    slopes = (after - before) / (2.0 * STEP)
+    return bool(np.all(np.abs(slopes) > FLAT * np.max(np.abs(around), axis=0)))
 
 
-def _values(
-    parts: list[Parts], cosine: NDArray[np.float64], sine: NDArray[np.float64]
-) -> list[NDArray[np.float64]]:
-    """P, Q and R of both equations at an angle that stays."""
-    return [one + u * cosine + v * sine for one, u, v in parts]
+def _says_it_twice(first: Values, second: Values) -> bool:
+    """Whether the second equation is the first again, so that the polynomial is 0 = 0.
+
+    Args:
+        first: R, P and Q of the first equation at the true angle, on every witness.
+        second: The same of the second.
+    """
+    one, other = first * np.roll(second, -1, axis=0), np.roll(first, -1, axis=0) * second
+    return bool(np.all(np.abs(one - other) <= SAME * np.abs(one)))
 
 
-def _says_it_twice(
-    parts: list[Parts], cosine: NDArray[np.float64], sine: NDArray[np.float64]
-) -> bool:
-    """Whether the second equation is the first again, so that the polynomial is 0 = 0."""
-    p1, p2, q1, q2, r1, r2 = _values(parts, cosine, sine)
-    products = [(p1 * q2, q1 * p2), (q1 * r2, r1 * q2), (r1 * p2, p1 * r2)]
-    return all(bool(np.all(np.abs(a - b) <= SAME * np.abs(a))) for a, b in products)
+def _polynomial(first: Values, second: Values, ratio: Ratio | None) -> Values:
+    """The polynomial in the angle that stays.
 
-
-Parts = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.float64]"]
-
-
-def _numeric(linear: Linear, view: View) -> Parts:
-    one, cosine, sine = (view.witnesses.evaluate(part) for part in linear.letters)
-    return one, cosine, sine
-
-
-def _complex(number: Number, view: View) -> NDArray[np.complex128]:
-    real, imaginary = (view.witnesses.evaluate(part) for part in number)
-    return np.asarray(real + 1j * imaginary)
-
-
-def _slope(
-    parts: list[Parts],
-    cosine: NDArray[np.float64],
-    sine: NDArray[np.float64],
-    ratio: tuple[NDArray[np.complex128], NDArray[np.complex128]] | None,
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The polynomial's derivative at the true angle, and its size, on every witness."""
-
-    def at(turn: float) -> NDArray[np.float64]:
-        c = cosine * np.cos(turn) - sine * np.sin(turn)
-        s = sine * np.cos(turn) + cosine * np.sin(turn)
-        p1, p2, q1, q2, r1, r2 = _values(parts, c, s)
-        if ratio is None:
-            determinant = p1 * q2 - q1 * p2
-            return np.asarray((q1 * r2 - q2 * r1) ** 2 + (r1 * p2 - r2 * p1) ** 2 - determinant**2)
-        v1, v2 = ratio
-        apart = (v1 * v2.conj()).imag
-        return np.asarray(
-            np.abs(v1 * (r1 * v2 - r2 * v1)) ** 2 - apart**2 * (p1**2 + q1**2), dtype=np.float64
-        )
-
-    step = 1e-4
-    sizes = np.max([np.abs(at(turn)) for turn in np.linspace(0.0, 6.0, 13)], axis=0)
-    return (at(step) - at(-step)) / (2.0 * step), sizes
+    Args:
+        first: R, P and Q of the first equation at every turn and on every witness.
+        second: The same of the second.
+        ratio: Of their vectors (P, Q), where these are not known.
+    """
+    (r1, p1, q1), (r2, p2, q2) = first, second
+    if ratio is None:
+        determinant = p1 * q2 - q1 * p2
+        return np.asarray((q1 * r2 - q2 * r1) ** 2 + (r1 * p2 - r2 * p1) ** 2 - determinant**2)
+    v1, v2 = ratio.values
+    apart = (v1 * v2.conj()).imag
+    size = np.abs(v1 * (r1 * v2 - r2 * v1)) ** 2
+    return np.asarray(size - apart**2 * (p1**2 + q1**2), dtype=np.float64)
