@@ -3,17 +3,37 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from sympy.polys.domains import QQ
 
+from dhgen.kinematics.packed import BITS, add_product, packed, unpacked
+
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
+    from collections.abc import Iterable, Mapping
 
     from sympy.polys.rings import PolyRing
 
     from dhgen.kinematics.constants import Constant, Polynomial
+    from dhgen.kinematics.packed import Packed
+
+LOWEST = (1 << BITS) - 1  # the bits of the exponent at place 0
+ABOVE_ONE = LOWEST - 1  # those of them that are set above one
+
+
+@dataclass(frozen=True, slots=True)
+class Square:
+    """What the square of a generator is.
+
+    Attributes:
+        shift: Of the generator's exponent in a packed monomial.
+        terms: The square times its common denominator.
+        below: That denominator.
+    """
+
+    shift: int
+    terms: Packed
+    below: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,40 +41,56 @@ class NormalForm:
     """Rewrites even powers of some generators.
 
     Attributes:
-        squares: Generator index and what its square is.
-        exponents: Those of the generators of `squares` out of a monomial.
+        ring: The ring of the polynomials.
+        squares: In the order of rewriting.
+        high: The bits of a packed monomial of which none is set in normal form.
     """
 
-    squares: tuple[tuple[int, Polynomial], ...]
-    exponents: Callable[[tuple[int, ...]], tuple[int, ...]]
+    ring: PolyRing
+    squares: tuple[Square, ...]
+    high: int
 
     def __call__(self, polynomial: Polynomial) -> Polynomial:
         """The polynomial with no generator of `squares` in a power above one."""
-        if max(map(max, map(self.exponents, polynomial)), default=0) <= 1:
+        (terms,), below = packed([polynomial])
+        if not any(map(self.high.__and__, terms)):
             return polynomial
-        for index, square in self.squares:
-            if any(monomial[index] > 1 for monomial in polynomial):
-                polynomial = _reduce(polynomial, index, square)
-        return polynomial
+        return self._unpacked(terms, below)
+
+    def products(self, terms: Iterable[tuple[int, Polynomial, Polynomial]]) -> Polynomial:
+        """The sum of n f g, in normal form."""
+        nonzero = [each for each in terms if all(each)]
+        if not nonzero:
+            return self.ring.zero
+        numbers, *factors = zip(*nonzero, strict=True)
+        (firsts, below), (seconds, other) = map(packed, factors)
+        total: Packed = {}
+        for number, first, second in zip(numbers, firsts, seconds, strict=True):
+            add_product(total, number, first, second)
+        return self._unpacked(total, below * other)
+
+    def _unpacked(self, terms: Packed, below: int) -> Polynomial:
+        for square in self.squares:
+            above_one = ABOVE_ONE << square.shift
+            if any(map(above_one.__and__, terms)):
+                terms, below = _reduced(terms, below, square)
+        return unpacked(self.ring, terms, below)
 
 
-def _reduce(polynomial: Polynomial, index: int, square: Polynomial) -> Polynomial:
-    ring = polynomial.ring
-    total, nothing = ring.zero, ring.domain.zero
-    powers: dict[int, Polynomial] = {}
-    for monomial, coefficient in polynomial.items():
-        half, rest = divmod(monomial[index], 2)
-        if not half:
-            total[monomial] = total.get(monomial, nothing) + coefficient
-            continue
-        if half not in powers:
-            powers[half] = square**half
-        lowered = (*monomial[:index], rest, *monomial[index + 1 :])
-        for factor, number in powers[half].items():
-            product = ring.monomial_mul(lowered, factor)
-            total[product] = total.get(product, nothing) + coefficient * number
-    total.strip_zero()
-    return total
+def _reduced(terms: Packed, below: int, square: Square) -> tuple[Packed, int]:
+    """Terms over a common denominator, without powers above one of one generator."""
+    halves = [(monomial >> square.shift & LOWEST) // 2 for monomial in terms]
+    most = max(halves)
+    powers: list[Packed] = [{0: 1}]
+    for _ in range(most):
+        power: Packed = {}
+        add_product(power, 1, powers[-1], square.terms)
+        powers.append(power)
+    total: Packed = {}
+    for half, (monomial, number) in zip(halves, terms.items(), strict=True):
+        lowered = {monomial - (2 * half << square.shift): number}
+        add_product(total, square.below ** (most - half), lowered, powers[half])
+    return total, below * square.below**most
 
 
 def normal_form(
@@ -75,7 +111,9 @@ def normal_form(
         for c in constants
         if c.square is not None
     ]
-    # a getter of at least two places gives tuples
-    places = [place for place, _ in squares]
-    exponents = itemgetter(*places, *places) if places else lambda _: (0,)
-    return NormalForm(tuple(squares), exponents)
+    found = []
+    for place, polynomial in squares:
+        (terms,), below = packed([polynomial])
+        found.append(Square(BITS * place, terms, below))
+    high = sum(ABOVE_ONE << square.shift for square in found)
+    return NormalForm(ring, tuple(found), high)

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from sympy.polys.rings import PolyRing
 
     from dhgen.kinematics.constants import Polynomial
+    from dhgen.kinematics.normal import NormalForm
 
 AXES = range(3)
 
@@ -70,18 +71,13 @@ def rotation_z(ring: PolyRing, cosine: Polynomial, sine: Polynomial) -> Transfor
 
 
 def dot(
-    row: Sequence[Polynomial], column: Sequence[Polynomial], normal: Callable[..., Polynomial]
+    row: Sequence[Polynomial], column: Sequence[Polynomial], normal: NormalForm
 ) -> Polynomial:
     """A row times a column, in normal form."""
-    ring = row[0].ring
-    total = ring.zero
-    for left, right in zip(row, column, strict=True):
-        if left and right:
-            total += left * right
-    return normal(total)
+    return normal.products((1, left, right) for left, right in zip(row, column, strict=True))
 
 
-def compose(first: Transform, second: Transform, normal: Callable[..., Polynomial]) -> Transform:
+def compose(first: Transform, second: Transform, normal: NormalForm) -> Transform:
     """The product of two transforms, every entry in normal form."""
     columns = tuple(zip(*second.rotation, strict=True))
     rows = tuple(tuple(dot(row, column, normal) for column in columns) for row in first.rotation)
@@ -92,7 +88,7 @@ def compose(first: Transform, second: Transform, normal: Callable[..., Polynomia
     return Transform(rows, moved)
 
 
-def inverse(transform: Transform, normal: Callable[..., Polynomial]) -> Transform:
+def inverse(transform: Transform, normal: NormalForm) -> Transform:
     """The inverse of a rigid transform: transposed rotation (document 002)."""
     rows = tuple(zip(*transform.rotation, strict=True))
     moved = tuple(-dot(row, transform.translation, normal) for row in rows)

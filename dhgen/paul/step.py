@@ -54,9 +54,7 @@ class Products:
     def polynomial(self) -> Polynomial:
         """The sum in normal form."""
         if not self._sum:
-            _, first, _ = self.terms[0]
-            total = sum((n * f * g for n, f, g in self.terms if f and g), first.ring.zero)
-            self._sum.append(self.normal(total))
+            self._sum.append(self.normal.products(self.terms))
         return self._sum[0]
 
 
