@@ -70,10 +70,10 @@ class NormalForm:
         return self._unpacked(total, below * other)
 
     def _unpacked(self, terms: Packed, below: int) -> Polynomial:
-        for square in self.squares:
-            above_one = ABOVE_ONE << square.shift
-            if any(map(above_one.__and__, terms)):
-                terms, below = _reduced(terms, below, square)
+        if any(map(self.high.__and__, terms)):
+            for square in self.squares:
+                if any(map((ABOVE_ONE << square.shift).__and__, terms)):
+                    terms, below = _reduced(terms, below, square)
         return unpacked(self.ring, terms, below)
 
 

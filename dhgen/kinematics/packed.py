@@ -36,7 +36,7 @@ def packed(polynomials: Sequence[Polynomial]) -> tuple[list[Packed], int]:
 def unpacked(ring: PolyRing, terms: Mapping[int, int], below: int) -> Polynomial:
     """The polynomial with these terms over a common denominator; zeros are left out."""
     domain, size = ring.domain, len(ring.gens)
-    numbers = {number: domain(number) / domain(below) for number in set(terms.values())}
+    numbers = {number: domain(number, below) for number in set(terms.values())}
     polynomial = ring.zero
     for monomial, number in terms.items():
         if number:

@@ -8,6 +8,7 @@ way.
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.chain import Fixed, Slide, Turn
@@ -49,6 +50,37 @@ def product(elements: Iterable[Element], algebra: Algebra) -> Transform:
     for element in elements:
         scan.append(element)
     return scan.result()
+
+
+@dataclass(frozen=True, slots=True)
+class Spans:
+    """Products of consecutive links A_1 ... A_n, none worked out twice.
+
+    Attributes:
+        links: The elements of every link, their constants in the algebra's ring.
+        algebra: The ring.
+    """
+
+    links: tuple[tuple[Element, ...], ...]
+    algebra: Algebra
+    _products: dict[tuple[int, int], Transform] = field(default_factory=dict, compare=False)
+    _inverses: dict[tuple[int, int], Transform] = field(default_factory=dict, compare=False)
+
+    def product(self, m: int, k: int) -> Transform:
+        """A_{m+1} ... A_k: frame k seen from frame m."""
+        if (m, k) not in self._products:
+            self._products[m, k] = product(self._elements(m, k), self.algebra)
+        return self._products[m, k]
+
+    def inverse(self, m: int, k: int) -> Transform:
+        """(A_{m+1} ... A_k)^-1: frame m seen from frame k."""
+        if (m, k) not in self._inverses:
+            elements = reversed_elements(self._elements(m, k), self.algebra)
+            self._inverses[m, k] = product(elements, self.algebra)
+        return self._inverses[m, k]
+
+    def _elements(self, m: int, k: int) -> list[Element]:
+        return [element for link in self.links[m:k] for element in link]
 
 
 class _Scan:

@@ -70,9 +70,7 @@ def rotation_z(ring: PolyRing, cosine: Polynomial, sine: Polynomial) -> Transfor
     return Transform(rows, (zero, zero, zero))
 
 
-def dot(
-    row: Sequence[Polynomial], column: Sequence[Polynomial], normal: NormalForm
-) -> Polynomial:
+def dot(row: Sequence[Polynomial], column: Sequence[Polynomial], normal: NormalForm) -> Polynomial:
     """A row times a column, in normal form."""
     return normal.products((1, left, right) for left, right in zip(row, column, strict=True))
 

@@ -20,10 +20,10 @@ from dhgen.kinematics.arm_angle import is_planar, reference_axis, triangle
 from dhgen.kinematics.chain import Turn
 from dhgen.kinematics.neighbours import EXACT
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.product import product, reversed_elements
+from dhgen.kinematics.product import product
 from dhgen.kinematics.ring import constant_value
 from dhgen.kinematics.transform import Transform, compose, dot
-from dhgen.paul.pool import Equation, Origin, merged, moving_parts
+from dhgen.paul.pool import Equation, Origin, merged, moving_parts, right_inverse
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -96,7 +96,7 @@ def with_arm_plane(pool: Pool) -> Pool:
     for k in range(SHOULDER, 0, -1):
         for m in range(k):
             left = shoulder_side(problem, m, k)
-            right = product(_elements(problem, m, k), problem.algebra)
+            right = problem.spans.product(m, k)
             for row in range(3):
                 for column in range(3):
                     origin = Origin(m, k, SHOULDER, row + 1, column + 1, shoulder=True)
@@ -113,16 +113,9 @@ def shoulder_side(problem: Problem, m: int, k: int) -> Transform:
     total = Transform(
         tuple(tuple(algebra.generator(name) for name in row) for row in SHOULDER_NAMES), nowhere
     )
-    before, after = (
-        product(reversed_elements(_elements(problem, *ends), algebra), algebra).rotation
-        for ends in ((0, m), (k, SHOULDER))
-    )
+    before, after = (problem.spans.inverse(*ends).rotation for ends in ((0, m), (k, SHOULDER)))
     total = compose(Transform(before, nowhere), total, algebra.normal)
     return compose(total, Transform(after, nowhere), algebra.normal)
-
-
-def _elements(problem: Problem, first: int, last: int) -> list[Element]:
-    return [element for link in problem.links[first:last] for element in link]
 
 
 class _Builder:
@@ -143,7 +136,7 @@ class _Builder:
         axis = self._before(self._problem.links[SHOULDER])
         before = self._before(self._problem.links[0])
         fourth = axis.column(2)
-        there = product(_elements(self._problem, SHOULDER, k), algebra).translation
+        there = self._problem.spans.product(SHOULDER, k).translation
         wrist = self._minus(there, home)
         start = self._minus(axis.translation, home)
         along = dot(fourth, start, algebra.normal)
@@ -168,7 +161,7 @@ class _Builder:
             planar=is_planar(self._arm),
             folds=self._folds(),
             area=self._length(elbow) * self._length(self._minus(wrist, elbow)),
-            rotation=product(_elements(self._problem, 0, SHOULDER), algebra).rotation,
+            rotation=self._problem.spans.product(0, SHOULDER).rotation,
         )
 
     def _folds(self) -> bool:
@@ -184,7 +177,7 @@ class _Builder:
         back = np.linalg.inv(self._arm.base)
         wanted = back[:3, :3] @ self._triangle.shoulder + back[:3, 3]
         for m in range(SHOULDER + 1):
-            origin = product(_elements(self._problem, 0, m), self._algebra).translation
+            origin = self._problem.spans.product(0, m).translation
             if self._is(origin, wanted) and self._are_constant(self._seen_from_three(m)):
                 return m, origin
         raise UnsolvedError("no frame of the table has its origin where axes 1, 2 and 3 meet")
@@ -195,17 +188,15 @@ class _Builder:
         back = np.linalg.inv(tool)
         wanted = back[:3, :3] @ self._triangle.wrist + back[:3, 3]
         for k in range(SHOULDER + 1, len(self._problem.links) + 1):
-            after = _elements(self._problem, k, len(self._problem.links))
-            origin = product(reversed_elements(after, self._algebra), self._algebra).translation
-            there = product(_elements(self._problem, SHOULDER, k), self._algebra).translation
+            origin = right_inverse(self._problem, k).translation
+            there = self._problem.spans.product(SHOULDER, k).translation
             if self._is(origin, wanted) and moving_parts(self._algebra, there) == {"4"}:
                 return k, origin
         raise UnsolvedError("no frame of the table has its origin where axes 5, 6 and 7 meet")
 
     def _seen_from_three(self, m: int) -> Vector:
         """The origin of frame m in frame 3."""
-        between = _elements(self._problem, m, SHOULDER)
-        return product(reversed_elements(between, self._algebra), self._algebra).translation
+        return self._problem.spans.inverse(m, SHOULDER).translation
 
     def _before(self, link: tuple[Element, ...]) -> Transform:
         """What stands in a link before its joint."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from itertools import chain
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
 
@@ -232,7 +232,7 @@ def _places_of_late(pool: Pool) -> frozenset[int]:
 
 
 def is_multiple(
-    polynomial: Mapping[Exponents, object], other: Mapping[Exponents, object], sign: int
+    polynomial: Mapping[Exponents, Any], other: Mapping[Exponents, Any], sign: int
 ) -> bool:
     """Whether a polynomial, as its coefficients by exponents, is another one times +1 or -1."""
     return len(polynomial) == len(other) and all(
@@ -264,5 +264,7 @@ def _split(polynomial: Polynomial, places: Sequence[int]) -> dict[tuple[int, ...
         rest = list(monomial)
         for place in places:
             rest[place] = 0
-        parts.setdefault(exponents, ring.zero)[tuple(rest)] = coefficient
+        if exponents not in parts:
+            parts[exponents] = ring.zero
+        parts[exponents][tuple(rest)] = coefficient
     return parts

@@ -11,7 +11,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
-from dhgen.kinematics.product import product, reversed_elements
 from dhgen.kinematics.transform import Transform, dot
 from dhgen.paul.pool import (
     BasePoint,
@@ -21,6 +20,7 @@ from dhgen.paul.pool import (
     may_help,
     merged,
     moving_parts,
+    right_inverse,
 )
 
 if TYPE_CHECKING:
@@ -86,17 +86,14 @@ class _View:
 
     def column(self, m: int, k: int) -> tuple[Vector, Vector]:
         """Frame m as seen from frame k: through U_0, and through the links between."""
-        links, algebra = self._problem.links, self._algebra
-        back = product((e for link in links[k:] for e in link), algebra)
-        between = [element for link in links[m:k] for element in link]
-        right = product(reversed_elements(between, algebra), algebra).translation
+        spans = self._problem.spans
         seen = self._seen_from_tool(self._reached(m))
-        return _applied(back, seen, algebra), right
+        back, right = spans.product(k, self._dof), spans.inverse(m, k).translation
+        return _applied(back, seen, self._algebra), right
 
     def _reached(self, m: int) -> Vector:
         """The origin of frame m in the base."""
-        links = self._problem.links[:m]
-        return product((e for link in links for e in link), self._algebra).translation
+        return self._problem.spans.product(0, m).translation
 
     def _seen_from_tool(self, point: Vector) -> Vector:
         """R' (b - t), by names where b is fixed in the base and for b = 0."""
@@ -134,8 +131,7 @@ class _View:
             return []
         normal = self._algebra.normal
         seen = self._seen_from_tool(self._reached(m))
-        after = [element for link in self._problem.links[k:] for element in link]
-        o = product(reversed_elements(after, self._algebra), self._algebra).translation
+        o = right_inverse(self._problem, k).translation
         first = dot(seen, seen, normal) + dot(o, o, normal) - 2 * dot(seen, o, normal)
         second = dot(right, right, normal)
         return [Equation(origin, (origin,), first, second, second - first)]

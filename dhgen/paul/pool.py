@@ -12,14 +12,12 @@ from itertools import product as product_of
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
-from dhgen.kinematics.product import product, reversed_elements
 from dhgen.kinematics.transform import Transform, compose, dot
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
     from dhgen.kinematics.algebra import Algebra
-    from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.arm_plane import ArmPlane
     from dhgen.paul.problem import Problem
@@ -220,13 +218,12 @@ def mixed_forms(problem: Problem, rights: Sequence[Transform]) -> Iterator[Mixed
         problem: What is asked.
         rights: U_0 (A_{k+1} ... A_n)^-1 for k = 0 ... n.
     """
-    algebra, links = problem.algebra, problem.links
+    algebra, links, spans = problem.algebra, problem.links, problem.spans
     for m in range(len(links)):
-        before = [element for link in links[:m] for element in link]
-        left = product(reversed_elements(before, algebra), algebra)
+        left = spans.inverse(0, m)
         for k in range(len(links), m, -1):
-            joints = product((element for link in links[m:k] for element in link), algebra)
-            yield MixedForm(m, k, left, compose(left, rights[k], algebra.normal), joints)
+            known = compose(left, rights[k], algebra.normal)
+            yield MixedForm(m, k, left, known, spans.product(m, k))
 
 
 def merged(equations: Iterable[Equation]) -> tuple[Equation, ...]:
@@ -244,8 +241,7 @@ def merged(equations: Iterable[Equation]) -> tuple[Equation, ...]:
 
 def right_inverse(problem: Problem, k: int) -> Transform:
     """(A_{k+1} ... A_n)^-1: frame k seen from the last one."""
-    after = [element for link in problem.links[k:] for element in link]
-    return product(reversed_elements(after, problem.algebra), problem.algebra)
+    return problem.spans.inverse(k, len(problem.links))
 
 
 def _moved_right(problem: Problem, step: Transform, points: list[Point]) -> Transform:
@@ -341,18 +337,13 @@ def may_help(problem: Problem, origin: Origin) -> bool:
 
     It does not depend on what turns the whole about either of its ends.
     """
-    algebra = problem.algebra
-    first, last = (
-        [element for link in links for element in link]
-        for links in (problem.links[: origin.m], problem.links[origin.k :])
-    )
-    between = [e for link in problem.links[origin.m : origin.k] for e in link]
+    spans, m, k = problem.spans, origin.m, origin.k
 
-    def parts(elements: Sequence[Element]) -> set[str]:
-        return moving_parts(algebra, product(elements, algebra).translation)
+    def parts(transform: Transform) -> set[str]:
+        return moving_parts(problem.algebra, transform.translation)
 
-    held = parts(between) & parts(reversed_elements(between, algebra))
-    held |= parts(first) | parts(reversed_elements(last, algebra))
+    held = parts(spans.product(m, k)) & parts(spans.inverse(m, k))
+    held |= parts(spans.product(0, m)) | parts(right_inverse(problem, k))
     return len(held) <= MOST_SQUARED
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.chain import Fixed
-from dhgen.kinematics.product import product
+from dhgen.kinematics.product import Spans
 from dhgen.kinematics.transform import Transform, identity
 from dhgen.robot.robot import TaskKind
 
@@ -29,10 +29,9 @@ class Problem:
 
     Attributes:
         algebra: The arm and its ring.
-        links: The elements of A_1 ... A_n, with base and tool where they stay in the chain.
+        spans: Products of the links A_1 ... A_n, with base and tool where they stay in the chain.
         target: U_0: known pose entries as generators or as what they equal for this arm.
         known: Names of the pose entries that the task gives and that are independent.
-        forward: A_1 ... A_n, what U_0 equals.
         base_left: Whether Z has been moved to the left.
         tool_left: Whether E has been moved to the left.
         redundant: Whether the task has more entries than the arm can choose, so that a pose
@@ -40,13 +39,22 @@ class Problem:
     """
 
     algebra: Algebra
-    links: tuple[tuple[Element, ...], ...]
+    spans: Spans
     target: Transform
     known: frozenset[str]
-    forward: Transform
     base_left: bool
     tool_left: bool
     redundant: bool
+
+    @property
+    def links(self) -> tuple[tuple[Element, ...], ...]:
+        """The elements of A_1 ... A_n."""
+        return self.spans.links
+
+    @property
+    def forward(self) -> Transform:
+        """A_1 ... A_n, what U_0 equals."""
+        return self.spans.product(0, len(self.links))
 
 
 _COORDINATES = {"x": "t14", "y": "t24", "z": "t34"}
@@ -98,15 +106,14 @@ def build_problem(algebra: Algebra) -> Problem:
         links[0] = (Fixed(algebra.lift(chain.base)), *links[0])
     if not tool_left and algebra.lift(chain.tool) != still:
         links[-1] = (*links[-1], Fixed(algebra.lift(chain.tool)))
-    forward = product((element for link in links for element in link), algebra)
+    spans = Spans(tuple(links), algebra)
     given = task_entries(chain.task)
-    target, known = _target(algebra, forward, given)
+    target, known = _target(algebra, spans.product(0, len(links)), given)
     return Problem(
         algebra=algebra,
-        links=tuple(links),
+        spans=spans,
         target=target,
         known=known,
-        forward=forward,
         base_left=base_left,
         tool_left=tool_left,
         redundant=is_redundant(chain),

@@ -146,9 +146,10 @@ class Search:
 
     def _beside(self, first: Form, second: Form) -> bool:
         """Whether two equations stand in one column or row, or have been solved together."""
-        pair = frozenset((id(first.equation), id(second.equation)))
-        lines = self._lines[id(first.equation)]
-        return pair in self._partners or not lines.isdisjoint(self._lines[id(second.equation)])
+        one, other = id(first.equation), id(second.equation)
+        if not self._lines[one].isdisjoint(self._lines[other]):
+            return True
+        return bool(self._partners) and frozenset((one, other)) in self._partners
 
     def _route(self, steps: tuple[Step, ...]) -> Route:
         knowledge = self._start

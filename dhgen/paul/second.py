@@ -136,7 +136,9 @@ def _moments(problem: Problem) -> Iterator[Equation]:
 def moment(frame: Transform, algebra: Algebra) -> Vector:
     """z x p of a frame."""
     (zx, zy, zz), (px, py, pz) = frame.column(2), frame.column(3)
-    x, y, z = (
-        algebra.normal(each) for each in (zy * pz - zz * py, zz * px - zx * pz, zx * py - zy * px)
+    products = algebra.normal.products
+    return (
+        products(((1, zy, pz), (-1, zz, py))),
+        products(((1, zz, px), (-1, zx, pz))),
+        products(((1, zx, py), (-1, zy, px))),
     )
-    return x, y, z

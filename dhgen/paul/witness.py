@@ -7,7 +7,7 @@ half take random ones, so that neither a coincidence of lengths nor of angles de
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING
@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES, POSE_PLACES, SHOULDER_NAMES
+from dhgen.paul.samples import Samples, terms_on
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -36,67 +37,49 @@ VANISHING = 1e-9  # of the sum of the sizes of a polynomial's terms
 
 @dataclass(frozen=True, slots=True)
 class Witnesses:
-    """The values of every generator on every witness.
+    """What polynomials are on every witness.
 
     Attributes:
-        values: Shape (generators, COUNT).
-        loose: The same with the arm's own lengths and a pose that is no pose: what is constant
-            here is so as a polynomial. Shape (generators, LOOSE).
+        algebra: The arm's ring.
+        samples: The values of every generator on the COUNT witnesses.
+        loose: The same with the arm's own lengths and a pose that is no pose, LOOSE times: what is
+            constant here is so as a polynomial.
     """
 
     algebra: Algebra
-    values: Values
-    loose: Values
-    _seen: dict[Polynomial, bool] = field(default_factory=dict)
-    _values: dict[Polynomial, Values] = field(default_factory=dict)
-    _sizes: dict[Polynomial, Values] = field(default_factory=dict)
-    _loose_values: dict[Polynomial, Values] = field(default_factory=dict)
+    samples: Samples
+    loose: Samples
 
     def evaluate(self, polynomial: Polynomial) -> Values:
         """The polynomial on every witness, shape (COUNT,)."""
-        if polynomial not in self._values:
-            self._values[polynomial] = np.sum(terms_on(polynomial, self.values), axis=0)
-        return self._values[polynomial]
+        return self.samples.value(polynomial)
 
     def vanishes(self, polynomial: Polynomial) -> bool:
         """Whether the polynomial is zero on any witness."""
         if not polynomial:
             return True
-        if polynomial not in self._seen:
-            terms = terms_on(polynomial, self.values)
-            sizes = np.sum(np.abs(terms), axis=0)
-            small = np.abs(np.sum(terms, axis=0)) <= VANISHING * sizes
-            self._seen[polynomial] = bool(np.any(small))
-        return self._seen[polynomial]
+        value, size = self.samples.value_and_size(polynomial)
+        return bool(np.any(np.abs(value) <= VANISHING * size))
 
     def surely_varies(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
         """Whether the sum of n f g is surely not made of the arm's lengths alone."""
         total, sizes = np.zeros(LOOSE), np.zeros(LOOSE)
         for n, f, g in products:
-            part = n * self._loosely(f) * self._loosely(g)
-            total += part
-            sizes += np.abs(part)
+            if f and g:
+                part = n * self.loose.value(f) * self.loose.value(g)
+                total += part
+                sizes += np.abs(part)
         return bool(np.ptp(total) > VANISHING * np.max(sizes))
-
-    def _loosely(self, polynomial: Polynomial) -> Values:
-        """The polynomial where the pose belongs to no configuration, shape (LOOSE,)."""
-        if polynomial not in self._loose_values:
-            self._loose_values[polynomial] = np.sum(terms_on(polynomial, self.loose), axis=0)
-        return self._loose_values[polynomial]
 
     def sum_vanishes(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
         """Whether the sum of n f g is zero on any witness, without multiplying it out."""
         total, sizes = np.zeros(COUNT), np.zeros(COUNT)
         for n, f, g in products:
-            total += n * self.evaluate(f) * self.evaluate(g)
-            sizes += abs(n) * self._size(f) * self._size(g)
+            if f and g:
+                first, second = self.samples.value_and_size(f), self.samples.value_and_size(g)
+                total += n * first[0] * second[0]
+                sizes += abs(n) * first[1] * second[1]
         return bool(np.any(np.abs(total) <= VANISHING * sizes))
-
-    def _size(self, polynomial: Polynomial) -> Values:
-        """The sum of the sizes of a polynomial's terms on every witness."""
-        if polynomial not in self._sizes:
-            self._sizes[polynomial] = np.sum(np.abs(terms_on(polynomial, self.values)), axis=0)
-        return self._sizes[polynomial]
 
     def stay_apart(self, *polynomials: Polynomial) -> bool:
         """Whether polynomials in cosines, sines and lengths have no common zero at right angles.
@@ -117,7 +100,7 @@ class Witnesses:
         if any(place < first and place not in inner for place in used):
             return False
         corners = np.array(list(product(RIGHT_ANGLES, repeat=len(angles))))
-        values = np.repeat(self.values[:, 1:2], len(corners), axis=1)
+        values = np.repeat(self.samples.values[:, 1:2], len(corners), axis=1)
         for number, angle in enumerate(angles):
             values[self._places(angle)] = corners[:, number].T
         common = np.ones(len(corners), dtype=bool)
@@ -130,15 +113,6 @@ class Witnesses:
         return [self.algebra.index[angle.cosine], self.algebra.index[angle.sine]]
 
 
-def terms_on(polynomial: Polynomial, values: Values) -> Values:
-    """Every term on every column of `values`, shape (terms, columns)."""
-    exponents = np.array(list(polynomial), dtype=np.int64).reshape(-1, len(values))
-    factors = [int(c.numerator) / int(c.denominator) for c in polynomial.values()]
-    used = np.flatnonzero(exponents.any(axis=0))
-    powers = values[used] ** exponents[:, used, None]
-    return np.asarray(np.array(factors)[:, None] * powers.prod(axis=1))
-
-
 def build_witnesses(pool: Pool) -> Witnesses:
     """Random configurations of an arm; the same ones at every run."""
     algebra = pool.problem.algebra
@@ -149,7 +123,7 @@ def build_witnesses(pool: Pool) -> Witnesses:
         named = _lengths(algebra, source, own=own) | _joints(algebra, source)
         for name, value in named.items():
             values[algebra.index[name], column] = value
-    witnesses = Witnesses(algebra, values, _loose(algebra, source))
+    witnesses = Witnesses(algebra, Samples(values), Samples(_loose(algebra, source)))
     _add_pose(pool, witnesses)
     return witnesses
 
@@ -199,7 +173,7 @@ def _add_pose(pool: Pool, witnesses: Witnesses) -> None:
     index = problem.algebra.index
     for name in POSE_NAMES:
         entry = problem.forward.entry(*POSE_PLACES[name])
-        witnesses.values[index[name]] = witnesses.evaluate(entry)
+        witnesses.samples.values[index[name]] = witnesses.evaluate(entry)
     for point in pool.points:
         for row, name in enumerate(point.names):
             place = sum(
@@ -207,13 +181,13 @@ def _add_pose(pool: Pool, witnesses: Witnesses) -> None:
                 * witnesses.evaluate(point.in_tool[column])
                 for column in range(3)
             )
-            witnesses.values[index[name]] = place + witnesses.evaluate(
+            witnesses.samples.values[index[name]] = place + witnesses.evaluate(
                 problem.forward.entry(row, 3)
             )
     if pool.plane is not None:
         for names, entries in zip(SHOULDER_NAMES, pool.plane.rotation, strict=True):
             for name, entry in zip(names, entries, strict=True):
-                witnesses.values[index[name]] = witnesses.evaluate(entry)
+                witnesses.samples.values[index[name]] = witnesses.evaluate(entry)
     for base_point in pool.base_points:
         offset = [
             witnesses.evaluate(base_point.in_base[row])
@@ -221,7 +195,7 @@ def _add_pose(pool: Pool, witnesses: Witnesses) -> None:
             for row in range(3)
         ]
         for column, name in enumerate(base_point.names):
-            witnesses.values[index[name]] = sum(
+            witnesses.samples.values[index[name]] = sum(
                 witnesses.evaluate(problem.forward.entry(row, column)) * offset[row]
                 for row in range(3)
             )

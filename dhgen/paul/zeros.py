@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.paul.witness import terms_on
+from dhgen.paul.samples import terms_on
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 import numpy as np
 from hypothesis import given
@@ -8,6 +9,7 @@ from hypothesis import strategies as st
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyRing
 
+from dhgen.kinematics.constants import Constant, Polynomial
 from dhgen.kinematics.normal import NormalForm, normal_form
 from dhgen.kinematics.transform import (
     Transform,
@@ -86,6 +88,24 @@ def test_the_normal_form_changes_the_writing_not_the_value(
     assert NORMAL(reduced) == reduced
     at = values(first, second)
     assert abs(number(reduced, at) - number(polynomial, at)) < 1e-9
+
+
+polynomials = st.dictionaries(
+    st.tuples(*[st.integers(0, 3)] * 6), st.fractions(-3, 3, max_denominator=9), max_size=4
+).map(lambda terms: RING.from_dict({m: QQ(n.numerator, n.denominator) for m, n in terms.items()}))
+
+
+@given(st.lists(st.tuples(st.integers(-2, 2), polynomials, polynomials), max_size=3))
+def test_a_sum_of_products_is_that_of_the_ring(
+    terms: list[tuple[int, Polynomial, Polynomial]],
+) -> None:
+    assert NORMAL.products(terms) == NORMAL(sum((n * f * g for n, f, g in terms), RING.zero))
+
+
+def test_the_square_of_a_root_may_be_a_fraction() -> None:
+    root = Constant("a", 0.75**0.5, "", square=Fraction(3, 4))
+    normal = normal_form(RING, (root,), {"s1": "c1"})
+    assert normal(A**5 * S1**2 + A / 3) == A * QQ(9, 16) * (1 - C1**2) + A / 3
 
 
 def test_the_normal_form_is_unique() -> None:

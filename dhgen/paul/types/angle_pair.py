@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.paul.forms import is_multiple
 from dhgen.paul.step import Kind, Step, placing
 
 if TYPE_CHECKING:
@@ -85,8 +86,10 @@ class _Factors:
     @property
     def is_turned(self) -> bool:
         """Whether (X2, Y2) is (X1, Y1) turned by a right angle."""
-        turned = ((-self.y1, self.x1), (self.y1, -self.x1))
-        return (self.x2, self.y2) in turned
+        return any(
+            is_multiple(self.x2, self.y1, -sign) and is_multiple(self.y2, self.x1, sign)
+            for sign in (1, -1)
+        )
 
 
 def _read(forms: Sequence[Form]) -> _Factors | str:

@@ -20,7 +20,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.forms import is_multiple
 from dhgen.paul.step import Kind, Step
 from dhgen.paul.witness import COUNT
@@ -30,6 +29,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.forms import Form, Monomial
     from dhgen.paul.step import View

@@ -14,6 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.paul.forms import is_multiple
 from dhgen.paul.step import Kind, Step, placing
 
 if TYPE_CHECKING:
@@ -122,10 +123,9 @@ def _turned(first: Form, second: Form, angle: AngleSum) -> Turned | None:
     """The two equations' part in one angle as a turned vector, when it is one."""
     c1, s1 = first.coefficient(angle.cosine), first.coefficient(angle.sine)
     c2, s2 = second.coefficient(angle.cosine), second.coefficient(angle.sine)
-    if (s1, s2) == (-c2, c1):
-        return Turned(angle, 1, c1, c2)
-    if (s1, s2) == (c2, -c1):
-        return Turned(angle, -1, c1, c2)
+    for sense in (1, -1):
+        if is_multiple(s1, c2, -sense) and is_multiple(s2, c1, sense):
+            return Turned(angle, sense, c1, c2)
     return None
 
 

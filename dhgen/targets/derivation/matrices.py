@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.product import product, reversed_elements
+from dhgen.kinematics.product import product
 from dhgen.kinematics.transform import Transform, compose, translation
 from dhgen.paul.arm_plane import SHOULDER, shoulder_side
 from dhgen.paul.inverse_forms import inverted_column
@@ -50,13 +50,11 @@ def form_of(pool: Pool, place: Matrix) -> Form:
         left_column, right_column = inverted_column(pool, m, k)
         ring = algebra.ring
         return Form(place, translation(ring, left_column), translation(ring, right_column))
-    before = [element for link in problem.links[:m] for element in link]
-    middle = [element for link in problem.links[m:k] for element in link]
+    joints = problem.spans.product(m, k)
     if shoulder:
-        return Form(place, shoulder_side(problem, m, k), product(middle, algebra))
-    left = product(reversed_elements(before, algebra), algebra)
-    moved = compose(left, _moved_right(pool, k), algebra.normal)
-    return Form(place, moved, product(middle, algebra))
+        return Form(place, shoulder_side(problem, m, k), joints)
+    moved = compose(problem.spans.inverse(0, m), _moved_right(pool, k), algebra.normal)
+    return Form(place, moved, joints)
 
 
 def _moved_right(pool: Pool, k: int) -> Transform:

@@ -1,0 +1,71 @@
+"""Polynomials where every generator has a value, several places at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.forms import Exponents
+
+    Values = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Samples:
+    """Values of every generator; no monomial and no polynomial is worked out twice.
+
+    Values of generators may come later, before they are asked for.
+
+    Attributes:
+        values: Shape (generators, places).
+    """
+
+    values: Values
+    _monomials: dict[Exponents, list[float]] = field(default_factory=dict)
+    _found: dict[Polynomial, tuple[Values, Values]] = field(default_factory=dict)
+
+    def value(self, polynomial: Polynomial) -> Values:
+        """The polynomial, shape (places,)."""
+        return self.value_and_size(polynomial)[0]
+
+    def value_and_size(self, polynomial: Polynomial) -> tuple[Values, Values]:
+        """The polynomial and the sum of the sizes of its terms, each of shape (places,)."""
+        found = self._found.get(polynomial)
+        if found is None:
+            terms = self._terms(polynomial)
+            found = self._found[polynomial] = terms.sum(axis=0), np.abs(terms).sum(axis=0)
+        return found
+
+    def _terms(self, polynomial: Polynomial) -> Values:
+        known = self._monomials
+        new = [monomial for monomial in polynomial if monomial not in known]
+        known.update(zip(new, monomials_on(new, self.values).tolist(), strict=True))
+        monomials = np.array([known[monomial] for monomial in polynomial])
+        return np.asarray(_factors(polynomial) * monomials.reshape(-1, self.values.shape[1]))
+
+
+def terms_on(polynomial: Polynomial, values: Values) -> Values:
+    """Every term on every column of `values`, shape (terms, columns)."""
+    return _factors(polynomial) * monomials_on(list(polynomial), values)
+
+
+def monomials_on(monomials: Sequence[Exponents], values: Values) -> Values:
+    """Every monomial on every column of `values`, shape (monomials, columns)."""
+    exponents = np.frombuffer(b"".join(map(bytes, monomials)), np.uint8).reshape(-1, len(values))
+    used = np.flatnonzero(exponents.any(axis=0))
+    powers = values[used] ** exponents[:, used, None]
+    return np.asarray(powers.prod(axis=1))
+
+
+def _factors(polynomial: Polynomial) -> Values:
+    """The coefficients, shape (terms, 1)."""
+    numbers = [int(c.numerator) / int(c.denominator) for c in polynomial.values()]
+    return np.array(numbers)[:, None]

@@ -1,0 +1,28 @@
+from __future__ import annotations
+
+import numpy as np
+from sympy.polys.domains import QQ
+from sympy.polys.rings import PolyRing
+
+from dhgen.paul.samples import Samples, terms_on
+
+RING = PolyRing(["x", "y", "z"], QQ)
+X, Y, Z = RING.gens
+
+
+def test_values_and_sizes_are_those_of_the_terms() -> None:
+    values = np.array([[2.0, -1.0], [3.0, 0.5], [np.nan, np.nan]])
+    samples = Samples(values)
+    for polynomial in (X**2 * Y - X / 4, X**2 * Y + Y - 7, RING.zero, RING.one):
+        value, size = samples.value_and_size(polynomial)
+        terms = terms_on(polynomial, values)
+        np.testing.assert_array_equal(value, terms.sum(axis=0))
+        np.testing.assert_array_equal(size, np.abs(terms).sum(axis=0))
+    np.testing.assert_array_equal(samples.value(X**2 * Y - X / 4), [11.5, 0.75])
+
+
+def test_values_may_come_later() -> None:
+    values = np.array([[2.0], [3.0], [np.nan]])
+    samples = Samples(values)
+    values[2] = samples.value(X * Y)
+    assert samples.value(Z - 1).tolist() == [5.0]
