@@ -26,7 +26,7 @@ def product(*factors: tuple[float, float]) -> Callable[[np.ndarray, np.ndarray],
             2 * (np.sin((x - angle) / 2) ** 2 + np.sinh(depth / 2) ** 2) for angle, depth in factors
         ]
         value: np.ndarray = np.prod([np.sin((x - a) / 2) for a in ELSEWHERE], axis=0)
-        return value * np.prod(pairs, axis=0)
+        return np.asarray(value * np.prod(pairs, axis=0))
 
     return at
 
